@@ -1,0 +1,43 @@
+package org.selectiverenderer.x3d;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * An X3D file as read: its head and its scene.
+ *
+ * @param source the file's name as the user or an Inline gave it
+ * @param version for example {@code 4.0}
+ * @param profile for example {@code Immersive}
+ * @param components component name to level
+ * @param meta the meta elements in order, name and content
+ * @param units the unit elements: category, name, conversion factor to the standard's base unit
+ * @param nodes the nodes at the top of the scene
+ * @param named DEF name to node, in document order
+ * @param routes the ROUTE elements in document order
+ */
+public record X3dFile(
+    String source,
+    String version,
+    String profile,
+    Map<String, Integer> components,
+    List<Meta> meta,
+    List<Unit> units,
+    List<ParsedNode> nodes,
+    Map<String, ParsedNode> named,
+    List<ParsedRoute> routes,
+    List<Import> imports,
+    List<Export> exports) {
+
+  public record Meta(String name, String content) {}
+
+  public record Unit(String category, String name, double conversionFactor) {}
+
+  /** A ROUTE whose ends are checked: nodes exist, fields exist, types agree. */
+  public record ParsedRoute(
+      ParsedNode from, int fromField, ParsedNode to, int toField, Location location) {}
+
+  public record Import(String inlineDef, String importedDef, String as, Location location) {}
+
+  public record Export(String localDef, String as, Location location) {}
+}
