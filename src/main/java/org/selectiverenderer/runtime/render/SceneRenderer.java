@@ -2,7 +2,6 @@ package org.selectiverenderer.runtime.render;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
-import com.jogamp.opengl.GL2GL3;
 import java.util.List;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -48,7 +47,7 @@ public final class SceneRenderer {
     BackdropPainter.clear(gl, backdrop);
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
-    gl.glEnable(GL2GL3.GL_VERTEX_PROGRAM_POINT_SIZE);
+    gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
     list.programs().forEach(program -> program.begin(gl, pointSize));
     ItemPainter painter = new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight));
     painter.paint(0, seen.opaque);
