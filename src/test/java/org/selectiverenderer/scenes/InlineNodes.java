@@ -19,7 +19,7 @@ final class InlineNodes {
             "TrashCan_v1",
             "Trash can, version 1: 1064 polygons, as modelled",
             TRASH_CAN,
-            "creaseAngle='1.1'",
+            "creaseAngle='0.55'",
             TrashCan.v1()));
     files.put(
         "trashCan_v2.x3d",
@@ -32,6 +32,10 @@ final class InlineNodes {
     files.put(
         "woodenFloor.x3d",
         X3dText.document("WoodenFloor", "Floor boards, 5.2 m by 5.5 m", WoodenFloor.shape()));
+    files.put(
+        "contactShadow.x3d",
+        X3dText.document(
+            "ContactShadow", "Soft shadow on a floor, radius 1", ContactShadow.shape()));
     return files;
   }
 

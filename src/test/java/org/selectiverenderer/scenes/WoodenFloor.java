@@ -17,10 +17,10 @@ final class WoodenFloor {
 
   static final double DEPTH = 5.5;
 
-  private static final int ROWS = 26;
-  private static final double BOARD = 1.1;
+  private static final int ROWS = 40;
+  private static final double BOARD = 1.2;
   private static final String BROWNS =
-      "0.60 0.43 0.27 0.56 0.40 0.25 0.63 0.46 0.30 0.53 0.37 0.22 0.58 0.42 0.27 0.66 0.49 0.33";
+      "0.62 0.45 0.29 0.59 0.42 0.27 0.65 0.48 0.32 0.56 0.4 0.25 0.61 0.44 0.29 0.67 0.5 0.34";
 
   private WoodenFloor() {}
 
@@ -35,8 +35,8 @@ final class WoodenFloor {
         corners(points, row, joints.get(i), joints.get(i + 1));
         int p = 4 * board;
         faces.append(String.format(Locale.ROOT, "%d %d %d %d -1 ", p, p + 1, p + 2, p + 3));
-        // 7 and 5 have no common divisor with 6 in the sum: neighbours differ, no stripes.
-        colours.append((row * 5 + i * 7 + row * row) % 6).append(' ');
+        // Along a row the colours step by 1; the square keeps neighbouring rows out of step.
+        colours.append((row * 5 + i + row * row) % 6).append(' ');
       }
     }
     return """
@@ -75,7 +75,7 @@ final class WoodenFloor {
     points.append(
         String.format(
             Locale.ROOT,
-            "%.1f 0 %.2f %.1f 0 %.2f %.1f 0 %.2f %.1f 0 %.2f ",
+            "%.2f 0 %.2f %.2f 0 %.2f %.2f 0 %.2f %.2f 0 %.2f ",
             left,
             near,
             left,
