@@ -9,6 +9,8 @@ import java.util.List;
  * the others are holes in the smallest contour around them.
  */
 final class OutlineFiller {
+  private static final int DIRECTIONS = 8;
+
   private OutlineFiller() {}
 
   /**
@@ -58,13 +60,7 @@ final class OutlineFiller {
         System.arraycopy(group.get(i), 0, points, used, group.get(i).length);
         used += group.get(i).length;
       }
-      double[] plane = new double[used - 2 * first];
-      for (int i = 0; i < plane.length; i++) {
-        plane[i] = points[2 * first + i];
-      }
-      for (int index : Earcut.earcut(plane, holes, 2)) {
-        indices.add(first + index);
-      }
+      indices.addAll(clip(points, first, used / 2, holes));
     }
     int[] triangles = indices.stream().mapToInt(Integer::intValue).toArray();
     for (int i = 0; i < triangles.length; i += 3) {
@@ -78,6 +74,62 @@ final class OutlineFiller {
       points[i] *= scale;
     }
     return new Glyph(advance, points, triangles);
+  }
+
+  /**
+   * Ear clipping of a contour with holes. The library misses the way to some holes, depending on
+   * the direction in which it looks for it, and fills them; the area tells, and another direction
+   * helps.
+   */
+  private static List<Integer> clip(float[] points, int first, int end, int[] holes) {
+    List<Integer> best = List.of();
+    double least = Double.POSITIVE_INFINITY;
+    for (int attempt = 0; attempt < DIRECTIONS; attempt++) {
+      double sine = Math.sin(2 * Math.PI * attempt / DIRECTIONS);
+      double cosine = Math.cos(2 * Math.PI * attempt / DIRECTIONS);
+      double[] plane = new double[2 * (end - first)];
+      for (int i = 0; i < plane.length; i += 2) {
+        double x = points[2 * first + i];
+        double y = points[2 * first + i + 1];
+        plane[i] = cosine * x - sine * y;
+        plane[i + 1] = sine * x + cosine * y;
+      }
+      List<Integer> triangles = Earcut.earcut(plane, holes, 2);
+      double excess = excess(plane, holes, triangles);
+      if (excess < least) {
+        least = excess;
+        best = triangles;
+      }
+      if (least < 1e-3) {
+        break;
+      }
+    }
+    return best.stream().map(index -> first + index).toList();
+  }
+
+  /** By how much the triangles' area differs from the one to fill, as a part of that. */
+  private static double excess(double[] plane, int[] holes, List<Integer> triangles) {
+    double wanted = 0;
+    for (int ring = 0, from = 0; ring <= holes.length; ring++) {
+      int to = ring == holes.length ? plane.length / 2 : holes[ring];
+      double area = 0;
+      for (int i = from, j = to - 1; i < to; j = i++) {
+        area += plane[2 * j] * plane[2 * i + 1] - plane[2 * i] * plane[2 * j + 1];
+      }
+      wanted += ring == 0 ? Math.abs(area) : -Math.abs(area);
+      from = to;
+    }
+    double filled = 0;
+    for (int i = 0; i < triangles.size(); i += 3) {
+      int a = 2 * triangles.get(i);
+      int b = 2 * triangles.get(i + 1);
+      int c = 2 * triangles.get(i + 2);
+      filled +=
+          Math.abs(
+              (plane[b] - plane[a]) * (plane[c + 1] - plane[a + 1])
+                  - (plane[b + 1] - plane[a + 1]) * (plane[c] - plane[a]));
+    }
+    return Math.abs(filled - wanted) / Math.max(1e-9, wanted);
   }
 
   private static boolean turnsRight(float[] points, int a, int b, int c) {

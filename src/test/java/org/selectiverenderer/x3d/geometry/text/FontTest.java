@@ -52,8 +52,13 @@ class FontTest {
       for (int glyph = 0; glyph < file.glyphCount(); glyph++) {
         List<float[]> contours = Contours.of(file, glyph);
         double outline = -contours.stream().mapToDouble(OutlineFiller::area).sum();
+        double parts = contours.stream().mapToDouble(c -> Math.abs(OutlineFiller.area(c))).sum();
+        // A few letters of one font go round the wrong way; those have no holes.
+        double expected = outline < 0 ? parts : outline;
         double filled = area(OutlineFiller.fill(contours, 0, 1));
-        assertThat(filled).as(family + " glyph " + glyph).isCloseTo(outline, within(700.0));
+        assertThat(filled)
+            .as(family + " glyph " + glyph)
+            .isCloseTo(expected, within(1 + 1e-3 * expected));
       }
     }
   }
