@@ -25,13 +25,15 @@ final class ShapeLook implements NodeObserver {
   private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
   private @Nullable Mesh mesh;
   private Surface surface = Surface.UNLIT_WHITE;
+  private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
+  private boolean geometryChanged;
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
     this.assets = assets;
     this.tree = tree;
-    observe(shape);
+    observe();
     read();
   }
 
@@ -57,8 +59,21 @@ final class ShapeLook implements NodeObserver {
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }
 
-  private void observe(Node node) {
-    if (!observed.add(node)) {
+  private void observe() {
+    observed.add(shape);
+    shape.addObserver(this);
+    Node geometry = shape.node("geometry");
+    if (geometry != null) {
+      observe(geometry, inGeometry);
+    }
+    Node appearance = shape.node("appearance");
+    if (appearance != null) {
+      observe(appearance, observed);
+    }
+  }
+
+  private void observe(Node node, Set<Node> set) {
+    if (!set.add(node)) {
       return;
     }
     node.addObserver(this);
@@ -66,14 +81,18 @@ final class ShapeLook implements NodeObserver {
       if (!field.name().equals("metadata")
           && field.type() == FieldType.SFNode
           && node.value(field.index()) instanceof Node child) {
-        observe(child);
+        observe(child, set);
       }
     }
   }
 
   @Override
   public void changed(Node node, int field) {
-    assets.changed(node);
+    if (inGeometry.contains(node)) {
+      geometryChanged = true;
+    } else if (node.type().is("X3DTextureNode")) {
+      assets.changed(node);
+    }
     if (!pending) {
       pending = true;
       tree.pending(this);
@@ -84,7 +103,12 @@ final class ShapeLook implements NodeObserver {
   void update() {
     pending = false;
     dispose();
-    observe(shape);
+    observe();
+    Node geometry = shape.node("geometry");
+    if (geometryChanged && geometry != null) {
+      assets.changed(geometry);
+    }
+    geometryChanged = false;
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
       instance.show(false, tree);
@@ -101,5 +125,7 @@ final class ShapeLook implements NodeObserver {
   void dispose() {
     observed.forEach(node -> node.removeObserver(this));
     observed.clear();
+    inGeometry.forEach(node -> node.removeObserver(this));
+    inGeometry.clear();
   }
 }
