@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.net.URI;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.stream.Stream;
@@ -56,7 +56,7 @@ final class ContentRoot {
     Path path;
     try {
       path = lower.startsWith("file:") ? absolute(location) : relative(location, base);
-    } catch (InvalidPathException | IllegalArgumentException e) {
+    } catch (IllegalArgumentException | FileSystemNotFoundException e) {
       return new Target.Refused("is no file name");
     }
     Path real = real(path);
