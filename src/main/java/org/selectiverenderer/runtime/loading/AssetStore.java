@@ -11,7 +11,7 @@ import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * Meshes and images by node: those made while loading, and those made later for nodes that are new
- * or changed. Belongs to the thread that steps the world.
+ * or changed. Thread-safe.
  */
 final class AssetStore implements Assets {
   private final Map<Node, Optional<Mesh>> meshes = new IdentityHashMap<>();
@@ -25,26 +25,26 @@ final class AssetStore implements Assets {
     this.decode = decode;
   }
 
-  void put(Node geometry, Optional<Mesh> mesh) {
+  synchronized void put(Node geometry, Optional<Mesh> mesh) {
     meshes.put(geometry, mesh);
   }
 
-  void putImage(Node texture, Optional<Texture.Image> image) {
+  synchronized void putImage(Node texture, Optional<Texture.Image> image) {
     images.put(texture, image);
   }
 
   @Override
-  public Optional<Mesh> mesh(Node geometry) {
+  public synchronized Optional<Mesh> mesh(Node geometry) {
     return meshes.computeIfAbsent(geometry, tessellate);
   }
 
   @Override
-  public Optional<Texture.Image> image(Node texture) {
+  public synchronized Optional<Texture.Image> image(Node texture) {
     return images.computeIfAbsent(texture, decode);
   }
 
   @Override
-  public void changed(Node geometryOrTexture) {
+  public synchronized void changed(Node geometryOrTexture) {
     meshes.remove(geometryOrTexture);
     images.remove(geometryOrTexture);
   }
