@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4d;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
@@ -46,7 +47,11 @@ public final class World {
   private ViewpointFollower follower;
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
+  private volatile boolean running = true;
+  private boolean stepping;
 
   public World(LoadedScene loaded, Problems problems) {
     this.problems = problems;
@@ -114,12 +119,58 @@ public final class World {
   }
 
   /**
+   * Runs a task that changes the scene: at once when no step is under way or this is the stepping
+   * thread, else at the beginning of the next step. Tasks of one thread keep their order.
+   * Thread-safe.
+   */
+  public void execute(Runnable task) {
+    if (!lock.isHeldByCurrentThread() && (!posted.isEmpty() || !lock.tryLock())) {
+      posted.add(task);
+      return;
+    }
+    boolean own = lock.getHoldCount() == 1 && !stepping;
+    try {
+      task.run();
+    } finally {
+      if (own) {
+        lock.unlock();
+      }
+    }
+  }
+
+  /** Called at the end of every step, on the stepping thread. */
+  public void onStep(Runnable listener) {
+    stepListeners.add(listener);
+  }
+
+  /** Whether time passes: while not, steps only run posted tasks. */
+  public boolean running() {
+    return running;
+  }
+
+  public void running(boolean run) {
+    running = run;
+  }
+
+  /**
    * One frame.
    *
    * @param now the frame's time in seconds, not before the last one's
    * @param motion moves the viewer
    */
   public void step(double now, ViewerMotion motion) {
+    lock.lock();
+    try {
+      stepping = true;
+      frame(now, motion);
+      stepListeners.forEach(Runnable::run);
+    } finally {
+      stepping = false;
+      lock.unlock();
+    }
+  }
+
+  private void frame(double now, ViewerMotion motion) {
     double dt = Double.isNaN(time) ? 0 : Math.max(0, now - time);
     time = now;
     cascade.at(now);
@@ -131,6 +182,9 @@ public final class World {
     }
     cascade.run();
     instances.update();
+    if (!running) {
+      return;
+    }
     follower.follow();
     motion.move(viewer, now, dt);
     instances.view(viewer.position(), cascade);

@@ -30,6 +30,7 @@ public class Node implements NodeView {
   private NodeObserver[] observers = NO_OBSERVERS;
   private Listening[] listeners = NO_LISTENERS;
   private long @Nullable [] sentIn;
+  private @Nullable Object companion;
 
   public Node(NodeType type, @Nullable String name, Location location) {
     this.type = type;
@@ -75,6 +76,15 @@ public class Node implements NodeView {
   @SuppressWarnings("unchecked")
   public List<Node> nodes(String field) {
     return (List<Node>) value(field);
+  }
+
+  /** What another layer keeps of this node: its SAI object. Null until there is one. */
+  public final @Nullable Object companion() {
+    return companion;
+  }
+
+  public final void companion(Object object) {
+    companion = object;
   }
 
   /** Gives a field its value before the node is part of a world: no event is sent. */
