@@ -15,8 +15,8 @@ final class ProcessMemory {
   private ProcessMemory() {}
 
   /**
-   * The largest resident size so far, in MiB. Where the system does not tell (it does on Linux), what
-   * the virtual machine has taken from it.
+   * The largest resident size so far, in MiB. Where the system does not tell (it does on Linux),
+   * what the virtual machine has taken from it.
    */
   static double peakMegabytes() {
     return linux("VmHWM:").orElseGet(ProcessMemory::committed);

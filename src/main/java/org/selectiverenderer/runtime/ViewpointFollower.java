@@ -14,9 +14,9 @@ import org.selectiverenderer.runtime.nodes.BindStacks;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Ties the viewer to the bound Viewpoint (X3D 4.0, 23.3.1): binding one takes the viewer there; when
- * it moves, by animation or through the SAI, the viewer moves with it and keeps the offset that the
- * user walked.
+ * Ties the viewer to the bound Viewpoint (X3D 4.0, 23.3.1): binding one takes the viewer there;
+ * when it moves, by animation or through the SAI, the viewer moves with it and keeps the offset
+ * that the user walked.
  */
 final class ViewpointFollower {
   private final InstanceTree instances;

@@ -22,10 +22,10 @@ import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.Problems;
 
 /**
- * A running scene and its viewer, without window and GL. {@link #step} is one frame: tasks posted by
- * other threads, the viewer's motion, sensors, the event cascade with all listeners, and the instance
- * tree brought up to date; what is drawn afterwards shows all of it. With the same scene, times and
- * motion the same frames come out.
+ * A running scene and its viewer, without window and GL. {@link #step} is one frame: tasks posted
+ * by other threads, the viewer's motion, sensors, the event cascade with all listeners, and the
+ * instance tree brought up to date; what is drawn afterwards shows all of it. With the same scene,
+ * times and motion the same frames come out.
  *
  * <p>Threads: one thread steps the world and may touch it between steps; others {@link #post}.
  */
@@ -51,7 +51,6 @@ public final class World {
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
   private volatile boolean running = true;
-  private boolean stepping;
 
   public World(LoadedScene loaded, Problems problems) {
     this.problems = problems;
@@ -124,15 +123,14 @@ public final class World {
    * Thread-safe.
    */
   public void execute(Runnable task) {
-    if (!lock.isHeldByCurrentThread() && (!posted.isEmpty() || !lock.tryLock())) {
-      posted.add(task);
-      return;
-    }
-    boolean own = lock.getHoldCount() == 1 && !stepping;
-    try {
+    if (lock.isHeldByCurrentThread()) {
       task.run();
-    } finally {
-      if (own) {
+    } else if (!posted.isEmpty() || !lock.tryLock()) {
+      posted.add(task);
+    } else {
+      try {
+        task.run();
+      } finally {
         lock.unlock();
       }
     }
@@ -161,11 +159,9 @@ public final class World {
   public void step(double now, ViewerMotion motion) {
     lock.lock();
     try {
-      stepping = true;
       frame(now, motion);
       stepListeners.forEach(Runnable::run);
     } finally {
-      stepping = false;
       lock.unlock();
     }
   }
@@ -222,6 +218,36 @@ public final class World {
     bindables.bind(viewpoint, cascade);
     cascade.run();
     follower.jump();
+  }
+
+  /** All viewpoints of the scene in document order. */
+  public List<Node> viewpoints() {
+    List<Node> found = new ArrayList<>();
+    viewpoints(instances.root(), found);
+    return found.stream().distinct().toList();
+  }
+
+  private static void viewpoints(GroupInstance group, List<Node> found) {
+    for (Instance child : group.children()) {
+      if (child instanceof GroupInstance inner) {
+        viewpoints(inner, found);
+      } else if (child.node().type().is("X3DViewpointNode")) {
+        found.add(child.node());
+      }
+    }
+  }
+
+  /**
+   * Goes to a viewpoint counted from the bound one, around the ends of the list.
+   *
+   * @param steps +1 for the next, -1 for the one before
+   */
+  public void goToViewpoint(int steps) {
+    List<Node> all = viewpoints();
+    if (!all.isEmpty()) {
+      int at = bindables.bound("X3DViewpointNode").map(all::indexOf).orElse(-1);
+      goTo(all.get(Math.floorMod(at + steps, all.size())));
+    }
   }
 
   /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */

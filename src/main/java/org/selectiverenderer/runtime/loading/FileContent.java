@@ -14,8 +14,8 @@ import org.selectiverenderer.x3d.X3dFile;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
- * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A file
- * that is inlined ten times is read once. Filled by several threads, read when all are done.
+ * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
+ * file that is inlined ten times is read once. Filled by several threads, read when all are done.
  *
  * @param path the real path; for text without a file, the folder it counts as being in
  * @param problems found in this file, kept apart so that they can be reported in document order

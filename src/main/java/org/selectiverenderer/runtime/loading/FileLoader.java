@@ -20,8 +20,8 @@ import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Tessellator;
 
 /**
- * Reads a file and everything it names, all at once on an executor: each file, each geometry and each
- * image is a task of its own. One loader serves one load.
+ * Reads a file and everything it names, all at once on an executor: each file, each geometry and
+ * each image is a task of its own. One loader serves one load.
  */
 final class FileLoader {
   private final X3dReader reader;
@@ -78,13 +78,9 @@ final class FileLoader {
                 .ifPresent(reference -> content.inlines().put(node, reference));
           } else if (tessellator.handles(node.type())) {
             start(
-                () ->
-                    content
-                        .meshes()
-                        .put(node, tessellator.tessellate(node, content.problems())));
+                () -> content.meshes().put(node, tessellator.tessellate(node, content.problems())));
           } else if (node.type().is("X3DTexture2DNode")) {
-            start(
-                () -> content.images().put(node, image(node, folder, content.problems())));
+            start(() -> content.images().put(node, image(node, folder, content.problems())));
           }
         });
   }
@@ -106,8 +102,7 @@ final class FileLoader {
             });
   }
 
-  private CompletableFuture<Optional<FileContent>> begin(
-      Supplier<Optional<FileContent>> reading) {
+  private CompletableFuture<Optional<FileContent>> begin(Supplier<Optional<FileContent>> reading) {
     CompletableFuture<Optional<FileContent>> future =
         CompletableFuture.supplyAsync(reading, executor);
     tasks.add(future);
@@ -150,15 +145,12 @@ final class FileLoader {
     String[] urls = node.strings("url");
     String reason = null;
     for (String url : urls) {
-      switch (root.resolve(url, folder)) {
-        case ContentRoot.Target.File file -> {
-          return Optional.of(file.path());
-        }
-        case ContentRoot.Target.Refused refused -> {
-          if (reason == null) {
-            reason = "%s %s".formatted(url, refused.reason());
-          }
-        }
+      ContentRoot.Target target = root.resolve(url, folder);
+      if (target instanceof ContentRoot.Target.File file) {
+        return Optional.of(file.path());
+      }
+      if (reason == null && target instanceof ContentRoot.Target.Refused refused) {
+        reason = "%s %s".formatted(url, refused.reason());
       }
     }
     problems.error(
@@ -183,8 +175,7 @@ final class FileLoader {
       };
     } catch (IOException e) {
       problems.error(
-          node.location(),
-          "%s %s; the texture is left out".formatted(described(node), reason(e)));
+          node.location(), "%s %s; the texture is left out".formatted(described(node), reason(e)));
       return Optional.empty();
     }
   }

@@ -28,7 +28,9 @@ import org.selectiverenderer.x3d.X3dFile;
  * problems of each file when it is first met, in document order.
  */
 final class SceneBuilder {
-  /** Nodes above which the rest of a scene is left out, so that Inlines cannot multiply for ever. */
+  /**
+   * Nodes above which the rest of a scene is left out, so that Inlines cannot multiply for ever.
+   */
   static final int MAX_NODES = 8_000_000;
 
   private final NodeFactory factory;
@@ -39,8 +41,7 @@ final class SceneBuilder {
   private final Set<String> keptOnly = new HashSet<>();
   private int nodes;
 
-  SceneBuilder(
-      NodeCatalogue catalogue, NodeFactory factory, AssetStore assets, Problems problems) {
+  SceneBuilder(NodeCatalogue catalogue, NodeFactory factory, AssetStore assets, Problems problems) {
     this.factory = factory;
     this.groupType = catalogue.get("Group");
     this.assets = assets;

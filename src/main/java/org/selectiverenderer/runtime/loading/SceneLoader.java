@@ -23,8 +23,8 @@ import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Tessellator;
 
 /**
- * Loads scenes. Owns as many threads as there are processors, named {@code scene-loader-N}, until it
- * is closed. All scenes of one loader share their assets, so that nodes of one may be put into
+ * Loads scenes. Owns as many threads as there are processors, named {@code scene-loader-N}, until
+ * it is closed. All scenes of one loader share their assets, so that nodes of one may be put into
  * another. Thread-safe.
  */
 public final class SceneLoader implements AutoCloseable {
@@ -102,8 +102,7 @@ public final class SceneLoader implements AutoCloseable {
     return parent == null ? Path.of("") : parent;
   }
 
-  private FileContent load(String name, InputStream in, Path path, Path folder)
-      throws IOException {
+  private FileContent load(String name, InputStream in, Path path, Path folder) throws IOException {
     ContentRoot root = new ContentRoot(folder.toAbsolutePath());
     return new FileLoader(reader, tessellator, executor, root).load(name, in, path, folder);
   }

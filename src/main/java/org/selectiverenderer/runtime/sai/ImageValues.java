@@ -8,15 +8,16 @@ import org.jspecify.annotations.Nullable;
 import org.web3d.x3d.sai.InvalidFieldValueException;
 
 /**
- * The methods of SFImage, whose value is width, height, components and a number per pixel, the lowest
- * row first (X3D 4.0, 5.3.6).
+ * The methods of SFImage, whose value is width, height, components and a number per pixel, the
+ * lowest row first (X3D 4.0, 5.3.6).
  */
 final class ImageValues {
   private ImageValues() {}
 
   static int[] of(int width, int height, int components, int[] pixels) {
     if (width < 0 || height < 0 || components < 0 || components > 4) {
-      throw new InvalidFieldValueException("an image has a size of 0 or more and 0 to 4 components");
+      throw new InvalidFieldValueException(
+          "an image has a size of 0 or more and 0 to 4 components");
     }
     if (pixels.length < width * height) {
       throw new InvalidFieldValueException(

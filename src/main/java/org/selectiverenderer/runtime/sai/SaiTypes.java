@@ -19,7 +19,9 @@ final class SaiTypes {
 
   private final Map<NodeType, Class<?>[]> interfaces = new ConcurrentHashMap<>();
 
-  /** The interfaces of a node: X3DNode, its own, and those of the abstract types it descends from. */
+  /**
+   * The interfaces of a node: X3DNode, its own, and those of the abstract types it descends from.
+   */
   Class<?>[] interfacesOf(NodeType type) {
     return interfaces.computeIfAbsent(type, SaiTypes::collect);
   }

@@ -10,8 +10,8 @@ import org.web3d.x3d.sai.InvalidFieldValueException;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Between the arguments of SAI methods and the values of {@link FieldType}. What is handed in or out
- * is copied, so that nobody outside writes into a field's array.
+ * Between the arguments of SAI methods and the values of {@link FieldType}. What is handed in or
+ * out is copied, so that nobody outside writes into a field's array.
  */
 final class Values {
   private final EmbeddedBrowser browser;
@@ -169,8 +169,7 @@ final class Values {
   private static void check(FieldType type, Object value, int index, boolean endAllowed) {
     int size = size(type, value);
     if (index < 0 || index > size || (index == size && !endAllowed)) {
-      throw new ArrayIndexOutOfBoundsException(
-          "index %d of %d values".formatted(index, size));
+      throw new ArrayIndexOutOfBoundsException("index %d of %d values".formatted(index, size));
     }
   }
 
