@@ -27,6 +27,11 @@ public enum Condition {
   /** Half of the objects have few polygons, drawn by lot without regard to schemas. */
   RANDOM;
 
+  /**
+   * The first draws of {@link Random} hardly differ for seeds close to each other, such as 1, 2.
+   */
+  private static final long SPREAD = 0x9E3779B97F4A7C15L;
+
   /** The name on the command line, for example {@code high-low}. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
@@ -61,7 +66,7 @@ public enum Condition {
       case SELECTIVE -> Map.of();
       case HIGH -> choose(switches, SwitchSchemas::mostDetailed);
       case HIGH_LOW -> choose(switches, schemas -> highLow(schemas, activated));
-      case RANDOM -> lot(switches, new Random(seed));
+      case RANDOM -> lot(switches, new Random(seed * SPREAD));
     };
   }
 

@@ -6,10 +6,10 @@ import org.web3d.x3d.sai.X3DNode;
  * Something about the scene that its author should know.
  *
  * @param nodeName the name of the Switch or ProximitySensor
- * @param metadata the metadata node that is at fault
+ * @param node the node that is at fault: often a metadata node of the former
  * @param message one sentence: what is wrong and what is done about it
  */
-public record ControlProblem(String nodeName, X3DNode metadata, String message) {
+public record ControlProblem(String nodeName, X3DNode node, String message) {
   /** For people, when the place in the file is not known. */
   @Override
   public String toString() {
