@@ -172,7 +172,7 @@ public final class Walkthrough implements AutoCloseable {
   }
 
   private void report(ControlProblem problem) {
-    Location place = browser.locationOf(problem.metadata());
+    Location place = browser.locationOf(problem.node());
     problems.warning(place, problem.nodeName() + ": " + problem.message());
   }
 
