@@ -26,6 +26,7 @@ final class ShapeLook implements NodeObserver {
   private @Nullable Mesh mesh;
   private Surface surface = Surface.UNLIT_WHITE;
   private boolean pending;
+  private boolean disposed;
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
@@ -63,10 +64,14 @@ final class ShapeLook implements NodeObserver {
     }
     node.addObserver(this);
     for (FieldDefinition field : node.type().fields()) {
-      if (!field.name().equals("metadata")
-          && field.type() == FieldType.SFNode
-          && node.value(field.index()) instanceof Node child) {
+      if (field.name().equals("metadata")) {
+        continue;
+      }
+      Object value = node.value(field.index());
+      if (value instanceof Node child) {
         observe(child);
+      } else if (field.type() == FieldType.MFNode) {
+        node.nodes(field.name()).forEach(this::observe);
       }
     }
   }
@@ -83,7 +88,10 @@ final class ShapeLook implements NodeObserver {
   /** Makes mesh and surface anew after a change. */
   void update() {
     pending = false;
-    dispose();
+    if (disposed) {
+      return; // Its last instance left the scene between the change and this update.
+    }
+    forget();
     observe(shape);
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
@@ -97,8 +105,13 @@ final class ShapeLook implements NodeObserver {
     }
   }
 
-  /** Stops observing. */
+  /** The last instance is gone. */
   void dispose() {
+    disposed = true;
+    forget();
+  }
+
+  private void forget() {
     observed.forEach(node -> node.removeObserver(this));
     observed.clear();
   }
