@@ -23,8 +23,8 @@ import org.selectiverenderer.x3d.ReadLimits;
 
 /**
  * A scene under the controller, ready to be walked through: what {@code run}, {@code simulate} and
- * {@code bench} have in common. Each step is a frame; with the same scene, settings, times and motion
- * the same time line comes out, with and without a picture.
+ * {@code bench} have in common. Each step is a frame; with the same scene, settings, times and
+ * motion the same time line comes out, with and without a picture.
  *
  * <p>One thread steps it, the one that opened it or one that it is handed over to.
  */
@@ -75,8 +75,7 @@ public final class Walkthrough implements AutoCloseable {
       throws IOException {
     Problems problems = new Problems(problem);
     SceneLoader loader =
-        new SceneLoader(
-            NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
     try {
       LoadedScene loaded = loader.load(scene);
       World world = new World(loaded, problems);

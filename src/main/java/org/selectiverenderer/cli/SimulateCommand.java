@@ -19,8 +19,10 @@ import picocli.CommandLine.Parameters;
 
 @Command(
     name = "simulate",
-    description = "Walks a recorded path through a scene without a display and prints what happens.",
-    footer = "  ./selective-renderer simulate scenes/trashcan.x3d --path scenes/paths/desk-visit.csv")
+    description =
+        "Walks a recorded path through a scene without a display and prints what happens.",
+    footer =
+        "  ./selective-renderer simulate scenes/trashcan.x3d --path scenes/paths/desk-visit.csv")
 final class SimulateCommand extends CliCommand {
   private enum Format {
     text,

@@ -28,6 +28,7 @@ final class ShapeLook implements NodeObserver {
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean geometryChanged;
+  private boolean disposed;
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
@@ -78,10 +79,14 @@ final class ShapeLook implements NodeObserver {
     }
     node.addObserver(this);
     for (FieldDefinition field : node.type().fields()) {
-      if (!field.name().equals("metadata")
-          && field.type() == FieldType.SFNode
-          && node.value(field.index()) instanceof Node child) {
+      if (field.name().equals("metadata")) {
+        continue;
+      }
+      Object value = node.value(field.index());
+      if (value instanceof Node child) {
         observe(child, set);
+      } else if (field.type() == FieldType.MFNode) {
+        node.nodes(field.name()).forEach(child -> observe(child, set));
       }
     }
   }
@@ -102,7 +107,10 @@ final class ShapeLook implements NodeObserver {
   /** Makes mesh and surface anew after a change. */
   void update() {
     pending = false;
-    dispose();
+    if (disposed) {
+      return; // Its last instance left the scene between the change and this update.
+    }
+    forget();
     observe();
     Node geometry = shape.node("geometry");
     if (geometryChanged && geometry != null) {
@@ -121,8 +129,13 @@ final class ShapeLook implements NodeObserver {
     }
   }
 
-  /** Stops observing. */
+  /** The last instance is gone. */
   void dispose() {
+    disposed = true;
+    forget();
+  }
+
+  private void forget() {
     observed.forEach(node -> node.removeObserver(this));
     observed.clear();
     inGeometry.forEach(node -> node.removeObserver(this));
