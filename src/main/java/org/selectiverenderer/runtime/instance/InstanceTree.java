@@ -31,6 +31,7 @@ public final class InstanceTree {
   private final List<LightInstance> lights = new ArrayList<>();
   private List<ShapeInstance> shapes = List.of();
   private long structureVersion;
+  private long placementVersion;
   private boolean structureChanged = true;
   private long shownPolygons;
 
@@ -58,6 +59,11 @@ public final class InstanceTree {
     return structureVersion;
   }
 
+  /** Changes when a shape may have moved or may have got another mesh. */
+  public long placementVersion() {
+    return placementVersion;
+  }
+
   /** All lights, on or off. */
   public List<LightInstance> lights() {
     return List.copyOf(lights);
@@ -76,6 +82,10 @@ public final class InstanceTree {
   /** Triangles of all shapes shown: the polygon count of the scene in its present state. */
   public long shownPolygons() {
     return shownPolygons;
+  }
+
+  void moved() {
+    placementVersion++;
   }
 
   void polygonsShown(int more) {
@@ -98,6 +108,7 @@ public final class InstanceTree {
     pendingGroups.clear();
     for (int i = 0; i < pendingLooks.size(); i++) {
       pendingLooks.get(i).update();
+      moved();
     }
     pendingLooks.clear();
     if (structureChanged) {
