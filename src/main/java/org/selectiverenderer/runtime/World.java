@@ -178,6 +178,7 @@ public final class World {
     }
     cascade.run();
     instances.update();
+    bindables.update(cascade);
     if (!running) {
       return;
     }
@@ -222,19 +223,7 @@ public final class World {
 
   /** All viewpoints of the scene in document order. */
   public List<Node> viewpoints() {
-    List<Node> found = new ArrayList<>();
-    viewpoints(instances.root(), found);
-    return found.stream().distinct().toList();
-  }
-
-  private static void viewpoints(GroupInstance group, List<Node> found) {
-    for (Instance child : group.children()) {
-      if (child instanceof GroupInstance inner) {
-        viewpoints(inner, found);
-      } else if (child.node().type().is("X3DViewpointNode")) {
-        found.add(child.node());
-      }
-    }
+    return bindables.all("X3DViewpointNode");
   }
 
   /**

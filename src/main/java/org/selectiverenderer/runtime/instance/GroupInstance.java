@@ -93,7 +93,10 @@ public final class GroupInstance extends Instance implements NodeObserver {
     for (GroupingNode.Effect effect : effects) {
       switch (effect) {
         case STRUCTURE -> tree.rebuild(this);
-        case PLACEMENT -> moved(tree);
+        case PLACEMENT -> {
+          moved(tree);
+          tree.moved();
+        }
         case CHOICE -> choose();
         case NONE -> {}
       }

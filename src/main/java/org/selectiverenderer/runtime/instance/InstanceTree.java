@@ -48,6 +48,7 @@ public final class InstanceTree {
   private final Vector3d localUp = new Vector3d();
   private List<ShapeInstance> shapes = List.of();
   private long structureVersion;
+  private long placementVersion;
   private boolean structureChanged = true;
   private boolean cutOff;
   private int instances;
@@ -75,6 +76,11 @@ public final class InstanceTree {
   /** Changes when {@link #shapes()} or the lights gain or lose an element. */
   public long structureVersion() {
     return structureVersion;
+  }
+
+  /** Changes when a shape may have moved or may have got another mesh. */
+  public long placementVersion() {
+    return placementVersion;
   }
 
   /** All lights, on or off, in document order. */
@@ -123,6 +129,10 @@ public final class InstanceTree {
     return cutOff;
   }
 
+  void moved() {
+    placementVersion++;
+  }
+
   void polygonsShown(int more) {
     shownPolygons += more;
   }
@@ -148,6 +158,7 @@ public final class InstanceTree {
     pendingGroups.clear();
     for (int i = 0; i < pendingLooks.size(); i++) {
       pendingLooks.get(i).update();
+      moved();
     }
     pendingLooks.clear();
     if (structureChanged) {
