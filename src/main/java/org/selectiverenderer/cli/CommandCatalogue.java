@@ -1,0 +1,12 @@
+package org.selectiverenderer.cli;
+
+import java.util.List;
+
+/** The commands, in the order of {@code --help}. */
+final class CommandCatalogue {
+  private CommandCatalogue() {}
+
+  static List<CliCommand> commands(Console console) {
+    return List.of(new SimulateCommand(console));
+  }
+}

@@ -1,0 +1,133 @@
+package org.selectiverenderer.x3d;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Puts the child nodes of one node into its fields (ISO/IEC 19776-1, 4.3.6: containerField). */
+final class Children {
+  private final ParsedNode parent;
+  private final Reading reading;
+  // Few fields of a node hold lists, so they are looked through instead of hashed.
+  private final List<FieldDefinition> fields = new ArrayList<>(2);
+  private final List<List<ParsedNode>> lists = new ArrayList<>(2);
+
+  Children(ParsedNode parent, Reading reading) {
+    this.parent = parent;
+    this.reading = reading;
+  }
+
+  /**
+   * Puts a child where its containerField says, or else where a node of its type fits.
+   *
+   * @param containerField as the file gives it, or null
+   */
+  void add(ParsedNode child, @Nullable String containerField, Location location) {
+    FieldDefinition field = wanted(child.type(), containerField);
+    if (field == null) {
+      field = fitting(child.type());
+      if (field == null) {
+        reading.error(
+            location,
+            "a " + child.type() + " cannot stand in a " + parent.type() + "; it is left out");
+        return;
+      }
+      reading.warning(
+          location,
+          "a "
+              + child.type()
+              + " does not belong into "
+              + (containerField == null ? child.type().containerField() : containerField)
+              + " of a "
+              + parent.type()
+              + "; it is taken as its "
+              + field.name());
+    }
+    put(field, child, location);
+  }
+
+  /** Puts a child into a field that accepts its type. */
+  void put(FieldDefinition field, ParsedNode child, Location location) {
+    if (field.type().multiple()) {
+      list(field).add(child);
+    } else if (parent.given(field.index())) {
+      reading.error(
+          location,
+          "the "
+              + field.name()
+              + " of a "
+              + parent.type()
+              + " is one node and there already; this "
+              + child.type()
+              + " is left out");
+    } else {
+      parent.put(field.index(), child);
+    }
+  }
+
+  /** Makes the lists of nodes values of the parent. */
+  void finish() {
+    for (int i = 0; i < lists.size(); i++) {
+      parent.put(fields.get(i).index(), List.copyOf(lists.get(i)));
+    }
+  }
+
+  private List<ParsedNode> list(FieldDefinition field) {
+    for (int i = 0; i < lists.size(); i++) {
+      if (fields.get(i) == field) {
+        return lists.get(i);
+      }
+    }
+    List<ParsedNode> list = new ArrayList<>(4);
+    fields.add(field);
+    lists.add(list);
+    return list;
+  }
+
+  private @Nullable FieldDefinition wanted(NodeType child, @Nullable String containerField) {
+    NodeType type = parent.type();
+    String name = containerField != null ? containerField : child.containerField();
+    if (containerField == null && child.is("X3DMetadataObject") && type.field("value").isEmpty()) {
+      // The catalogue's default is that of metadata in a MetadataSet.
+      name = "metadata";
+    }
+    FieldDefinition field = type.field(name).orElse(null);
+    if (field == null) {
+      // X3D 3.0 and VRML97 called the children of Switch and LOD so.
+      boolean old =
+          name.equals("choice") && type.is("Switch") || name.equals("level") && type.is("LOD");
+      field = old ? type.field("children").orElse(null) : null;
+    }
+    return field != null && accepts(field, child) ? field : null;
+  }
+
+  private @Nullable FieldDefinition fitting(NodeType child) {
+    FieldDefinition usual = parent.type().field(child.containerField()).orElse(null);
+    if (usual != null && accepts(usual, child)) {
+      return usual;
+    }
+    FieldDefinition taken = null;
+    for (FieldDefinition field : parent.type().fields()) {
+      if (accepts(field, child)) {
+        if (field.type().multiple() || !parent.given(field.index())) {
+          return field;
+        }
+        taken = field;
+      }
+    }
+    return taken;
+  }
+
+  /** Whether a file may put a node of that type into the field. */
+  static boolean accepts(FieldDefinition field, NodeType child) {
+    if (!field.type().isNode() || !field.access().initialisable()) {
+      return false;
+    }
+    for (String type : field.nodeTypes()) {
+      if (child.is(type)) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

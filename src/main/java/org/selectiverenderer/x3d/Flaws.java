@@ -1,0 +1,49 @@
+package org.selectiverenderer.x3d;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Collects what is wrong with the text of one value. A value of a million bad numbers costs little.
+ */
+final class Flaws {
+  /** Flaws kept per value; the rest are counted. */
+  private static final int LIMIT = 10;
+
+  private final List<FieldParser.Flaw> list = new ArrayList<>();
+  private int more;
+
+  void error(int offset, String message) {
+    add(Problem.Severity.ERROR, offset, message);
+  }
+
+  void warning(int offset, String message) {
+    add(Problem.Severity.WARNING, offset, message);
+  }
+
+  private void add(Problem.Severity severity, int offset, String message) {
+    if (list.size() < LIMIT) {
+      list.add(new FieldParser.Flaw(offset, severity, message));
+    } else {
+      more++;
+    }
+  }
+
+  boolean isEmpty() {
+    return list.isEmpty();
+  }
+
+  List<FieldParser.Flaw> list() {
+    if (more > 0) {
+      FieldParser.Flaw last = list.get(LIMIT - 1);
+      list.set(
+          LIMIT - 1,
+          new FieldParser.Flaw(
+              last.offset(),
+              last.severity(),
+              last.message() + "; the same value has " + more + " more such problems"));
+      more = 0;
+    }
+    return List.copyOf(list);
+  }
+}

@@ -1,0 +1,235 @@
+package org.selectiverenderer.x3d;
+
+import org.jspecify.annotations.Nullable;
+
+/** Turns elements into nodes, and gives the statements between them to who reads those. */
+final class NodeReader {
+  /**
+   * A node and where its element asks to be put.
+   *
+   * @param containerField as the file gives it, or null
+   */
+  record Child(Scope.Named named, @Nullable String containerField, Location location) {
+    ParsedNode node() {
+      return named.node();
+    }
+  }
+
+  /** Reads IMPORT and EXPORT, which belong to the file as a whole. */
+  interface Links {
+    /** Reads the attributes of the current element. */
+    void link(ElementCursor in);
+  }
+
+  private final Reading reading;
+  private final RouteReader routes;
+  private final Links links;
+  private final ProtoReader prototypes;
+
+  NodeReader(Reading reading, RouteReader routes, Links links) {
+    this.reading = reading;
+    this.routes = routes;
+    this.links = links;
+    this.prototypes = new ProtoReader(reading, this, routes);
+  }
+
+  /** Reads the current element to its end. Null when it is no node or is left out. */
+  @Nullable Child read(ElementCursor in, Scope scope) {
+    return read(in, scope, null);
+  }
+
+  /**
+   * The same for the first node of a prototype's body.
+   *
+   * @param name the instance's DEF name, which the node has instead of its own
+   */
+  @Nullable Child read(ElementCursor in, Scope scope, @Nullable String name) {
+    if (!reading.enter(in.location())) {
+      in.skip();
+      return null;
+    }
+    try {
+      switch (in.name()) {
+        case "ROUTE" -> routes.read(in, scope);
+        case "ProtoDeclare" -> prototypes.declare(in, scope);
+        case "ExternProtoDeclare" -> prototypes.declareExternal(in, scope);
+        case "ProtoInstance" -> {
+          return prototypes.instance(in, scope, name);
+        }
+        case "IMPORT", "EXPORT" -> {
+          links.link(in);
+          in.skip();
+        }
+        default -> {
+          NodeType type = reading.catalogue.find(in.name()).orElse(null);
+          if (type != null) {
+            return node(in, scope, type, name);
+          }
+          reading.error(
+              in.location(),
+              "unknown element "
+                  + in.name()
+                  + reading
+                      .catalogue
+                      .suggestion(shortened(in.name()))
+                      .map(found -> " (did you mean " + found + "?)")
+                      .orElse("")
+                  + "; it and its children are left out");
+          in.skip();
+        }
+      }
+      return null;
+    } finally {
+      reading.leave();
+    }
+  }
+
+  private static String shortened(String name) {
+    return name.substring(0, Math.min(name.length(), 100));
+  }
+
+  private @Nullable Child node(
+      ElementCursor in, Scope scope, NodeType type, @Nullable String givenName) {
+    Location location = in.location();
+    String use = in.attribute("USE");
+    if (use != null) {
+      return use(in, scope, use, type.name());
+    }
+    if (!reading.spend(location)) {
+      in.skip();
+      return null;
+    }
+    String def = in.attribute("DEF");
+    String containerField = in.attribute("containerField");
+    ParsedNode node = new ParsedNode(type, givenName != null ? givenName : def, location);
+    Scope.Named named = new Scope.Named(node, null);
+    define(scope, def, named, location);
+    attributes(in, node);
+    scope.open(node);
+    content(in, scope, named);
+    scope.close(node);
+    return new Child(named, containerField, location);
+  }
+
+  /** Gives a node its DEF name in a scope, if it has one. */
+  void define(Scope scope, @Nullable String def, Scope.Named named, Location location) {
+    if (def == null) {
+      return;
+    }
+    Scope.Named before = scope.define(def, named);
+    if (before != null) {
+      reading.warning(
+          location,
+          "the name "
+              + def
+              + " is given already at "
+              + before.node().location()
+              + "; from here on it means this "
+              + named.node().type());
+    }
+  }
+
+  /**
+   * Reads an element with USE: the node that has the name, as long as it is a node of that kind.
+   */
+  @Nullable Child use(ElementCursor in, Scope scope, String name, String element) {
+    Location location = in.place().attribute(in.indexOf("USE"));
+    String containerField = in.attribute("containerField");
+    in.skip();
+    Scope.Named found = scope.find(name);
+    if (found == null) {
+      reading.error(
+          location,
+          "no node before this is called "
+              + name
+              + Spelling.question(name, scope.names().keySet())
+              + "; the USE is left out");
+      return null;
+    }
+    if (scope.isOpen(found.node())) {
+      reading.error(location, name + " would become a part of itself here; the USE is left out");
+      return null;
+    }
+    String kind = found.instance() != null ? "ProtoInstance" : found.node().type().name();
+    if (!kind.equals(element)) {
+      reading.warning(
+          location, name + " is a " + kind + ", not a " + element + "; the " + kind + " is used");
+    }
+    return new Child(found, containerField, location);
+  }
+
+  private void attributes(ElementCursor in, ParsedNode node) {
+    NodeType type = node.type();
+    for (int i = 0; i < in.attributes(); i++) {
+      String name = in.attributeName(i);
+      FieldDefinition field = type.field(name).orElse(null);
+      if (field == null) {
+        switch (name) {
+          case "DEF", "USE", "containerField", "class", "id", "style", "" -> {
+            // The XML encoding's own attributes, and those of other languages.
+          }
+          default ->
+              reading.warning(
+                  in.place().attribute(i),
+                  type
+                      + " has no field "
+                      + name
+                      + Spelling.question(
+                          name, type.fields().stream().map(FieldDefinition::name).toList())
+                      + "; it is left out");
+        }
+      } else if (field.type().isNode()) {
+        reading.warning(
+            in.place().attribute(i),
+            name + " of " + type + " is given by a child element; the attribute is left out");
+      } else if (!field.access().initialisable()) {
+        reading.warning(
+            in.place().attribute(i),
+            name + " of " + type + " is for events and has no value in a file; it is left out");
+      } else {
+        Object value = in.attributeValue(i, field.type());
+        if (value != null) {
+          node.put(field.index(), value);
+        }
+      }
+    }
+  }
+
+  private void content(ElementCursor in, Scope scope, Scope.Named named) {
+    ParsedNode node = named.node();
+    FieldDefinition source = node.type().field("sourceCode").orElse(null);
+    StringBuilder text = null;
+    if (source != null) {
+      text = new StringBuilder();
+      in.collectText(text);
+    }
+    Children children = new Children(node, reading);
+    while (in.next()) {
+      if (in.name().equals("IS")) {
+        prototypes.connect(in, scope, named, children);
+      } else if (in.name().equals("field") && node.type().field("field").isPresent()) {
+        scriptField(in, scope);
+      } else {
+        Child child = read(in, scope);
+        if (child != null) {
+          children.add(child.node(), child.containerField(), child.location());
+        }
+      }
+    }
+    children.finish();
+    if (text != null && source != null && !text.toString().isBlank()) {
+      node.put(source.index(), text.toString().strip());
+    }
+  }
+
+  /** A script's own field is of no use without the script; but nodes in it may have names. */
+  private void scriptField(ElementCursor in, Scope scope) {
+    while (in.next()) {
+      if (in.name().equals("IS")) {
+        in.skip();
+      } else {
+        read(in, scope);
+      }
+    }
+  }
+}

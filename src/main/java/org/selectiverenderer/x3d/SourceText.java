@@ -1,0 +1,184 @@
+package org.selectiverenderer.x3d;
+
+import com.fasterxml.aalto.stax.InputFactoryImpl;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Locale;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamException;
+import org.codehaus.stax2.XMLStreamReader2;
+import org.codehaus.stax2.io.Stax2ByteArraySource;
+import org.codehaus.stax2.io.Stax2CharArraySource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The characters of a scene's file. A file of ASCII only, as most are, is parsed from its bytes;
+ * any other is decoded first, so that a column always counts characters.
+ */
+final class SourceText {
+  private static final int DECLARATION_LENGTH = 200;
+
+  private final byte[] bytes;
+  private final int length;
+  private final char @Nullable [] decoded;
+  private final @Nullable String complaint;
+
+  private SourceText(
+      byte[] bytes, int length, char @Nullable [] decoded, @Nullable String complaint) {
+    this.bytes = bytes;
+    this.length = length;
+    this.decoded = decoded;
+    this.complaint = complaint;
+  }
+
+  /**
+   * Finds the encoding by byte order mark, null bytes and XML declaration (XML 1.0, appendix F).
+   */
+  static SourceText of(byte[] bytes, int length) {
+    int b0 = length > 0 ? bytes[0] & 0xff : -1;
+    int b1 = length > 1 ? bytes[1] & 0xff : -1;
+    if (b0 == 0xfe && b1 == 0xff) {
+      return decode(bytes, 2, length, StandardCharsets.UTF_16BE);
+    }
+    if (b0 == 0xff && b1 == 0xfe) {
+      return decode(bytes, 2, length, StandardCharsets.UTF_16LE);
+    }
+    if (b0 == 0 && b1 == '<') {
+      return decode(bytes, 0, length, StandardCharsets.UTF_16BE);
+    }
+    if (b0 == '<' && b1 == 0) {
+      return decode(bytes, 0, length, StandardCharsets.UTF_16LE);
+    }
+    boolean marked = b0 == 0xef && b1 == 0xbb && length > 2 && (bytes[2] & 0xff) == 0xbf;
+    int start = marked ? 3 : 0;
+    String declared = marked ? "utf-8" : declaredEncoding(bytes, length);
+    boolean usual =
+        switch (declared) {
+          case "", "utf-8", "utf8", "us-ascii", "iso-8859-1" -> true;
+          default -> false;
+        };
+    if (usual && ascii(bytes, start, length)) {
+      byte[] text = marked ? Arrays.copyOfRange(bytes, start, length) : bytes;
+      return new SourceText(text, length - start, null, null);
+    }
+    Charset charset = charset(declared);
+    if (charset == null) {
+      SourceText text = decode(bytes, start, length, StandardCharsets.UTF_8);
+      return new SourceText(
+          bytes,
+          text.length,
+          text.decoded,
+          "the encoding " + Words.quote(declared) + " is not known; the file is read as UTF-8");
+    }
+    return decode(bytes, start, length, charset);
+  }
+
+  private static boolean ascii(byte[] bytes, int from, int to) {
+    int all = 0;
+    for (int i = from; i < to; i++) {
+      all |= bytes[i];
+    }
+    return all >= 0;
+  }
+
+  private static String declaredEncoding(byte[] bytes, int length) {
+    String head =
+        new String(bytes, 0, Math.min(length, DECLARATION_LENGTH), StandardCharsets.ISO_8859_1);
+    int end = head.indexOf("?>");
+    int at = head.startsWith("<?xml") && end > 0 ? head.substring(0, end).indexOf("encoding") : -1;
+    if (at < 0) {
+      return "";
+    }
+    String rest = head.substring(at + "encoding".length(), end).strip();
+    if (!rest.startsWith("=")) {
+      return "";
+    }
+    rest = rest.substring(1).strip();
+    int close = rest.isEmpty() ? -1 : rest.indexOf(rest.charAt(0), 1);
+    return close < 0 ? "" : rest.substring(1, close).toLowerCase(Locale.ROOT);
+  }
+
+  private static @Nullable Charset charset(String name) {
+    if (name.isEmpty() || name.startsWith("utf-16")) {
+      // What declares UTF-16 in a readable declaration is not UTF-16.
+      return StandardCharsets.UTF_8;
+    }
+    return name.chars().allMatch(c -> c > ' ' && c < 127)
+            && name.matches("[a-z0-9][a-z0-9._:+-]*")
+            && Charset.isSupported(name)
+        ? Charset.forName(name)
+        : null;
+  }
+
+  private static SourceText decode(byte[] bytes, int start, int end, Charset charset) {
+    ByteBuffer in = ByteBuffer.wrap(bytes, start, end - start);
+    try {
+      CharBuffer text =
+          charset
+              .newDecoder()
+              .onMalformedInput(CodingErrorAction.REPORT)
+              .onUnmappableCharacter(CodingErrorAction.REPORT)
+              .decode(in);
+      return of(bytes, text, null);
+    } catch (CharacterCodingException e) {
+      // An old editor's file: its bytes are Latin letters in nearly every such case.
+      boolean wide = charset.name().startsWith("UTF-16") || charset.name().startsWith("UTF-32");
+      Charset instead = wide ? charset : StandardCharsets.ISO_8859_1;
+      in.position(start);
+      return of(
+          bytes,
+          instead.decode(in),
+          wide
+              ? "the file has bytes that are no " + charset + "; they are shown as \ufffd"
+              : "the file has bytes that are no " + charset + "; it is read as ISO-8859-1");
+    }
+  }
+
+  private static SourceText of(byte[] bytes, CharBuffer text, @Nullable String complaint) {
+    char[] decoded = new char[text.remaining()];
+    text.get(decoded);
+    return new SourceText(bytes, decoded.length, decoded, complaint);
+  }
+
+  /** What is wrong with the encoding, or null. */
+  @Nullable String complaint() {
+    return complaint;
+  }
+
+  int length() {
+    return length;
+  }
+
+  /** A character by its offset from the start of the text, a byte order mark not counted. */
+  char charAt(int offset) {
+    return decoded != null ? decoded[offset] : (char) bytes[offset];
+  }
+
+  /** The first characters, for guessing what a file is. */
+  String head(int most) {
+    int end = Math.min(length, most);
+    StringBuilder head = new StringBuilder(end);
+    for (int i = 0; i < end; i++) {
+      head.append(charAt(i));
+    }
+    return head.toString();
+  }
+
+  /** A parser at the start of the text. It fetches nothing and expands no entity of a DOCTYPE. */
+  XMLStreamReader2 parser() throws XMLStreamException {
+    InputFactoryImpl factory = new InputFactoryImpl();
+    factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+    factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+    factory.setProperty(XMLInputFactory.IS_REPLACING_ENTITY_REFERENCES, false);
+    return (XMLStreamReader2)
+        factory.createXMLStreamReader(
+            decoded != null
+                ? new Stax2CharArraySource(decoded, 0, length)
+                : new Stax2ByteArraySource(bytes, 0, length));
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.x3d;
+
+import java.util.Locale;
+import java.util.Optional;
+
+/** Finds the name that somebody probably meant. */
+public final class Spelling {
+  private Spelling() {}
+
+  /**
+   * The candidate nearest to a misspelt name, if one is near enough to be worth proposing: at most
+   * a third of its letters differ. Letter case counts little, since it is the most common slip.
+   */
+  public static Optional<String> nearest(String name, Iterable<String> candidates) {
+    String wanted = name.toLowerCase(Locale.ROOT);
+    int limit = Math.max(1, wanted.length() / 3);
+    String best = null;
+    for (String candidate : candidates) {
+      int length = candidate.length();
+      if (Math.abs(length - wanted.length()) > limit) {
+        continue;
+      }
+      int distance = distance(wanted, candidate.toLowerCase(Locale.ROOT));
+      boolean better = distance < limit || (best == null && distance == limit);
+      if (better) {
+        best = candidate;
+        limit = distance;
+        if (distance == 0) {
+          break;
+        }
+      }
+    }
+    return Optional.ofNullable(best);
+  }
+
+  /** A question for the end of a message: {@code " (did you mean Shape?)"}, or nothing. */
+  static String question(String name, Iterable<String> candidates) {
+    // A name longer than any of X3D's is no slip, and comparing it would cost its length squared.
+    if (name.length() > 100) {
+      return "";
+    }
+    return nearest(name, candidates).map(found -> " (did you mean " + found + "?)").orElse("");
+  }
+
+  /** Levenshtein's distance: letters to insert, leave out or replace. */
+  private static int distance(String a, String b) {
+    int[] row = new int[b.length() + 1];
+    for (int j = 0; j < row.length; j++) {
+      row[j] = j;
+    }
+    for (int i = 1; i <= a.length(); i++) {
+      int diagonal = row[0];
+      row[0] = i;
+      for (int j = 1; j <= b.length(); j++) {
+        int replaced = diagonal + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+        diagonal = row[j];
+        row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
+      }
+    }
+    return row[b.length()];
+  }
+}
