@@ -40,6 +40,8 @@ class ArchitectureTest {
    */
   private static final Set<String> TOP_LEVEL =
       Set.of(
+          "app",
+          "bench",
           "cli",
           "control",
           "document",
@@ -71,7 +73,7 @@ class ArchitectureTest {
   @ArchTest static final ArchRule theLanguageUsesNothingElseOfOurs = onlyUsesOfOurs("x3d", "x3d");
 
   @ArchTest
-  static final ArchRule theLanguageDoesNotKnowGeometry =
+  static final ArchRule theLanguageDoesNotUseItsGeometry =
       noClasses()
           .that(are(resideInAPackage(of("x3d"))).and(not(resideInAPackage(of("x3d.geometry")))))
           .should()
@@ -100,6 +102,15 @@ class ArchitectureTest {
           .should()
           .dependOnClassesThat()
           .resideInAPackage(of("cli"));
+
+  @ArchTest
+  static final ArchRule onlyTheCommandLineUsesTheProgramsThatItStarts =
+      noClasses()
+          .that()
+          .resideOutsideOfPackages(of("cli"), of("app"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage(of("app"));
 
   @ArchTest
   static final ArchRule openGlLivesInTheRendererAndTheHeadMountedDisplay =

@@ -7,6 +7,6 @@ final class CommandCatalogue {
   private CommandCatalogue() {}
 
   static List<CliCommand> commands(Console console) {
-    return List.of();
+    return List.of(new SimulateCommand(console));
   }
 }

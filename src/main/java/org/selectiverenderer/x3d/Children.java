@@ -1,16 +1,16 @@
 package org.selectiverenderer.x3d;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** Puts the child nodes of one node into its fields (ISO/IEC 19776-1, 4.3.6: containerField). */
 final class Children {
   private final ParsedNode parent;
   private final Reading reading;
-  private final Map<FieldDefinition, List<ParsedNode>> lists = new LinkedHashMap<>(2);
+  // Few fields of a node hold lists, so they are looked through instead of hashed.
+  private final List<FieldDefinition> fields = new ArrayList<>(2);
+  private final List<List<ParsedNode>> lists = new ArrayList<>(2);
 
   Children(ParsedNode parent, Reading reading) {
     this.parent = parent;
@@ -49,7 +49,7 @@ final class Children {
   /** Puts a child into a field that accepts its type. */
   void put(FieldDefinition field, ParsedNode child, Location location) {
     if (field.type().multiple()) {
-      lists.computeIfAbsent(field, key -> new ArrayList<>(4)).add(child);
+      list(field).add(child);
     } else if (parent.given(field.index())) {
       reading.error(
           location,
@@ -67,7 +67,21 @@ final class Children {
 
   /** Makes the lists of nodes values of the parent. */
   void finish() {
-    lists.forEach((field, nodes) -> parent.put(field.index(), List.copyOf(nodes)));
+    for (int i = 0; i < lists.size(); i++) {
+      parent.put(fields.get(i).index(), List.copyOf(lists.get(i)));
+    }
+  }
+
+  private List<ParsedNode> list(FieldDefinition field) {
+    for (int i = 0; i < lists.size(); i++) {
+      if (fields.get(i) == field) {
+        return lists.get(i);
+      }
+    }
+    List<ParsedNode> list = new ArrayList<>(4);
+    fields.add(field);
+    lists.add(list);
+    return list;
   }
 
   private @Nullable FieldDefinition wanted(NodeType child, @Nullable String containerField) {

@@ -12,7 +12,8 @@ final class Decimals {
   private Decimals() {}
 
   /**
-   * The value of a word whose digits are known, rounded once, or NaN when that takes more.
+   * The value of a well-formed word whose digits are known, rounded once, or NaN when that takes
+   * more.
    *
    * @param number the digits before the exponent, at most 2<sup>53</sup>
    * @param scale how many of them stand after the point
@@ -20,26 +21,19 @@ final class Decimals {
   static double exact(char[] text, int word, int end, long number, int scale) {
     int at = word;
     while (at < end && text[at] != 'e' && text[at] != 'E') {
-      char c = text[at++];
-      if (!(c >= '0' && c <= '9' || c == '.' || c == '-' || c == '+')) {
-        return Double.NaN;
-      }
+      at++;
     }
     int power = -scale;
     if (at < end) {
-      at++;
-      boolean negative = at < end && text[at] == '-';
-      if (negative || at < end && text[at] == '+') {
+      boolean negative = text[++at] == '-';
+      if (negative || text[at] == '+') {
         at++;
       }
-      if (at == end || end - at > 3) {
+      if (end - at > 3) {
         return Double.NaN;
       }
       int exponent = 0;
       for (; at < end; at++) {
-        if (text[at] < '0' || text[at] > '9') {
-          return Double.NaN;
-        }
         exponent = 10 * exponent + text[at] - '0';
       }
       power += negative ? -exponent : exponent;

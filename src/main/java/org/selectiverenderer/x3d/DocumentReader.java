@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Reads the elements around the nodes: X3D, head, Scene, IMPORT and EXPORT. */
-final class DocumentReader {
+final class DocumentReader implements NodeReader.Links {
   private final Reading reading;
   private final RouteReader routes;
   private final NodeReader nodes;
@@ -24,7 +24,7 @@ final class DocumentReader {
   DocumentReader(Reading reading) {
     this.reading = reading;
     this.routes = new RouteReader(reading);
-    this.nodes = new NodeReader(reading, routes, this::link);
+    this.nodes = new NodeReader(reading, routes, this);
   }
 
   /** Reads a file whose root element has not been entered yet. */
@@ -117,7 +117,8 @@ final class DocumentReader {
     }
   }
 
-  private void link(ElementCursor in) {
+  @Override
+  public void link(ElementCursor in) {
     if (in.name().equals("IMPORT")) {
       String imported = text(in, "importedDEF");
       String as = in.attribute("AS");

@@ -7,90 +7,113 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the table of fields. Most cells repeat (260 times {@code metadata}), so each distinct one
- * is kept and interpreted once.
+ * The table of all fields, whose rows stand together for each node. Cells that repeat from node to
+ * node (260 times {@code metadata}) are kept once. Safe for use by several threads.
  */
 final class FieldTable {
-  private final FieldParser parser = new FieldParser();
-  private final Map<String, FieldType> types = new HashMap<>();
-  private final Map<String, FieldAccess> accesses = new HashMap<>();
-  private final Map<String, Object> defaults = new HashMap<>();
-  private final Map<String, List<String>> lists = new HashMap<>();
+  private static final int COLUMNS = 9;
 
-  FieldTable() {
-    for (FieldType type : FieldType.values()) {
-      types.put(type.name(), type);
-    }
-    types.put("xs:NMTOKEN", FieldType.SFString);
-    for (FieldAccess access : FieldAccess.values()) {
-      accesses.put(access.spelling(), access);
+  private final String table;
+  private final Map<String, Integer> starts = new HashMap<>(512);
+  private final Map<String, String> words = new HashMap<>();
+  private final Map<String, List<String>> lists = new HashMap<>();
+  private final FieldParser parser = new FieldParser();
+
+  /** A table of lines that end with a line feed, the first being the heading. */
+  FieldTable(String table) {
+    this.table = table;
+    String node = "\n";
+    for (int at = table.indexOf('\n') + 1; at < table.length(); at = table.indexOf('\n', at) + 1) {
+      if (!table.startsWith(node, at)) {
+        node = table.substring(at, table.indexOf('\t', at) + 1);
+        starts.put(node, at);
+      }
     }
   }
 
-  /** The fields of every node, in the table's order. */
-  Map<String, List<FieldDefinition>> read(String table) {
-    Map<String, List<FieldDefinition>> fields = new HashMap<>(512);
-    for (String[] row : new NodeCatalogue.Rows(table, 9)) {
-      FieldType type = types.get(row[2]);
-      FieldAccess access = accesses.get(row[3]);
-      if (type == null || access == null) {
-        throw new IllegalStateException(
-            "the program's own table of fields has a bad row for " + row[0] + "." + row[1]);
-      }
-      List<FieldDefinition> ofNode = fields.computeIfAbsent(row[0], name -> new ArrayList<>(16));
-      ofNode.add(
-          new FieldDefinition(
-              ofNode.size(),
-              row[1].intern(),
-              type,
-              access,
-              row[4],
-              row[5],
-              row[6],
-              allowed(type, row[7]),
-              names(row[8]),
-              defaultValue(type, row[4])));
+  /** The fields of a node in the table's order. */
+  synchronized List<FieldDefinition> of(String node) {
+    String first = node + "\t";
+    List<FieldDefinition> fields = new ArrayList<>(32);
+    int at = starts.getOrDefault(first, table.length());
+    while (table.startsWith(first, at)) {
+      int end = table.indexOf('\n', at);
+      fields.add(field(fields.size(), cells(table.substring(at, end), COLUMNS)));
+      at = end + 1;
     }
     return fields;
   }
 
-  private @Nullable Object defaultValue(FieldType type, String text) {
-    if (type == FieldType.SFNode) {
-      return null;
-    }
-    return defaults.computeIfAbsent(
-        type.name() + text,
-        key -> {
-          Object value = text.isEmpty() ? null : parser.parse(type, text).value();
-          return value != null ? value : type.zero();
-        });
+  private FieldDefinition field(int index, String[] cells) {
+    FieldType type =
+        cells[2].equals("xs:NMTOKEN") ? FieldType.SFString : FieldType.valueOf(cells[2]);
+    return new FieldDefinition(
+        index,
+        once(cells[1]),
+        type,
+        FieldAccess.of(cells[3]),
+        once(cells[4]),
+        once(cells[5]),
+        once(cells[6]),
+        allowed(type, cells[7]),
+        list(cells[8]),
+        defaultValue(type, cells[4]));
   }
 
-  private List<String> names(String cell) {
-    return cell.isEmpty()
-        ? List.of()
-        : lists.computeIfAbsent(cell, text -> List.of(text.split("\\|")));
+  private String once(String cell) {
+    String known = words.putIfAbsent(cell, cell);
+    return known == null ? cell : known;
+  }
+
+  private @Nullable Object defaultValue(FieldType type, String text) {
+    if (type.isNode() || text.isEmpty()) {
+      return type.zero();
+    }
+    Object value = parser.parse(type, text).value();
+    return value != null ? value : type.zero();
+  }
+
+  private List<String> list(String cell) {
+    if (cell.isEmpty()) {
+      return List.of();
+    }
+    List<String> known = lists.get(cell);
+    if (known == null) {
+      known = List.of(cell.split("\\|"));
+      lists.put(cell, known);
+    }
+    return known;
   }
 
   /**
    * The allowed values. The table quotes each; those of an MFString are quoted X3D text themselves
    * ({@code ""MIDDLE" "END""}), which stays.
    */
-  private List<String> allowed(FieldType type, String cell) {
+  private static List<String> allowed(FieldType type, String cell) {
     if (cell.isEmpty()) {
       return List.of();
     }
-    String between = type.multiple() ? "\"\" \"\"" : "\" \"";
-    return lists.computeIfAbsent(
-        cell,
-        text -> {
-          String[] values = text.substring(1, text.length() - 1).split(between);
-          if (type.multiple()) {
-            for (int i = 0; i < values.length; i++) {
-              values[i] = (i == 0 ? "" : "\"") + values[i] + (i == values.length - 1 ? "" : "\"");
-            }
-          }
-          return List.of(values);
-        });
+    String mark = type.multiple() ? "\"\"" : "\"";
+    int kept = type.multiple() ? 1 : 0;
+    List<String> values = new ArrayList<>();
+    for (int at = 0; at < cell.length(); ) {
+      int close = cell.indexOf(mark, at + mark.length());
+      values.add(cell.substring(at + mark.length() - kept, close + kept));
+      at = close + mark.length() + 1;
+    }
+    return List.copyOf(values);
+  }
+
+  /** A row cut at its tabs. */
+  static String[] cells(String row, int columns) {
+    String[] cells = new String[columns];
+    int at = 0;
+    for (int column = 0; column < columns; column++) {
+      int tab = row.indexOf('\t', at);
+      int end = tab < 0 ? row.length() : tab;
+      cells[column] = row.substring(at, end);
+      at = end + 1;
+    }
+    return cells;
   }
 }

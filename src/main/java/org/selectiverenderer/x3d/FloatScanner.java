@@ -85,7 +85,8 @@ final class FloatScanner {
   /** A number that is long, has an exponent or is none. */
   private static float rare(
       char[] text, int start, int word, int end, long number, int digits, int scale, Flaws flaws) {
-    if (digits > 0 && digits <= 18 && number > 0 && number <= DOUBLE_DIGITS) {
+    boolean wellFormed = Decimals.wellFormed(text, word, end);
+    if (wellFormed && digits <= 18 && number > 0 && number <= DOUBLE_DIGITS) {
       double value = Decimals.exact(text, word, end, number, scale);
       long bits = Double.doubleToRawLongBits(value);
       if (Math.abs(value) >= Float.MIN_NORMAL
@@ -94,9 +95,8 @@ final class FloatScanner {
         return (float) value;
       }
     }
-    float value = 0;
-    if (Decimals.wellFormed(text, word, end)) {
-      value = JavaFloatParser.parseFloat(text, word, end - word);
+    if (wellFormed) {
+      float value = JavaFloatParser.parseFloat(text, word, end - word);
       if (Float.isFinite(value)) {
         return value;
       }

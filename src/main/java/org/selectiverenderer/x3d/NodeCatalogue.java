@@ -6,61 +6,52 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * All concrete node types of X3D 4.0, read from two tables that are part of the program: {@code
- * x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}. Immutable; one instance is made at the start
- * and handed to whoever needs it.
+ * x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}. One instance is made at the start and handed
+ * to whoever needs it; any thread may use it. A type is made when it is first asked for, since a
+ * scene has some 20 of the 260 and a program's start should not pay for the others.
  */
 public final class NodeCatalogue {
-  private static final String NODES = "x3d-4.0-nodes.tsv";
-  private static final String FIELDS = "x3d-4.0-fields.tsv";
+  private static final int COLUMNS = 5;
 
-  private final Map<String, NodeType> types;
+  private final Map<String, String> rows;
+  private final FieldTable fields;
+  private final Map<String, NodeType> types = new ConcurrentHashMap<>();
 
-  private NodeCatalogue(Map<String, NodeType> types) {
-    this.types = types;
+  private NodeCatalogue(Map<String, String> rows, FieldTable fields) {
+    this.rows = rows;
+    this.fields = fields;
   }
 
   /**
    * Reads the tables.
    *
-   * @throws IllegalStateException if a table is missing or damaged, which is a fault of the build
+   * @throws IllegalStateException if a table is missing, which is a fault of the build
    */
   public static NodeCatalogue load() {
-    Map<String, List<FieldDefinition>> fields = new FieldTable().read(resource(FIELDS));
-    Map<String, NodeType> types = new LinkedHashMap<>(512);
-    Map<String, Set<String>> ancestors = new HashMap<>();
-    for (String[] row : new Rows(resource(NODES), 5)) {
-      // The 260 nodes descend from some 100 combinations of abstract types only.
-      Set<String> above =
-          ancestors.computeIfAbsent(
-              row[4], list -> new HashSet<>(Arrays.asList(list.strip().split(" "))));
-      types.put(
-          row[0],
-          new NodeType(
-              row[0],
-              row[1],
-              Integer.parseInt(row[2]),
-              row[3],
-              above,
-              fields.getOrDefault(row[0], List.of())));
+    String nodes = resource("x3d-4.0-nodes.tsv");
+    Map<String, String> rows = new LinkedHashMap<>(512);
+    for (int at = nodes.indexOf('\n') + 1; at < nodes.length(); ) {
+      int end = nodes.indexOf('\n', at);
+      rows.put(nodes.substring(at, nodes.indexOf('\t', at)), nodes.substring(at, end));
+      at = end + 1;
     }
-    return new NodeCatalogue(types);
+    return new NodeCatalogue(rows, new FieldTable(resource("x3d-4.0-fields.tsv")));
   }
 
   /** The node type of exactly that name. */
   public Optional<NodeType> find(String name) {
-    return Optional.ofNullable(types.get(name));
+    NodeType type = types.get(name);
+    return type != null ? Optional.of(type) : make(name);
   }
 
   /**
@@ -70,21 +61,41 @@ public final class NodeCatalogue {
    * @throws IllegalArgumentException if there is none
    */
   public NodeType get(String name) {
-    NodeType type = types.get(name);
-    if (type == null) {
-      throw new IllegalArgumentException("X3D 4.0 has no node " + name);
-    }
-    return type;
+    return find(name)
+        .orElseThrow(() -> new IllegalArgumentException("X3D 4.0 has no node " + name));
   }
 
   /** All node types in alphabetical order. */
-  public Collection<NodeType> all() {
-    return Collections.unmodifiableCollection(types.values());
+  public List<NodeType> all() {
+    List<NodeType> all = new ArrayList<>(rows.size());
+    for (String name : rows.keySet()) {
+      all.add(get(name));
+    }
+    return Collections.unmodifiableList(all);
   }
 
   /** The node that somebody who wrote an unknown name probably meant. */
   public Optional<String> suggestion(String name) {
-    return Spelling.nearest(name, types.keySet());
+    return Spelling.nearest(name, rows.keySet());
+  }
+
+  private Optional<NodeType> make(String name) {
+    String row = rows.get(name);
+    if (row == null) {
+      return Optional.empty();
+    }
+    String[] cells = FieldTable.cells(row, COLUMNS);
+    NodeType made =
+        new NodeType(
+            name,
+            cells[1],
+            Integer.parseInt(cells[2]),
+            cells[3],
+            new HashSet<>(Arrays.asList(cells[4].split(" "))),
+            fields.of(name));
+    // Types are compared by identity, so the first of two threads wins.
+    NodeType first = types.putIfAbsent(name, made);
+    return Optional.of(first != null ? first : made);
   }
 
   private static String resource(String name) {
@@ -92,36 +103,11 @@ public final class NodeCatalogue {
       if (in == null) {
         throw new IllegalStateException("the program's own table " + name + " is missing");
       }
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      // A checkout may have changed the ends of the lines.
+      return text.indexOf('\r') < 0 ? text : text.replace("\r\n", "\n");
     } catch (IOException e) {
       throw new UncheckedIOException(e);
-    }
-  }
-
-  /** The rows of a table after its heading, each cut at its tabs. */
-  static final class Rows implements Iterable<String[]> {
-    private final List<String[]> rows = new ArrayList<>(4096);
-
-    Rows(String text, int columns) {
-      int at = text.indexOf('\n') + 1;
-      while (at < text.length()) {
-        int newline = text.indexOf('\n', at);
-        int next = newline < 0 ? text.length() : newline;
-        int end = text.charAt(next - 1) == '\r' ? next - 1 : next;
-        String[] row = new String[columns];
-        for (int column = 0; column < columns; column++) {
-          int tab = column == columns - 1 ? end : text.indexOf('\t', at);
-          row[column] = tab == at ? "" : text.substring(at, tab);
-          at = tab + 1;
-        }
-        at = next + 1;
-        rows.add(row);
-      }
-    }
-
-    @Override
-    public java.util.Iterator<String[]> iterator() {
-      return rows.iterator();
     }
   }
 }

@@ -1,6 +1,5 @@
 package org.selectiverenderer.x3d;
 
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Turns elements into nodes, and gives the statements between them to who reads those. */
@@ -16,17 +15,18 @@ final class NodeReader {
     }
   }
 
+  /** Reads IMPORT and EXPORT, which belong to the file as a whole. */
+  interface Links {
+    /** Reads the attributes of the current element. */
+    void link(ElementCursor in);
+  }
+
   private final Reading reading;
   private final RouteReader routes;
-  private final Consumer<ElementCursor> links;
+  private final Links links;
   private final ProtoReader prototypes;
 
-  /**
-   * Makes a reader.
-   *
-   * @param links reads IMPORT and EXPORT, which belong to the file as a whole
-   */
-  NodeReader(Reading reading, RouteReader routes, Consumer<ElementCursor> links) {
+  NodeReader(Reading reading, RouteReader routes, Links links) {
     this.reading = reading;
     this.routes = routes;
     this.links = links;
@@ -57,7 +57,7 @@ final class NodeReader {
           return prototypes.instance(in, scope, name);
         }
         case "IMPORT", "EXPORT" -> {
-          links.accept(in);
+          links.link(in);
           in.skip();
         }
         default -> {

@@ -123,9 +123,11 @@ final class ProtoReader {
       if (name == null || !scope.isExternal(name)) {
         reading.error(
             location,
-            "no prototype before this is called "
-                + name
-                + (name == null ? "" : Spelling.question(name, scope.prototypeNames()))
+            (name == null
+                    ? "a ProtoInstance needs a name"
+                    : "no prototype before this is called "
+                        + name
+                        + Spelling.question(name, scope.prototypeNames()))
                 + "; the instance is left out");
       }
       in.skip();
@@ -197,11 +199,13 @@ final class ProtoReader {
     if (name == null || field == null) {
       reading.warning(
           in.location(),
-          "the prototype "
-              + declaration.name()
-              + " has no field "
-              + name
-              + (name == null ? "" : Spelling.question(name, declaration.fields().keySet()))
+          (name == null
+                  ? "a fieldValue needs a name"
+                  : "the prototype "
+                      + declaration.name()
+                      + " has no field "
+                      + name
+                      + Spelling.question(name, declaration.fields().keySet()))
               + "; the value is left out");
       in.skip();
       return;

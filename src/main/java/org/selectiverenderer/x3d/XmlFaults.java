@@ -7,7 +7,8 @@ import javax.xml.stream.XMLStreamException;
 
 /** Says in plain words what the XML parser found wrong. */
 final class XmlFaults {
-  private static final Pattern ENTITY = Pattern.compile("&([^;)]*);");
+  private static final Pattern ENTITY =
+      Pattern.compile("ENTITY_REFERENCE \\(([^)]*)\\)|&([^;)]*);");
   private static final Pattern EXPECTED = Pattern.compile("expected </([^>]*)>");
   private static final Pattern PREFIX = Pattern.compile("prefix '([^']*)'");
 
@@ -23,7 +24,9 @@ final class XmlFaults {
     if (message.contains("entity")) {
       Matcher entity = ENTITY.matcher(raw);
       return entity.find()
-          ? "entities of a DOCTYPE are never expanded, and &" + entity.group(1) + "; is one"
+          ? "entities of a DOCTYPE are never expanded, and &"
+              + (entity.group(1) != null ? entity.group(1) : entity.group(2))
+              + "; is one"
           : "this is no valid reference to a character";
     }
     if (message.contains("unbound namespace prefix")) {

@@ -50,6 +50,16 @@ final class GeneratedScenes {
         text.append('\n');
       }
     }
+    text.append("\"/><Normal vector=\"");
+    for (int i = 0; i < vertices; i++) {
+      text.append(
+          String.format(
+              Locale.ROOT,
+              "%.4f %.4f %.4f ",
+              random.nextDouble() * 2 - 1,
+              random.nextDouble() * 2 - 1,
+              random.nextDouble() * 2 - 1));
+    }
     text.append("\"/></IndexedFaceSet></Shape></Transform></Scene></X3D>\n");
     return text.toString().getBytes(StandardCharsets.US_ASCII);
   }

@@ -12,6 +12,6 @@ public interface Assets {
   /** The image of a texture node; empty when it has none or it could not be read. */
   Optional<Texture.Image> image(Node texture);
 
-  /** A geometry or texture node, or a node in it, has other values: make its asset anew. */
-  void changed(Node node);
+  /** A geometry node (or a node in it) or a texture node has other values: forget its asset. */
+  void changed(Node geometryOrTexture);
 }

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
@@ -10,11 +11,15 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 
 /** A group in one place. Its children stand in the order of the node's own children. */
 public final class GroupInstance extends Instance implements NodeObserver {
+  private static final GroupingNode.Effect[] NOTHING = {};
+
   private final GroupingNode group;
   private final InstanceTree tree;
   private Matrix4dc content = IDENTITY;
   List<Instance> children = List.of();
-  private GroupingNode.Effect[] pending = {};
+  Optional<Instance> proxy = Optional.empty();
+  boolean disposed;
+  private GroupingNode.Effect[] pending = NOTHING;
 
   GroupInstance(GroupingNode node, @Nullable GroupInstance parent, InstanceTree tree) {
     super(node, parent);
@@ -30,6 +35,21 @@ public final class GroupInstance extends Instance implements NodeObserver {
 
   public List<Instance> children() {
     return children;
+  }
+
+  /** What stands for the children of a Collision when the viewer bumps into them; never shown. */
+  public Optional<Instance> proxy() {
+    return proxy;
+  }
+
+  /** Whether the same group stands above it: a scene that contains itself. */
+  boolean insideItself() {
+    for (GroupInstance above = parent(); above != null; above = above.parent()) {
+      if (above.group == group) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** From the children's local coordinates to the world. */
@@ -66,11 +86,17 @@ public final class GroupInstance extends Instance implements NodeObserver {
   /** Applies the effects remembered. */
   void update() {
     GroupingNode.Effect[] effects = pending;
-    pending = new GroupingNode.Effect[0];
+    pending = NOTHING;
+    if (disposed) {
+      return; // It left the scene between the change and this update.
+    }
     for (GroupingNode.Effect effect : effects) {
       switch (effect) {
         case STRUCTURE -> tree.rebuild(this);
-        case PLACEMENT -> moved(tree);
+        case PLACEMENT -> {
+          moved(tree);
+          tree.moved();
+        }
         case CHOICE -> choose();
         case NONE -> {}
       }
@@ -97,6 +123,9 @@ public final class GroupInstance extends Instance implements NodeObserver {
     place();
     for (Instance child : children) {
       child.moved(tree);
+    }
+    if (proxy.isPresent()) {
+      proxy.get().moved(tree);
     }
   }
 }

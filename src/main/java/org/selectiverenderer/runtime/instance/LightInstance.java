@@ -6,10 +6,12 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 
 /** A light in one place. {@link #world()} takes its local coordinates to the world. */
 public final class LightInstance extends Instance implements NodeObserver {
+  private final InstanceTree tree;
   private Light light;
 
-  LightInstance(Node node, @Nullable GroupInstance parent) {
+  LightInstance(Node node, @Nullable GroupInstance parent, InstanceTree tree) {
     super(node, parent);
+    this.tree = tree;
     light = LightReader.read(node);
   }
 
@@ -24,7 +26,11 @@ public final class LightInstance extends Instance implements NodeObserver {
 
   @Override
   public void changed(Node node, int field) {
+    boolean wasGlobal = light.global();
     light = LightReader.read(node);
+    if (light.global() != wasGlobal) {
+      tree.structureChanged();
+    }
   }
 
   /** Whether an instance lies in the light's scope (X3D 4.0, 17.2.1.1). */

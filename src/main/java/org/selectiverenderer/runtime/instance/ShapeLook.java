@@ -25,13 +25,16 @@ final class ShapeLook implements NodeObserver {
   private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
   private @Nullable Mesh mesh;
   private Surface surface = Surface.UNLIT_WHITE;
+  private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
+  private boolean geometryChanged;
+  private boolean disposed;
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
     this.assets = assets;
     this.tree = tree;
-    observe(shape);
+    observe();
     read();
   }
 
@@ -57,23 +60,44 @@ final class ShapeLook implements NodeObserver {
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }
 
-  private void observe(Node node) {
-    if (!observed.add(node)) {
+  private void observe() {
+    observed.add(shape);
+    shape.addObserver(this);
+    Node geometry = shape.node("geometry");
+    if (geometry != null) {
+      observe(geometry, inGeometry);
+    }
+    Node appearance = shape.node("appearance");
+    if (appearance != null) {
+      observe(appearance, observed);
+    }
+  }
+
+  private void observe(Node node, Set<Node> set) {
+    if (!set.add(node)) {
       return;
     }
     node.addObserver(this);
     for (FieldDefinition field : node.type().fields()) {
-      if (!field.name().equals("metadata")
-          && field.type() == FieldType.SFNode
-          && node.value(field.index()) instanceof Node child) {
-        observe(child);
+      if (field.name().equals("metadata")) {
+        continue;
+      }
+      Object value = node.value(field.index());
+      if (value instanceof Node child) {
+        observe(child, set);
+      } else if (field.type() == FieldType.MFNode) {
+        node.nodes(field.name()).forEach(child -> observe(child, set));
       }
     }
   }
 
   @Override
   public void changed(Node node, int field) {
-    assets.changed(node);
+    if (inGeometry.contains(node)) {
+      geometryChanged = true;
+    } else if (node.type().is("X3DTextureNode")) {
+      assets.changed(node);
+    }
     if (!pending) {
       pending = true;
       tree.pending(this);
@@ -83,8 +107,16 @@ final class ShapeLook implements NodeObserver {
   /** Makes mesh and surface anew after a change. */
   void update() {
     pending = false;
-    dispose();
-    observe(shape);
+    if (disposed) {
+      return; // Its last instance left the scene between the change and this update.
+    }
+    forget();
+    observe();
+    Node geometry = shape.node("geometry");
+    if (geometryChanged && geometry != null) {
+      assets.changed(geometry);
+    }
+    geometryChanged = false;
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
       instance.show(false, tree);
@@ -97,9 +129,16 @@ final class ShapeLook implements NodeObserver {
     }
   }
 
-  /** Stops observing. */
+  /** The last instance is gone. */
   void dispose() {
+    disposed = true;
+    forget();
+  }
+
+  private void forget() {
     observed.forEach(node -> node.removeObserver(this));
     observed.clear();
+    inGeometry.forEach(node -> node.removeObserver(this));
+    inGeometry.clear();
   }
 }

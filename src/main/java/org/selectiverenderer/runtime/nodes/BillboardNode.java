@@ -11,10 +11,12 @@ import org.selectiverenderer.x3d.NodeType;
 
 /** Turns its children's +Z towards the viewer about an axis, or freely (X3D 4.0, 23.4.1). */
 public final class BillboardNode extends GroupingNode implements ViewerDependent {
+  private final int axisOfRotation;
   private final Matrix4d placement = new Matrix4d();
 
   public BillboardNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
+    axisOfRotation = type.indexOf("axisOfRotation");
   }
 
   @Override
@@ -23,10 +25,11 @@ public final class BillboardNode extends GroupingNode implements ViewerDependent
   }
 
   @Override
-  public Effect view(Vector3dc viewer, Cascade cascade) {
-    float[] a = floats("axisOfRotation");
+  public Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade) {
+    float[] a = (float[]) value(axisOfRotation);
     Vector3d axis = new Vector3d(a[0], a[1], a[2]);
-    Matrix4d next = axis.lengthSquared() == 0 ? facing(viewer) : turned(axis.normalize(), viewer);
+    Matrix4d next =
+        axis.lengthSquared() == 0 ? facing(viewer, up) : turned(axis.normalize(), viewer);
     if (next.equals(placement, 1e-9)) {
       return Effect.NONE;
     }
@@ -45,15 +48,13 @@ public final class BillboardNode extends GroupingNode implements ViewerDependent
     return new Matrix4d().rotate(angle, axis);
   }
 
-  /** Without an axis: +Z to the viewer, +Y as far up as that allows. */
-  private static Matrix4d facing(Vector3dc viewer) {
-    if (viewer.lengthSquared() < 1e-18) {
-      return new Matrix4d();
-    }
+  /** Without an axis: +Z to the viewer, +Y along the viewer's up as far as that allows. */
+  private static Matrix4d facing(Vector3dc viewer, Vector3dc up) {
     Vector3d z = new Vector3d(viewer).normalize();
-    Vector3d up = Math.abs(z.y) > 0.999_999 ? new Vector3d(0, 0, -z.y) : new Vector3d(0, 1, 0);
     Vector3d x = up.cross(z, new Vector3d()).normalize();
     Vector3d y = z.cross(x, new Vector3d());
-    return new Matrix4d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1);
+    Matrix4d facing =
+        new Matrix4d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1);
+    return facing.isFinite() ? facing : new Matrix4d();
   }
 }

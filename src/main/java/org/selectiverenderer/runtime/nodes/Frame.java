@@ -5,6 +5,7 @@ import org.joml.FrustumIntersection;
 import org.joml.Matrix4dc;
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** What nodes may know of a frame. World coordinates, the scene's unit of length. */
@@ -20,6 +21,14 @@ public interface Frame {
 
   /** What the viewer can see, in world coordinates. */
   FrustumIntersection frustum();
+
+  /**
+   * What the viewer turns about, in world coordinates: the bound viewpoint's centerOfRotation. Null
+   * while the way of navigating has none (X3D 4.0, 22.4.1).
+   */
+  default @Nullable Vector3dc centerOfRotation() {
+    return null;
+  }
 
   /**
    * The places of a node: from its local coordinates to the world, one matrix per instance, in

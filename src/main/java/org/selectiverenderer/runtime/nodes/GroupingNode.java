@@ -1,8 +1,11 @@
 package org.selectiverenderer.runtime.nodes;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -70,18 +73,31 @@ public class GroupingNode extends Node {
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     switch (field.name()) {
       case "addChildren" -> {
-        List<Node> added = new ArrayList<>((List<Node>) value);
-        added.removeAll(children());
-        List<Node> all = new ArrayList<>(children());
-        all.addAll(added);
-        emit(children, List.copyOf(all), cascade);
+        Set<Node> all = Collections.newSetFromMap(new IdentityHashMap<>());
+        all.addAll(children());
+        List<Node> now = new ArrayList<>(children());
+        for (Node added : (List<Node>) value) {
+          if (all.add(added)) {
+            now.add(added);
+          }
+        }
+        sendChildren(now, cascade);
       }
       case "removeChildren" -> {
-        List<Node> rest = new ArrayList<>(children());
-        rest.removeAll((List<Node>) value);
-        emit(children, List.copyOf(rest), cascade);
+        Set<Node> removed = Collections.newSetFromMap(new IdentityHashMap<>());
+        removed.addAll((List<Node>) value);
+        List<Node> now = new ArrayList<>(children());
+        now.removeIf(removed::contains);
+        sendChildren(now, cascade);
       }
       default -> super.receive(field, value, cascade);
+    }
+  }
+
+  /** What is already there is not added, what is not there not removed (X3D 4.0, 10.2.1). */
+  private void sendChildren(List<Node> now, Cascade cascade) {
+    if (now.size() != children().size()) {
+      emit(children, List.copyOf(now), cascade);
     }
   }
 }

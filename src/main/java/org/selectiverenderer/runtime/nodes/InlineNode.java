@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.Location;
@@ -38,10 +37,10 @@ public final class InlineNode extends GroupingNode {
     scale = newScale;
   }
 
-  /** Fills it while the world runs: observers see other children. */
-  public void refill(@Nullable Scene newContent, double newScale, Cascade cascade) {
+  /** Fills it while the world runs: observers see other children, no event is sent. */
+  public void refill(@Nullable Scene newContent, double newScale) {
     fill(newContent, newScale);
-    cascade.emit(this, load, value(load));
+    tellObservers(load);
   }
 
   @Override

@@ -6,19 +6,30 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeType;
 
-/** Places its children: P' = T C R SR S -SR -C P (X3D 4.0, 10.4.4). */
+/** Transform and CADPart: places its children, P' = T C R SR S -SR -C P (X3D 4.0, 10.4.4). */
 public final class TransformNode extends GroupingNode {
+  private final int translation;
+  private final int center;
+  private final int rotation;
+  private final int scale;
+  private final int scaleOrientation;
+
   public TransformNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
+    translation = type.indexOf("translation");
+    center = type.indexOf("center");
+    rotation = type.indexOf("rotation");
+    scale = type.indexOf("scale");
+    scaleOrientation = type.indexOf("scaleOrientation");
   }
 
   @Override
   public Optional<Matrix4d> placement() {
-    float[] t = floats("translation");
-    float[] c = floats("center");
-    float[] r = floats("rotation");
-    float[] s = floats("scale");
-    float[] sr = floats("scaleOrientation");
+    float[] t = (float[]) value(translation);
+    float[] c = (float[]) value(center);
+    float[] r = (float[]) value(rotation);
+    float[] s = (float[]) value(scale);
+    float[] sr = (float[]) value(scaleOrientation);
     Matrix4d matrix =
         new Matrix4d().translate(t[0] + (double) c[0], t[1] + (double) c[1], t[2] + (double) c[2]);
     rotate(matrix, r, 1);
@@ -37,9 +48,12 @@ public final class TransformNode extends GroupingNode {
 
   @Override
   public Effect effectOf(int field) {
-    return switch (type().fields().get(field).name()) {
-      case "translation", "center", "rotation", "scale", "scaleOrientation" -> Effect.PLACEMENT;
-      default -> super.effectOf(field);
-    };
+    boolean moves =
+        field == translation
+            || field == center
+            || field == rotation
+            || field == scale
+            || field == scaleOrientation;
+    return moves ? Effect.PLACEMENT : super.effectOf(field);
   }
 }

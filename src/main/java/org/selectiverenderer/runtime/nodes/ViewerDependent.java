@@ -9,7 +9,8 @@ public interface ViewerDependent {
    * Adapts to the viewer, once per frame.
    *
    * @param viewer the eye in the coordinates in which the node's fields are given
+   * @param up the viewer's up in the same coordinates, of any length
    * @return what changed
    */
-  GroupingNode.Effect view(Vector3dc viewer, Cascade cascade);
+  GroupingNode.Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade);
 }

@@ -30,6 +30,8 @@ public class Node implements NodeView {
   private NodeObserver[] observers = NO_OBSERVERS;
   private Listening[] listeners = NO_LISTENERS;
   private long @Nullable [] sentIn;
+  private @Nullable Object companion;
+  private @Nullable Cascade sentBy;
 
   public Node(NodeType type, @Nullable String name, Location location) {
     this.type = type;
@@ -77,6 +79,15 @@ public class Node implements NodeView {
     return (List<Node>) value(field);
   }
 
+  /** What another layer keeps of this node: its SAI object. Null until there is one. */
+  public final @Nullable Object companion() {
+    return companion;
+  }
+
+  public final void companion(Object object) {
+    companion = object;
+  }
+
   /** Gives a field its value before the node is part of a world: no event is sent. */
   public final void init(int field, @Nullable Object value) {
     values[field] = value;
@@ -94,15 +105,21 @@ public class Node implements NodeView {
     }
   }
 
-  /** Keeps a field's new value, tells the observers and sends it along routes and to listeners. */
+  /**
+   * Keeps a field's new value, tells the observers and sends it along routes and to listeners.
+   * Outside a cascade it begins one. A second event of a field in answer to the same first event is
+   * dropped (see {@link Cascade}).
+   */
   public final void emit(int field, @Nullable Object value, Cascade cascade) {
-    values[field] = value;
-    for (NodeObserver observer : observers) {
-      observer.changed(this, field);
-    }
-    if (!cascade.maySend(this, field)) {
+    if (!cascade.carrying()) {
+      cascade.emit(this, field, value);
       return;
     }
+    if (!firstIn(cascade, field)) {
+      return;
+    }
+    values[field] = value;
+    tellObservers(field);
     for (Route route : routes) {
       if (route.fromField() == field) {
         cascade.deliver(route.to(), route.toField(), value);
@@ -115,19 +132,25 @@ public class Node implements NodeView {
     }
   }
 
-  /** Whether a field already sent an event in that cascade; if not, it now has. */
-  final boolean firstIn(long cascadeId, int field) {
-    if (routes.length == 0) {
-      return true;
+  /** Makes observers look at a field again, without an event. */
+  protected final void tellObservers(int field) {
+    for (NodeObserver observer : observers) {
+      observer.changed(this, field);
     }
-    if (sentIn == null) {
+  }
+
+  /** Whether a field sends its first event in that cascade; from now on it has. */
+  private boolean firstIn(Cascade cascade, int field) {
+    if (sentIn == null || sentBy != cascade) {
       sentIn = new long[values.length];
+      sentBy = cascade;
     }
-    boolean first = sentIn[field] != cascadeId;
-    sentIn[field] = cascadeId;
+    boolean first = sentIn[field] != cascade.id();
+    sentIn[field] = cascade.id();
     return first;
   }
 
+  /** Fan-out happens in the order in which routes were added. */
   final void addRoute(Route route) {
     routes = append(routes, route);
   }
@@ -136,7 +159,7 @@ public class Node implements NodeView {
     routes = remove(routes, route);
   }
 
-  /** Fan-out happens in the order in which routes were added. */
+  /** Observers are told in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
     observers = append(observers, observer);
   }

@@ -89,15 +89,16 @@ public final class Scene {
   /** Names a node, or gives a name to another node. */
   public void name(String name, Node node) {
     Node before = named.put(name, node);
-    if (before != null && before != node) {
+    if (before != null && before != node && name.equals(before.name())) {
       before.rename(null);
     }
     node.rename(name);
   }
 
+  /** Frees a name. A node that has another one besides keeps that. */
   public void unname(String name) {
     Node node = named.remove(name);
-    if (node != null) {
+    if (node != null && name.equals(node.name())) {
       node.rename(null);
     }
   }

@@ -32,7 +32,10 @@ final class PlanarShapes {
     double outer = job.node().number("outerRadius");
     double inner = job.node().number("innerRadius");
     MeshBuilder builder = new MeshBuilder();
-    if (job.positive("outerRadius") && !(inner > 0 && inner < outer)) {
+    if (!job.positive("outerRadius")) {
+      return builder.mesh(job.node().bool("solid"));
+    }
+    if (!(inner > 0 && inner < outer)) {
       if (inner != 0) {
         job.problem("has an innerRadius that is not between 0 and its outerRadius; it has no hole");
       }
@@ -42,7 +45,7 @@ final class PlanarShapes {
           builder.triangle(0, i - 1, i);
         }
       }
-    } else if (inner > 0) {
+    } else {
       for (int i = 0; i <= SLICES; i++) {
         int near = rim(builder, inner, outer, i);
         int far = rim(builder, outer, outer, i);

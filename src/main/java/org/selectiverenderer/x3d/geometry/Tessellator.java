@@ -18,6 +18,13 @@ public final class Tessellator {
   private final Map<String, GeometryKind> kinds = new HashMap<>();
 
   public Tessellator() {
+    this(new TextMesher());
+  }
+
+  /**
+   * @param mesher whose glyphs are used, so that they are made once
+   */
+  public Tessellator(TextMesher mesher) {
     kinds.put("Box", BoxShape::mesh);
     kinds.put("Cone", RoundShapes::cone);
     kinds.put("Cylinder", RoundShapes::cylinder);
@@ -28,6 +35,7 @@ public final class Tessellator {
     kinds.put("IndexedLineSet", LineSets::indexedLines);
     kinds.put("LineSet", LineSets::lines);
     kinds.put("PointSet", LineSets::points);
+    kinds.put("Text", job -> TextShape.mesh(job, mesher));
     kinds.put("Rectangle2D", PlanarShapes::rectangle);
     kinds.put("Disk2D", PlanarShapes::disk);
     kinds.put("TriangleSet2D", PlanarShapes::triangles);
