@@ -1,7 +1,6 @@
 package org.selectiverenderer.runtime.render.window;
 
 import com.jogamp.nativewindow.NativeWindowException;
-import com.jogamp.newt.NewtFactory;
 import com.jogamp.newt.event.KeyAdapter;
 import com.jogamp.newt.event.KeyEvent;
 import com.jogamp.newt.event.WindowAdapter;
@@ -121,7 +120,7 @@ public final class RenderWindow {
   }
 
   private GLWindow open(GLCapabilities wanted) {
-    GLWindow window = GLWindow.create(NewtFactory.createScreen(null, 0), wanted);
+    GLWindow window = GLWindow.create(wanted);
     window.setTitle(options.title());
     window.setSize(options.width(), options.height());
     window.setDefaultCloseOperation(
