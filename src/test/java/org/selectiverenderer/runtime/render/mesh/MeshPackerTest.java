@@ -131,7 +131,7 @@ class MeshPackerTest {
 
   @Test
   void aClusterFacesAwayOnlyIfEachOfItsTrianglesDoes() {
-    PackedMesh packed = MeshPacker.pack(ball(40, 60));
+    PackedMesh packed = MeshPacker.pack(ball(80, 120));
     Clusters clusters = packed.clusters();
     Random random = new Random(1);
     int culled = 0;
