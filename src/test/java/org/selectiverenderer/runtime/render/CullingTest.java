@@ -37,7 +37,8 @@ class CullingTest {
               Locale.ROOT,
               "<Transform translation='%f %f %f' scale='%f 1 0.5' rotation='1 2 3 %f'><Shape>"
                   + "<Appearance><UnlitMaterial emissiveColor='%f %f 1'/></Appearance>"
-                  + "<Sphere radius='0.8'/></Shape></Transform>",
+                  + (i == 0 ? ball() : "<IndexedFaceSet USE='Ball'/>")
+                  + "</Shape></Transform>",
               random.nextDouble(-8, 8),
               random.nextDouble(-8, 8),
               random.nextDouble(-8, 8),
@@ -47,6 +48,35 @@ class CullingTest {
               random.nextDouble()));
     }
     return TestScene.of(nodes.toString());
+  }
+
+  /** A ball of 4,800 triangles, so that it has several clusters. */
+  private static String ball() {
+    int rows = 40;
+    int columns = 60;
+    StringBuilder points = new StringBuilder();
+    StringBuilder faces = new StringBuilder();
+    for (int row = 0; row <= rows; row++) {
+      double polar = Math.PI * row / rows;
+      for (int column = 0; column < columns; column++) {
+        double around = 2 * Math.PI * column / columns;
+        points.append(
+            String.format(
+                Locale.ROOT,
+                "%f %f %f ",
+                0.8 * Math.sin(polar) * Math.cos(around),
+                0.8 * Math.cos(polar),
+                -0.8 * Math.sin(polar) * Math.sin(around)));
+        int next = (column + 1) % columns;
+        int below = (row + 1) * columns;
+        if (row < rows) {
+          faces.append(row * columns + column).append(' ').append(below + column).append(' ');
+          faces.append(below + next).append(' ').append(row * columns + next).append(" -1 ");
+        }
+      }
+    }
+    return "<IndexedFaceSet DEF='Ball' coordIndex='%s'><Coordinate point='%s'/></IndexedFaceSet>"
+        .formatted(faces, points);
   }
 
   private static Matrix4d looking(Random random) {

@@ -12,6 +12,7 @@ import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
+import java.awt.AWTError;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
@@ -80,7 +81,7 @@ public final class RenderWindow {
 
   private void loop() {
     try {
-      GLWindow window = open();
+      GLWindow window = openOrExplain();
       try {
         frames(window);
       } finally {
@@ -90,10 +91,17 @@ public final class RenderWindow {
         window.display();
         window.destroy();
       }
-    } catch (GLException | NativeWindowException | LinkageError e) {
-      fail(new GlUnavailableException("no window with OpenGL 3.3 opens: " + e.getMessage(), e));
     } catch (RuntimeException | Error e) {
       fail(e);
+    }
+  }
+
+  private GLWindow openOrExplain() {
+    try {
+      return open();
+    } catch (RuntimeException | LinkageError | AWTError e) {
+      // JOGL asks AWT for the display's state unless Java runs headless.
+      throw new GlUnavailableException("no window with OpenGL 3.3 opens: " + e.getMessage(), e);
     }
   }
 
@@ -174,6 +182,7 @@ public final class RenderWindow {
       if (window.isFullscreen() != fullScreenWanted.get()) {
         boolean now = window.setFullscreen(fullScreenWanted.get());
         fullScreenWanted.set(now);
+        window.requestFocus(false);
       }
       long before = drawn;
       window.display();
