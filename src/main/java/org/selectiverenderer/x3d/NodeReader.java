@@ -24,13 +24,17 @@ final class NodeReader {
   private final Reading reading;
   private final RouteReader routes;
   private final Links links;
-  private final ProtoReader prototypes;
+  private final ProtoDeclarationReader declarations;
+  private final ProtoInstanceReader instances;
+  private final IsReader connecting;
 
   NodeReader(Reading reading, RouteReader routes, Links links) {
     this.reading = reading;
     this.routes = routes;
     this.links = links;
-    this.prototypes = new ProtoReader(reading, this, routes);
+    this.declarations = new ProtoDeclarationReader(reading);
+    this.connecting = new IsReader(reading);
+    this.instances = new ProtoInstanceReader(reading, this, routes, connecting);
   }
 
   /** Reads the current element to its end. Null when it is no node or is left out. */
@@ -51,10 +55,10 @@ final class NodeReader {
     try {
       switch (in.name()) {
         case "ROUTE" -> routes.read(in, scope);
-        case "ProtoDeclare" -> prototypes.declare(in, scope);
-        case "ExternProtoDeclare" -> prototypes.declareExternal(in, scope);
+        case "ProtoDeclare" -> declarations.declare(in, scope);
+        case "ExternProtoDeclare" -> declarations.declareExternal(in, scope);
         case "ProtoInstance" -> {
-          return prototypes.instance(in, scope, name);
+          return instances.instance(in, scope, name);
         }
         case "IMPORT", "EXPORT" -> {
           links.link(in);
@@ -206,7 +210,7 @@ final class NodeReader {
     Children children = new Children(node, reading);
     while (in.next()) {
       if (in.name().equals("IS")) {
-        prototypes.connect(in, scope, named, children);
+        connecting.connect(in, scope, named, children);
       } else if (in.name().equals("field") && node.type().field("field").isPresent()) {
         scriptField(in, scope);
       } else {
