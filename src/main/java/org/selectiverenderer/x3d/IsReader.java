@@ -129,7 +129,7 @@ final class IsReader {
               + instance.declaration().name()
               + " has no field "
               + protoField
-              + Spelling.question(protoField, instance.declaration().fields().keySet())
+              + reading.question(protoField, instance.declaration().fields().keySet())
               + "; the connection is left out");
       return null;
     }

@@ -47,7 +47,7 @@ final class ProtoInstanceReader {
                     ? "a ProtoInstance needs a name"
                     : "no prototype before this is called "
                         + name
-                        + Spelling.question(name, scope.prototypeNames()))
+                        + reading.question(name, () -> scope.prototypeNames().iterator()))
                 + "; the instance is left out");
       }
       in.skip();
@@ -105,7 +105,7 @@ final class ProtoInstanceReader {
                       + declaration.name()
                       + " has no field "
                       + name
-                      + Spelling.question(name, declaration.fields().keySet()))
+                      + reading.question(name, declaration.fields().keySet()))
               + "; the value is left out");
       in.skip();
       return;

@@ -90,6 +90,14 @@ public final class X3dReader {
       problems.error(whole, foreign);
       return empty(source);
     }
+    String cut = bytes.cut();
+    Location end = whole;
+    int flood = text.floodedTag();
+    if (flood >= 0) {
+      end = text.location(source, flood);
+      cut = "an element has more than " + SourceText.ATTRIBUTES + " attributes, as no node does";
+      text = text.cutAt(flood);
+    }
     Reading reading = new Reading(source, catalogue, limits, problems);
     X3dFile file;
     try {
@@ -101,8 +109,8 @@ public final class X3dReader {
           "the XML declaration is not well formed; nothing can be shown");
       return empty(source);
     }
-    if (bytes.cut() != null) {
-      problems.error(whole, bytes.cut() + "; what was read before is kept");
+    if (cut != null) {
+      problems.error(end, cut + "; what was read before is kept");
     }
     return file;
   }
