@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javax.xml.stream.XMLStreamException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads scenes in the XML encoding of X3D 3.0 to 4.0 (ISO/IEC 19776-1), plain or compressed by
@@ -101,7 +102,7 @@ public final class X3dReader {
     Reading reading = new Reading(source, catalogue, limits, problems);
     X3dFile file;
     try {
-      file = new DocumentReader(reading).read(new XmlCursor(text, reading, bytes.cut() != null));
+      file = new DocumentReader(reading).read(new XmlCursor(text, reading, cut != null));
     } catch (XMLStreamException e) {
       // Thrown for a bad XML declaration only, before there is any element.
       problems.error(
@@ -116,7 +117,7 @@ public final class X3dReader {
   }
 
   /** What to say about a file that is no XML, or null when it may be. */
-  private static @org.jspecify.annotations.Nullable String foreign(String head) {
+  private static @Nullable String foreign(String head) {
     String start = head.stripLeading();
     if (start.startsWith("#VRML") || start.startsWith("#X3D")) {
       return "this is a scene in the Classic VRML encoding, of which nothing is read; convert it to"
