@@ -67,8 +67,7 @@ final class BackdropPainter {
     };
   }
 
-  private static void stops(
-      GL3 gl, Program program, String name, float[] colors, float[] angles) {
+  private static void stops(GL3 gl, Program program, String name, float[] colors, float[] angles) {
     int count = Math.min(MAX_STOPS, Math.min(colors.length / 3, angles.length + 1));
     float[] stops = new float[4 * Math.max(1, count)];
     for (int i = 0; i < count; i++) {

@@ -16,8 +16,7 @@ import org.selectiverenderer.runtime.navigation.Viewer;
  * @param width of the viewport in pixels
  * @param height of the viewport in pixels
  */
-public record Camera(
-    Matrix4dc view, Matrix4dc projection, int x, int y, int width, int height) {
+public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int width, int height) {
 
   /**
    * The viewer's view over a whole target of that size. Its field of view is the smaller of the two

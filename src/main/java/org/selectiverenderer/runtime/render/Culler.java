@@ -70,8 +70,7 @@ final class Culler {
       double y = (box[1] + box[4]) / 2;
       double z = (box[2] + box[5]) / 2;
       Matrix4dc v = eye.view();
-      nearest =
-          Math.min(nearest, -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32()));
+      nearest = Math.min(nearest, -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32()));
     }
     // The bits of a float that is not negative are in the order of its values.
     int distance = Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;

@@ -7,7 +7,7 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
-import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
+import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
@@ -25,7 +25,7 @@ record DrawItem(
     Surface surface,
     GpuMesh mesh,
     @Nullable GpuTexture texture,
-    ShapeProgram program,
+    ShapePrograms.Family programs,
     List<LightInstance> lights,
     float[] numbers,
     float[] textureTransform,

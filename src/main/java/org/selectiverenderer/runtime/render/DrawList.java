@@ -4,17 +4,15 @@ import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
-import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
+import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
@@ -92,13 +90,6 @@ final class DrawList {
     assets.keepOnly(gl, items);
   }
 
-  /** The programs in use. */
-  Set<ShapeProgram> programs() {
-    Set<ShapeProgram> used = new HashSet<>();
-    items.forEach(item -> used.add(item.program()));
-    return used;
-  }
-
   /** A program and texture, which decide the order of drawing. */
-  record State(ShapeProgram program, @Nullable GpuTexture texture) {}
+  record State(ShapePrograms.Family programs, @Nullable GpuTexture texture) {}
 }

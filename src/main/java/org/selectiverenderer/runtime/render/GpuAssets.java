@@ -18,7 +18,6 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
-import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
@@ -78,7 +77,7 @@ final class GpuAssets {
                   return new GpuTexture(gl, image);
                 });
     boolean blended = blended(surface, gpu, texture);
-    ShapeProgram program = programs.get(gl, variant(mesh, surface, scope, texture, blended));
+    ShapePrograms.Family family = programs.get(variant(mesh, surface, scope, texture, blended));
     float[] transform = surface.textureTransform();
     return new DrawItem(
         shape,
@@ -86,12 +85,12 @@ final class GpuAssets {
         surface,
         gpu,
         texture,
-        program,
+        family,
         scope,
         numbers(surface),
         transform == null ? NO_TRANSFORM : transform,
         blended,
-        ranks.computeIfAbsent(new DrawList.State(program, texture), state -> ranks.size()));
+        ranks.computeIfAbsent(new DrawList.State(family, texture), state -> ranks.size()));
   }
 
   private static boolean blended(Surface surface, GpuMesh mesh, @Nullable GpuTexture texture) {
@@ -132,9 +131,18 @@ final class GpuAssets {
     float[] e = surface.emissive();
     float[] s = surface.specular();
     return new float[] {
-      d[0], d[1], d[2], 1 - surface.transparency(),
-      e[0], e[1], e[2], surface.ambientIntensity(),
-      s[0], s[1], s[2], surface.shininess() * 128
+      d[0],
+      d[1],
+      d[2],
+      1 - surface.transparency(),
+      e[0],
+      e[1],
+      e[2],
+      surface.ambientIntensity(),
+      s[0],
+      s[1],
+      s[2],
+      surface.shininess() * 128
     };
   }
 

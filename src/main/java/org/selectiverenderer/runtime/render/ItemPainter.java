@@ -15,6 +15,7 @@ final class ItemPainter {
   private final Visible visible;
   private final Camera camera;
   private final EyeLights lights;
+  private final float pointSize;
   private final Matrix4d toEye = new Matrix4d();
   private final Matrix4d toClip = new Matrix4d();
   private final Matrix4d normals = new Matrix4d();
@@ -23,7 +24,8 @@ final class ItemPainter {
   private @Nullable GpuTexture texture;
   private @Nullable GpuMesh mesh;
 
-  ItemPainter(GL3 gl, Visible visible, Camera camera, EyeLights lights) {
+  ItemPainter(GL3 gl, Visible visible, Camera camera, EyeLights lights, float pointSize) {
+    this.pointSize = pointSize;
     this.gl = gl;
     this.visible = visible;
     this.camera = camera;
@@ -70,10 +72,11 @@ final class ItemPainter {
   }
 
   private void bind(DrawItem item) {
-    ShapeProgram needed = item.program();
+    EyeLights.Packed packed = lights.of(item.lights());
+    ShapeProgram needed = item.programs().get(gl, packed.count());
     if (needed != program) {
       program = needed;
-      needed.use(gl);
+      needed.use(gl, pointSize);
     }
     if (item.texture() != null && item.texture() != texture) {
       texture = item.texture();
@@ -84,8 +87,7 @@ final class ItemPainter {
       item.mesh().bind(gl);
     }
     needed.material(gl, item.numbers(), item.textureTransform());
-    EyeLights.Packed packed = lights.of(item.lights());
-    needed.lights(gl, packed.numbers(), packed.count());
+    needed.lights(gl, packed.numbers());
     place(item.shape().world());
     needed.object(gl, object);
     gl.glFrontFace(toEye.determinant3x3() < 0 ? GL.GL_CW : GL.GL_CCW);
@@ -115,8 +117,7 @@ final class ItemPainter {
     int from = visible.firstRange[i];
     int count = visible.firstRange[i + 1] - from;
     if (count == 1) {
-      gl.glDrawElements(
-          drawn.mode(), visible.count(from), drawn.indexType(), visible.offset(from));
+      gl.glDrawElements(drawn.mode(), visible.count(from), drawn.indexType(), visible.offset(from));
     } else if (count > 1) {
       gl.glMultiDrawElements(
           drawn.mode(), visible.counts(from), drawn.indexType(), visible.offsets(from), count);

@@ -39,8 +39,7 @@ public final class SceneRenderer {
   }
 
   /** Clears the camera's viewport and draws into it. */
-  public void draw(
-      GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
+  public void draw(GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glEnable(GL.GL_SCISSOR_TEST);
@@ -48,14 +47,13 @@ public final class SceneRenderer {
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
-    list.programs().forEach(program -> program.begin(gl, pointSize));
-    ItemPainter painter = new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight));
+    ItemPainter painter =
+        new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize);
     painter.paint(0, seen.opaque);
     backdropPainter.paint(gl, backdrop, camera);
     if (seen.opaque < seen.items.size()) {
       gl.glEnable(GL.GL_BLEND);
-      gl.glBlendFuncSeparate(
-          GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
+      gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
       gl.glDepthMask(false);
       painter.blend(seen.opaque, seen.items.size());
       gl.glDepthMask(true);

@@ -21,8 +21,7 @@ public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) 
 
   /** The scene with these nodes, in X3D's XML encoding. */
   public static TestScene of(String nodes) {
-    String text =
-        "<X3D profile='Full' version='4.0'><Scene>" + nodes + "</Scene></X3D>";
+    String text = "<X3D profile='Full' version='4.0'><Scene>" + nodes + "</Scene></X3D>";
     Problems problems = new Problems();
     try (SceneLoader loader = loader(problems)) {
       byte[] bytes = text.getBytes(StandardCharsets.UTF_8);

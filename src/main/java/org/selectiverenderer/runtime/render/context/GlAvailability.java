@@ -37,8 +37,7 @@ public final class GlAvailability {
     if (local.matches()
         && Files.isDirectory(sockets)
         && !Files.exists(sockets.resolve("X" + local.group(1)))) {
-      return Optional.of(
-          "no X server answers at the display " + display + ", which DISPLAY names");
+      return Optional.of("no X server answers at the display " + display + ", which DISPLAY names");
     }
     return Optional.empty();
   }

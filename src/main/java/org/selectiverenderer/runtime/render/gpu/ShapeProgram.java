@@ -3,6 +3,8 @@ package org.selectiverenderer.runtime.render.gpu;
 import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** The program of shapes in one variant, with its uniforms, which it remembers between draws. */
@@ -15,34 +17,40 @@ public final class ShapeProgram {
   private final int material;
   private final int textureTransform;
   private final int lights;
-  private final int lightCount;
   private final int pointSize;
   private float @Nullable [] currentMaterial;
   private float @Nullable [] currentLights;
+  private float currentPointSize;
 
-  ShapeProgram(GL3 gl, ShapeVariant variant) {
+  ShapeProgram(GL3 gl, ShapeVariant variant, int lightCount) {
     List<String> defines = new ArrayList<>(variant.defines());
-    defines.add("MAX_LIGHTS " + MAX_LIGHTS);
+    defines.add("LIGHTS " + lightCount);
+    defines.add(
+        "EACH_LIGHT "
+            + IntStream.range(0, lightCount)
+                .mapToObj(i -> "LIGHT(" + i + ")")
+                .collect(Collectors.joining(" ")));
     program = new Program(gl, "shape", defines);
     object = program.uniform(gl, "object");
     material = program.uniform(gl, "material");
     textureTransform = program.uniform(gl, "texture_");
     lights = program.uniform(gl, "lights");
-    lightCount = program.uniform(gl, "lightCount");
     pointSize = program.uniform(gl, "pointSize");
     program.use(gl);
     gl.glUniform1i(program.uniform(gl, "image"), 0);
   }
 
-  /** Makes it current for a view whose lights are new. */
-  public void begin(GL3 gl, float pixels) {
+  /**
+   * Makes it current.
+   *
+   * @param pixels side of a point
+   */
+  public void use(GL3 gl, float pixels) {
     program.use(gl);
-    gl.glUniform1f(pointSize, pixels);
-    currentLights = null;
-  }
-
-  public void use(GL3 gl) {
-    program.use(gl);
+    if (currentPointSize != pixels) {
+      currentPointSize = pixels;
+      gl.glUniform1f(pointSize, pixels);
+    }
   }
 
   /**
@@ -67,13 +75,10 @@ public final class ShapeProgram {
   /**
    * @param numbers twenty per light, as the fragment shader says
    */
-  public void lights(GL3 gl, float[] numbers, int count) {
+  public void lights(GL3 gl, float[] numbers) {
     if (currentLights != numbers) {
       currentLights = numbers;
-      gl.glUniform1i(lightCount, count);
-      if (count > 0) {
-        gl.glUniform4fv(lights, 5 * count, numbers, 0);
-      }
+      gl.glUniform4fv(lights, numbers.length / 4, numbers, 0);
     }
   }
 

@@ -22,8 +22,7 @@ public final class MeshPacker {
     int[] indices = mesh.indices();
     Clusters clusters = Clusters.whole(indices.length);
     if (mesh.primitive() == Mesh.Primitive.TRIANGLES) {
-      TriangleOrder.Result order =
-          TriangleOrder.of(mesh.positions(), indices, CLUSTER_TRIANGLES);
+      TriangleOrder.Result order = TriangleOrder.of(mesh.positions(), indices, CLUSTER_TRIANGLES);
       indices = reorder(indices, order.triangles());
       clusters = new ClusterBounds(mesh.positions(), indices).of(order.ends());
     }

@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.render.mesh;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
- * Where the attributes of a vertex stand in the vertex buffer, in bytes from the vertex's first;
- * -1 for an attribute that the mesh does not have. The position comes first: three floats.
+ * Where the attributes of a vertex stand in the vertex buffer, in bytes from the vertex's first; -1
+ * for an attribute that the mesh does not have. The position comes first: three floats.
  *
  * @param stride bytes per vertex
  * @param normal four signed normalised shorts, the last unused: ten bits would show in highlights
