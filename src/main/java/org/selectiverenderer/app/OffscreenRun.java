@@ -9,19 +9,14 @@ import org.selectiverenderer.runtime.render.OffscreenView;
 
 /**
  * Runs a scene without a window, as fast as it can be drawn. With a path its frames are those of a
- * simulation; without one the viewer stays at the start, for the duration or for a single frame. The
- * calling thread steps and draws.
+ * simulation; without one the viewer stays at the start, for the duration or for a single frame.
+ * The calling thread steps and draws.
  */
 public final class OffscreenRun {
   private final RunSettings settings;
-  private final int samples;
 
-  /**
-   * @param samples per pixel for anti-aliasing; 0 for none
-   */
-  public OffscreenRun(RunSettings settings, int samples) {
+  public OffscreenRun(RunSettings settings) {
     this.settings = settings;
-    this.samples = samples;
   }
 
   /**
@@ -31,7 +26,8 @@ public final class OffscreenRun {
     FigureKeeper keeper = new FigureKeeper();
     try (SceneOpening opening = new SceneOpening(settings, listener);
         // The context comes up while the scene is being read.
-        OffscreenView view = OffscreenView.open(settings.width(), settings.height(), samples);
+        OffscreenView view =
+            OffscreenView.open(settings.width(), settings.height(), settings.samples());
         Walkthrough walk = opening.await()) {
       keeper.loaded();
       walk(walk, view, keeper);

@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  * @param duration seconds after which the run ends by itself
  * @param width of the picture in pixels
  * @param height of the picture in pixels
+ * @param samples per pixel for anti-aliasing; 0 for none
  * @param mouse what the mouse buttons do
  */
 public record RunSettings(
@@ -23,10 +24,8 @@ public record RunSettings(
     OptionalDouble duration,
     int width,
     int height,
+    int samples,
     MouseMapping mouse) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;
-
-  /** Samples per pixel for anti-aliasing in windows and pictures. */
-  public static final int SAMPLES = 4;
 }
