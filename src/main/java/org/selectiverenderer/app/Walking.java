@@ -3,6 +3,7 @@ package org.selectiverenderer.app;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
@@ -35,6 +36,7 @@ final class Walking implements ViewerMotion {
   private @Nullable Node viewpoint;
   private Walker walker;
   private @Nullable ViewpointTransition transition;
+  private Set<CollisionNode> bumped = Set.of();
 
   Walking(World world, Controls controls) {
     this.world = world;
@@ -74,7 +76,7 @@ final class Walking implements ViewerMotion {
             ViewpointTransition.Type.of(
                 bound.map(node -> node.strings("transitionType")).orElse(new String[0])),
             world.time(),
-            bound.map(node -> (Double) node.value("transitionTime")).orElse(1.0));
+            bound.map(Walking::transitionTime).orElse(1.0));
     from.applyTo(world.viewer());
   }
 
@@ -104,9 +106,22 @@ final class Walking implements ViewerMotion {
       return;
     }
     walker.move(viewer, time, dt);
-    for (CollisionNode node : walker.bumped()) {
-      node.collide(time, world.cascade());
+    tellCollisions(walker.bumped());
+  }
+
+  /** Collision nodes hear when the viewer begins and ceases to bump into what is in them. */
+  private void tellCollisions(Set<CollisionNode> now) {
+    for (CollisionNode node : bumped) {
+      if (!now.contains(node)) {
+        node.collide(false, world.cascade());
+      }
     }
+    now.forEach(node -> node.collide(true, world.cascade()));
+    bumped = now;
+  }
+
+  private static double transitionTime(Node navigationInfo) {
+    return navigationInfo.value("transitionTime") instanceof Double seconds ? seconds : 1;
   }
 
   /** Adapts to another scene, NavigationInfo or viewpoint. */

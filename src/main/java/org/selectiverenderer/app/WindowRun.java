@@ -60,14 +60,19 @@ public final class WindowRun implements WorldHost {
                 settings.samples(),
                 false),
             run);
-    try (SceneOpening unused = run.opening) {
+    try {
       window.run();
       return run.result(window);
     } finally {
-      if (run.walk != null) {
-        run.walk.close();
-      }
+      run.close();
     }
+  }
+
+  private void close() throws IOException {
+    if (walk != null) {
+      walk.close();
+    }
+    opening.close();
   }
 
   private RunResult result(WorldWindow window) throws IOException {

@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.FrameSource;
 import org.selectiverenderer.runtime.render.window.RenderWindow;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
+import org.selectiverenderer.x3d.geometry.TextMesher;
 
 /** A window onto a world. Its render thread is the one that steps the world. */
 public final class WorldWindow {
@@ -48,7 +49,7 @@ public final class WorldWindow {
 
   private final class Frames implements FrameSource {
     private final WorldPainter painter = new WorldPainter();
-    private final Overlay overlay = new Overlay();
+    private final Overlay overlay = new Overlay(new TextMesher());
     private Optional<World> world = Optional.empty();
     private @Nullable FrameSize size;
 
@@ -69,13 +70,14 @@ public final class WorldWindow {
       if (world.isEmpty()) {
         gl.glClearColor(0, 0, 0, 1);
         gl.glClear(GL.GL_COLOR_BUFFER_BIT);
-        overlay.draw(gl, List.of("Loading the scene ..."), frame);
+        overlay.draw(
+            gl, List.of("Loading the scene ..."), frame.width(), frame.height(), frame.scale());
         return;
       }
       Drawn drawn = painter.paint(gl, world.get(), frame.width(), frame.height());
       List<String> lines = host.overlay();
       if (!lines.isEmpty()) {
-        overlay.draw(gl, lines, frame);
+        overlay.draw(gl, lines, frame.width(), frame.height(), frame.scale());
       }
       host.drawn(drawn);
     }
