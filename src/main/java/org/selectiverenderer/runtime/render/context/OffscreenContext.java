@@ -42,6 +42,8 @@ public final class OffscreenContext implements AutoCloseable {
         drawable.destroy();
         throw new GlUnavailableException("the display gives no OpenGL 3.3 context");
       }
+      // Opening it cleared a frame buffer that a context without a surface does not have.
+      context.getGL().glGetError();
       return new OffscreenContext(drawable, context);
     } catch (GLException | LinkageError e) {
       throw new GlUnavailableException(
