@@ -8,6 +8,7 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.navigation.Controls;
 import org.selectiverenderer.runtime.navigation.NavigationCommand;
 import org.selectiverenderer.runtime.navigation.PathMotion;
+import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.WorldHost;
 import org.selectiverenderer.runtime.render.WorldWindow;
@@ -57,7 +58,7 @@ public final class WindowRun implements WorldHost {
                 settings.scene().getFileName() + " - Selective Renderer",
                 settings.width(),
                 settings.height(),
-                settings.samples(),
+                settings.samples().orElseGet(AntiAliasing::forMotion),
                 false),
             run);
     try {

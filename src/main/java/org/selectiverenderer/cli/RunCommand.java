@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.OffscreenRun;
 import org.selectiverenderer.app.RunResult;
@@ -80,10 +81,11 @@ final class RunCommand extends CliCommand {
 
   @Option(
       names = "--samples",
-      defaultValue = "4",
       paramLabel = "N",
-      description = "per pixel against jagged edges, 0 for none (default: ${DEFAULT-VALUE})")
-  private int samples;
+      description =
+          "per pixel against jagged edges, 0 for none (default: 4, but none for moving pictures"
+              + " where there is no graphics card)")
+  private @Nullable Integer samples;
 
   @Option(
       names = "--screenshot",
@@ -121,7 +123,7 @@ final class RunCommand extends CliCommand {
             duration == null ? OptionalDouble.empty() : OptionalDouble.of(duration),
             size.width(),
             size.height(),
-            samples,
+            samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
             MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)));
     RunResult result = show(settings);
     if (screenshot != null && result.screenshot().isPresent()) {
@@ -137,7 +139,7 @@ final class RunCommand extends CliCommand {
     if (duration != null && !(duration > 0)) {
       throw CommandFailure.usage("--duration is a number of seconds above 0");
     }
-    if (samples < 0 || samples > 16) {
+    if (samples != null && (samples < 0 || samples > 16)) {
       throw CommandFailure.usage("--samples is a number from 0 to 16");
     }
     GlAvailability.check().ifPresent(this::noDisplay);
