@@ -1,0 +1,68 @@
+@echo off
+rem Builds the application when its jar is missing or older than the sources, then runs it.
+rem
+rem JAVA_HOME                      the Java to use; without it, the one on PATH
+rem SELECTIVE_RENDERER_JAVA_OPTS   further flags for Java, such as -Xmx4g
+rem SELECTIVE_RENDERER_SAI         another browser's jars in place of x3d-sai.jar: a folder of jars or
+rem                                a class path, for example Xj3D's
+setlocal
+set "SR_HOME=%~dp0"
+set "SR_JAR=%SR_HOME%target\selective-renderer.jar"
+
+set "SR_JAVA=java.exe"
+if defined JAVA_HOME set "SR_JAVA=%JAVA_HOME%\bin\java.exe"
+if defined JAVA_HOME if not exist "%SR_JAVA%" (
+  echo selective-renderer: JAVA_HOME has no bin\java.exe: %JAVA_HOME%>&2
+  exit /b 2
+)
+if not defined JAVA_HOME (
+  where java.exe >nul 2>&1 || (
+    echo selective-renderer: no Java found: install a JDK 17 or newer, or set JAVA_HOME>&2
+    exit /b 2
+  )
+)
+
+rem Folders count too: their time changes when a source is deleted.
+powershell -NoProfile -ExecutionPolicy Bypass -Command ^
+  "Set-Location -LiteralPath $env:SR_HOME;" ^
+  "$jar = Get-Item -LiteralPath $env:SR_JAR, target\x3d-sai.jar -ErrorAction SilentlyContinue;" ^
+  "if (@($jar).Count -lt 2) { exit 1 };" ^
+  "$roots = 'pom.xml', 'src\main', 'tools\enricher-gui\src' | Where-Object { Test-Path $_ };" ^
+  "$files = @(Get-Item $roots) + @(Get-ChildItem $roots -Recurse);" ^
+  "if ($files | Where-Object { $_.LastWriteTimeUtc -gt $jar[0].LastWriteTimeUtc }) { exit 1 }"
+if not errorlevel 1 goto start
+
+where mvn >nul 2>&1
+if errorlevel 1 (
+  echo selective-renderer: the application is not built yet, which takes Maven: install Maven 3.8 or newer>&2
+  exit /b 2
+)
+echo selective-renderer: building the application, which takes a minute the first time>&2
+if not exist "%SR_HOME%target" mkdir "%SR_HOME%target"
+pushd "%SR_HOME%"
+call mvn -q -B -DskipTests -Dmaven.test.skip=true package >target\launcher-build.log 2>&1 <nul
+if errorlevel 1 (
+  type target\launcher-build.log >&2
+  popd
+  echo selective-renderer: the build failed, as Maven says above>&2
+  exit /b 2
+)
+popd
+
+:start
+rem The jar's manifest grants native access; the program itself sets what its libraries read.
+set "SR_PATH=%SR_JAR%"
+if defined SELECTIVE_RENDERER_SAI (
+  if exist "%SELECTIVE_RENDERER_SAI%\*" (
+    set "SR_PATH=%SELECTIVE_RENDERER_SAI%\*;%SR_JAR%"
+  ) else (
+    set "SR_PATH=%SELECTIVE_RENDERER_SAI%;%SR_JAR%"
+  )
+)
+set "SR_FLAGS=-XX:+IgnoreUnrecognizedVMOptions -XX:+DisplayVMOutputToStderr -Xlog:disable"
+if defined SELECTIVE_RENDERER_SAI (
+  "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -cp "%SR_PATH%" org.selectiverenderer.cli.Main %*
+) else (
+  "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -jar "%SR_JAR%" %*
+)
+exit /b %ERRORLEVEL%

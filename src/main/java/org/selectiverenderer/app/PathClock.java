@@ -1,0 +1,29 @@
+package org.selectiverenderer.app;
+
+/**
+ * The times of the frames of a recorded path: equally spaced from its first time to its last, both
+ * included where the rate lets it. Not a clock of the wall, so that the same path gives the same
+ * frames on every machine, with and without a picture.
+ *
+ * @param start seconds
+ * @param end seconds, not before start
+ * @param rate frames per second of the path's time
+ */
+public record PathClock(double start, double end, double rate) {
+  public PathClock {
+    if (!(rate > 0) || !(end >= start)) {
+      throw new IllegalArgumentException("a path runs forward at a rate above 0");
+    }
+  }
+
+  /** The number of frames; at least one. */
+  public long frames() {
+    // The small share makes up for a duration that is a rounding error short of whole frames.
+    return (long) Math.floor((end - start) * rate + 1e-6) + 1;
+  }
+
+  /** The time of a frame, counted from 0. */
+  public double time(long frame) {
+    return start + frame / rate;
+  }
+}

@@ -1,0 +1,11 @@
+/**
+ * Scenes for the benchmark: generated, the same bytes every time, of the thesis's size.
+ *
+ * <p>In: a folder and a size. Out: X3D files and a camera path, and a {@link
+ * org.selectiverenderer.bench.BenchScene} that says what was written. Uses only the JDK: a peer
+ * browser can be measured with the same files.
+ */
+@NullMarked
+package org.selectiverenderer.bench;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,13 @@
+package org.selectiverenderer.cli;
+
+import java.util.List;
+
+/** The commands, in the order of {@code --help}. */
+final class CommandCatalogue {
+  private CommandCatalogue() {}
+
+  static List<CliCommand> commands(Console console) {
+    return List.of(
+        new RunCommand(console), new SimulateCommand(console), new BenchCommand(console));
+  }
+}

@@ -1,0 +1,69 @@
+package org.selectiverenderer.cli;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Sets up picocli, runs one command and makes one line of whatever goes wrong. */
+final class CommandRunner {
+  private final Console console;
+  private final RootCommand root = new RootCommand();
+
+  CommandRunner(Console console) {
+    this.console = console;
+  }
+
+  ExitStatus run(String[] args, List<? extends CliCommand> commands) {
+    StringWriter help = new StringWriter();
+    try {
+      int code = commandLine(commands, help).execute(args);
+      // Written here, as picocli prints a stack trace when its own output fails.
+      console.out().print(help);
+      console.out().flush();
+      return ExitStatus.of(code);
+    } catch (OutputFailure | Error e) { // Output can fail as late as in the flush.
+      return report(RootCommand.NAME, e);
+    }
+  }
+
+  private CommandLine commandLine(List<? extends CliCommand> commands, StringWriter help) {
+    CommandLine line = new CommandLine(root);
+    commands.forEach(line::addSubcommand);
+    return line.setOut(new PrintWriter(help))
+        .setErr(new PrintWriter(console.err(), true))
+        .setColorScheme(CommandLine.Help.defaultColorScheme(console.colours() ? Ansi.ON : Ansi.OFF))
+        .setCaseInsensitiveEnumValuesAllowed(true)
+        .setExpandAtFiles(false) // A file may be called @something.
+        .setParameterExceptionHandler(
+            (failure, args) ->
+                report(name(failure.getCommandLine()), CommandFailure.usage(sentence(failure)))
+                    .code())
+        .setExecutionExceptionHandler(
+            (failure, command, parsed) -> report(name(command), failure).code());
+  }
+
+  private ExitStatus report(String command, Throwable failure) {
+    return new FailureReport(console, root.debug()).report(command, failure);
+  }
+
+  private static String sentence(ParameterException failure) {
+    if (failure instanceof UnmatchedArgumentException unmatched
+        && failure.getCommandLine().getCommand() instanceof RootCommand
+        && !unmatched.isUnknownOption()) {
+      List<String> near = unmatched.getSuggestions();
+      return "no command '"
+          + unmatched.getUnmatched().get(0)
+          + "'"
+          + (near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?");
+    }
+    return failure.getMessage();
+  }
+
+  private static String name(CommandLine command) {
+    return command.getCommandSpec().qualifiedName();
+  }
+}

@@ -1,0 +1,78 @@
+package org.selectiverenderer.cli;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+
+/** Turns whatever ended a command into one line for the user and an exit status. */
+final class FailureReport {
+  private final Console console;
+  private final boolean stackTraces;
+
+  /**
+   * @param stackTraces whether the stack trace follows the line
+   */
+  FailureReport(Console console, boolean stackTraces) {
+    this.console = console;
+    this.stackTraces = stackTraces;
+  }
+
+  /**
+   * Reports a failure.
+   *
+   * @param command the command as typed, such as {@code selective-renderer run}
+   */
+  ExitStatus report(String command, Throwable failure) {
+    if (failure instanceof OutputFailure output && output.readerHasGone()) {
+      return ExitStatus.DONE;
+    }
+    console.message(command + ": " + sentence(failure).strip().replaceAll("\\s*\\R\\s*", "; "));
+    if (failure instanceof CommandFailure cause && cause.wrongUsage()) {
+      console.message("Try '" + command + " --help'.");
+    }
+    if (stackTraces) {
+      failure.printStackTrace(console.err());
+    }
+    return ExitStatus.FAILURE;
+  }
+
+  private static String sentence(Throwable failure) {
+    if (failure instanceof CommandFailure) {
+      return failure.getMessage();
+    } else if (failure instanceof OutputFailure output) {
+      return "cannot write to standard output: " + sentence(output.getCause());
+    } else if (failure instanceof UncheckedIOException unchecked) {
+      return sentence(unchecked.getCause());
+    } else if (failure instanceof FileSystemException file) {
+      return fileSentence(file);
+    } else if (failure instanceof CharacterCodingException) {
+      return "a file is not UTF-8 text";
+    } else if (failure instanceof IOException && failure.getMessage() != null) {
+      String prefix = failure instanceof FileNotFoundException ? "cannot open " : "";
+      return prefix + failure.getMessage();
+    } else if (failure instanceof OutOfMemoryError) {
+      return "out of memory; give it more with SELECTIVE_RENDERER_JAVA_OPTS=-Xmx4g";
+    }
+    return "internal error, please report it: " + failure;
+  }
+
+  private static String fileSentence(FileSystemException failure) {
+    String file = failure.getFile();
+    if (failure instanceof NoSuchFileException) {
+      return "no such file: " + file;
+    } else if (failure instanceof AccessDeniedException) {
+      return "permission denied: " + file;
+    } else if (failure instanceof FileAlreadyExistsException) {
+      return "there is a file already: " + file;
+    } else if (failure instanceof NotDirectoryException) {
+      return "not a folder: " + file;
+    }
+    return failure.getReason() == null ? "cannot use " + file : file + ": " + failure.getReason();
+  }
+}

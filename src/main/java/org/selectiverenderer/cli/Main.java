@@ -1,0 +1,38 @@
+package org.selectiverenderer.cli;
+
+import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import picocli.CommandLine.Help.Ansi;
+
+/** The program's entry: arguments to a command, and its end to an exit status. */
+public final class Main {
+  private Main() {}
+
+  /** Runs one command and ends the process, whatever windows or threads are left. */
+  public static void main(String[] args) {
+    LibraryProperties.set();
+    boolean colours = Ansi.AUTO.enabled();
+    // UTF-8 whatever the platform's charset: what is written is read by other programs.
+    PrintStream out =
+        new PrintStream(
+            new BufferedOutputStream(
+                new StandardOutput(new FileOutputStream(FileDescriptor.out)), 1 << 16),
+            colours,
+            StandardCharsets.UTF_8);
+    PrintStream err =
+        new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+    System.exit(execute(args, new Console(out, err, colours)));
+  }
+
+  /** Runs one command within this process, as tests do, and returns its exit status. */
+  public static int execute(String[] args, PrintStream out, PrintStream err) {
+    return execute(args, new Console(out, err, false));
+  }
+
+  private static int execute(String[] args, Console console) {
+    return new CommandRunner(console).run(args, CommandCatalogue.commands(console)).code();
+  }
+}

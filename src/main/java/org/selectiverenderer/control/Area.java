@@ -1,0 +1,88 @@
+package org.selectiverenderer.control;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.web3d.x3d.sai.X3DField;
+import org.web3d.x3d.sai.X3DFieldEventListener;
+import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
+
+/** A ProximitySensor and the schemas that its metadata names. */
+final class Area {
+  /** Hears what happens to areas, with the time stamp in seconds. */
+  interface Listener {
+    void entered(Area area, double time);
+
+    void left(Area area, double time);
+
+    /** The metadata is not what it was; {@link Area#read()} it. */
+    void metadataChanged(Area area, double time);
+  }
+
+  private final ProximitySensor sensor;
+  private final String name;
+  private final X3DField enterTime;
+  private final X3DField exitTime;
+  private final X3DFieldEventListener onEnter;
+  private final X3DFieldEventListener onExit;
+  private final MetadataWatch watch;
+  private final List<ControlProblem> problems = new ArrayList<>();
+  private Optional<SensorSchemas> schemas = Optional.empty();
+
+  Area(ProximitySensor sensor, String name, Listener listener) {
+    this.sensor = sensor;
+    this.name = name;
+    this.enterTime = sensor.getField("enterTime");
+    this.exitTime = sensor.getField("exitTime");
+    this.onEnter = event -> listener.entered(this, event.getTime());
+    this.onExit = event -> listener.left(this, event.getTime());
+    this.watch = new MetadataWatch(sensor, time -> listener.metadataChanged(this, time));
+    enterTime.addX3DEventListener(onEnter);
+    exitTime.addX3DEventListener(onExit);
+    read();
+  }
+
+  /** Reads the metadata anew. */
+  void read() {
+    problems.clear();
+    SchemaReader reader =
+        new SchemaReader(
+            problem ->
+                problems.add(
+                    new ControlProblem(
+                        name, ((SaiMetadata) problem.metadata()).node(), problem.message())));
+    schemas = watch.read().flatMap(reader::sensor);
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** Empty if the metadata has nothing of the vocabulary: the sensor is not ours. */
+  Optional<SensorSchemas> schemas() {
+    return schemas;
+  }
+
+  /** Whether the viewer is in the area, as the sensor says. */
+  boolean active() {
+    return sensor.getIsActive();
+  }
+
+  /** The time of the last entry, in seconds. */
+  double lastEntry() {
+    return sensor.getEnterTime();
+  }
+
+  List<ControlProblem> problems() {
+    return problems;
+  }
+
+  /** Leaves the sensor without a listener. */
+  void close() {
+    enterTime.removeX3DEventListener(onEnter);
+    exitTime.removeX3DEventListener(onExit);
+    watch.close();
+  }
+}

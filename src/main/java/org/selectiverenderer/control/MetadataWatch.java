@@ -1,0 +1,63 @@
+package org.selectiverenderer.control;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.DoubleConsumer;
+import org.web3d.x3d.sai.X3DField;
+import org.web3d.x3d.sai.X3DFieldEventListener;
+import org.web3d.x3d.sai.X3DNode;
+
+/**
+ * Watches the metadata of a node at every depth: another metadata node, other members of a set,
+ * other names or values. Fields are kept, since a browser may know a listener only by the very
+ * field object that it was added to.
+ */
+final class MetadataWatch {
+  private final X3DNode owner;
+  private final List<X3DField> watched = new ArrayList<>();
+  private final X3DFieldEventListener onChange;
+
+  /**
+   * Watches nothing yet; see {@link #read()}.
+   *
+   * @param onChange called with the time stamp when the metadata is not what it was
+   */
+  MetadataWatch(X3DNode owner, DoubleConsumer onChange) {
+    this.owner = owner;
+    this.onChange = event -> onChange.accept(event.getTime());
+  }
+
+  /** The metadata as it is now, which is watched from here on. */
+  Optional<SaiMetadata> read() {
+    close();
+    watch(owner, "metadata");
+    Optional<SaiMetadata> metadata = SaiMetadata.of(owner);
+    metadata.ifPresent(source -> watch(source, new HashSet<>()));
+    return metadata;
+  }
+
+  /** Ends the watch. */
+  void close() {
+    watched.forEach(field -> field.removeX3DEventListener(onChange));
+    watched.clear();
+  }
+
+  private void watch(SaiMetadata source, Set<SaiMetadata> seen) {
+    if (seen.add(source)) {
+      watch(source.node(), "value");
+      if (!source.isSet()) { // the name of a set means nothing here
+        watch(source.node(), "name");
+      }
+      source.children().forEach(child -> watch(child, seen));
+    }
+  }
+
+  private void watch(X3DNode node, String fieldName) {
+    X3DField field = node.getField(fieldName);
+    field.addX3DEventListener(onChange);
+    watched.add(field);
+  }
+}

@@ -1,0 +1,215 @@
+package org.selectiverenderer.control;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.selectiverenderer.control.Activation.Change;
+import org.selectiverenderer.control.SelectiveController.Settings;
+import org.selectiverenderer.schema.SwitchSchemas;
+import org.web3d.x3d.sai.X3DExecutionContext;
+import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
+import org.web3d.x3d.sai.grouping.Switch;
+
+/** Control over one scene, from its beginning to its end. */
+final class SceneControl implements Area.Listener {
+  private final Settings settings;
+  private final Consumer<ControlEvent> events;
+  private final NodeNames names;
+  private final SceneWalk walk;
+  private final Activation<Area, VersionedObject> activation = new Activation<>();
+  private final Map<X3DNode, Area> areas = new LinkedHashMap<>();
+  private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
+  private boolean started;
+  private double now;
+
+  SceneControl(X3DExecutionContext scene, Settings settings, Consumer<ControlEvent> events) {
+    this.settings = settings;
+    this.events = events;
+    this.names = new NodeNames(scene);
+    this.walk =
+        new SceneWalk(
+            scene, n -> n instanceof Switch || n instanceof ProximitySensor, this::changed);
+  }
+
+  /** Reads the scene, sets what the condition sets, and says so. */
+  void start() {
+    walk.rescan(now);
+    setOut(objects.values(), settings.seed());
+    started = true;
+    events.accept(new ControlEvent.Start(choices()));
+    areas.values().forEach(this::enterIfInside);
+  }
+
+  /** Looks for changes at the top of the scene. */
+  void rescan() {
+    walk.rescan(now);
+  }
+
+  /** Leaves the scene without a listener. */
+  void close() {
+    walk.close();
+    areas.values().forEach(Area::close);
+    objects.values().forEach(VersionedObject::close);
+  }
+
+  List<ControlProblem> problems() {
+    List<ControlProblem> problems = new ArrayList<>();
+    areas.values().forEach(area -> problems.addAll(area.problems()));
+    objects.values().forEach(object -> problems.addAll(object.problems()));
+    return problems;
+  }
+
+  List<String> enteredAreas() {
+    return activation.enteredAreas().stream().map(Area::name).toList();
+  }
+
+  List<String> activeSchemas() {
+    return activation.activeSchemas();
+  }
+
+  Map<String, Integer> choices() {
+    Map<String, Integer> choices = new LinkedHashMap<>();
+    for (VersionedObject object : objects.values()) {
+      if (object.schemas().isPresent()) {
+        choices.put(object.name(), object.shown());
+      }
+    }
+    return choices;
+  }
+
+  @Override
+  public void entered(Area area, double time) {
+    now = time;
+    if (area.schemas().isPresent()) {
+      events.accept(new ControlEvent.Enter(time, area.name(), area.schemas().get().enter()));
+      apply(activation.enter(area));
+    }
+  }
+
+  @Override
+  public void left(Area area, double time) {
+    now = time;
+    if (area.schemas().isPresent()) {
+      events.accept(new ControlEvent.Exit(time, area.name(), area.schemas().get().exit()));
+      apply(activation.exit(area));
+    }
+  }
+
+  @Override
+  public void metadataChanged(Area area, double time) {
+    now = time;
+    boolean known = area.schemas().isPresent();
+    area.read();
+    if (area.schemas().isEmpty()) {
+      apply(activation.removeArea(area));
+      return;
+    }
+    activation.putArea(area, area.schemas().get());
+    if (!known) {
+      enterIfInside(area);
+    }
+  }
+
+  private void objectChanged(VersionedObject object, double time) {
+    now = time;
+    boolean known = object.schemas().isPresent();
+    object.read();
+    if (object.schemas().isEmpty()) {
+      activation.removeSwitch(object);
+    } else if (!known || settings.condition().switches()) {
+      setOut(List.of(object), settings.seed() + objects.size());
+    }
+  }
+
+  private void changed(List<X3DNode> found, List<X3DNode> lost, double time) {
+    now = time;
+    names.add(found);
+    List<Area> foundAreas = new ArrayList<>();
+    List<VersionedObject> foundObjects = new ArrayList<>();
+    for (X3DNode node : found) {
+      if (node instanceof ProximitySensor sensor) {
+        Area area = new Area(sensor, names.of(node), this);
+        areas.put(node, area);
+        area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
+        foundAreas.add(area);
+      } else if (node instanceof Switch versions) {
+        VersionedObject object = new VersionedObject(versions, names.of(node), this::objectChanged);
+        objects.put(node, object);
+        foundObjects.add(object);
+      }
+    }
+    lost.forEach(this::forget);
+    if (started) {
+      setOut(foundObjects, settings.seed() + objects.size());
+      foundAreas.forEach(this::enterIfInside);
+    }
+  }
+
+  private void forget(X3DNode node) {
+    names.remove(node);
+    VersionedObject object = objects.remove(node);
+    if (object != null) {
+      object.close();
+      activation.removeSwitch(object);
+    }
+    Area area = areas.remove(node);
+    if (area != null) {
+      area.close();
+      apply(activation.removeArea(area));
+    }
+  }
+
+  /** A sensor that came under control while the viewer was in its box sends no entry any more. */
+  private void enterIfInside(Area area) {
+    if (area.active()) {
+      entered(area, Math.max(now, area.lastEntry()));
+    }
+  }
+
+  /** Brings objects that come under control into the state that the condition wants. */
+  private void setOut(Collection<VersionedObject> candidates, long seed) {
+    Map<VersionedObject, SwitchSchemas> enriched = new LinkedHashMap<>();
+    for (VersionedObject object : candidates) {
+      object.schemas().ifPresent(schemas -> enriched.put(object, schemas));
+    }
+    if (settings.condition().switches()) {
+      enriched.forEach(
+          (object, schemas) ->
+              apply(activation.putSwitch(object, schemas, object.shown()).stream().toList()));
+    } else {
+      settings
+          .condition()
+          .initialChoices(enriched, activatedSchemas(), seed)
+          .forEach(VersionedObject::show);
+    }
+  }
+
+  private Set<String> activatedSchemas() {
+    Set<String> activated = new HashSet<>();
+    for (Area area : areas.values()) {
+      area.schemas()
+          .ifPresent(
+              schemas -> {
+                activated.addAll(schemas.enter());
+                activated.addAll(schemas.exit());
+              });
+    }
+    return activated;
+  }
+
+  private void apply(List<Change<VersionedObject>> changes) {
+    for (Change<VersionedObject> change : changes) {
+      VersionedObject object = change.switchKey();
+      object.show(change.to());
+      events.accept(
+          new ControlEvent.SwitchChange(
+              now, object.name(), change.from(), change.to(), change.schema()));
+    }
+  }
+}

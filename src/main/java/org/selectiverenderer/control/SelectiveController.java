@@ -1,0 +1,115 @@
+package org.selectiverenderer.control;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.web3d.x3d.sai.BrowserEvent;
+import org.web3d.x3d.sai.BrowserListener;
+import org.web3d.x3d.sai.ExternalBrowser;
+
+/**
+ * Renders the scene of a browser selectively: listens to its ProximitySensors and sets {@code
+ * whichChoice} of its Switches (thesis Figs 48 and 49).
+ *
+ * <p>Only nodes with metadata of the vocabulary count; others are left alone. The scene is read
+ * once when control begins and followed from there: children and metadata that change, nodes that
+ * come and go, and another world in place of this one. The scene of an Inline is not part of it,
+ * since the SAI does not show it.
+ *
+ * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
+ * take effect later than it is made, and writes only what differs. A write is made within the call
+ * of the listener, so that it belongs to the same time stamp as the entry.
+ *
+ * <p>All work is done on the thread of the browser, which is also the one to call the methods here.
+ */
+public final class SelectiveController implements AutoCloseable {
+  /**
+   * How a scene is to be rendered.
+   *
+   * @param seed of the lot of {@link Condition#RANDOM}
+   */
+  public record Settings(Condition condition, long seed) {
+    /** Selective rendering as in the thesis. */
+    public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
+  }
+
+  private final ExternalBrowser browser;
+  private final Settings settings;
+  private final Consumer<ControlEvent> events;
+  private final BrowserListener onBrowser = this::browserChanged;
+  private @Nullable SceneControl scene;
+
+  /**
+   * Takes control of the scene that the browser shows, and of every scene that it will show.
+   *
+   * @param events hears what happens, on the thread of the browser; a {@link ControlEvent.Start}
+   *     for each scene first
+   */
+  public SelectiveController(
+      ExternalBrowser browser, Settings settings, Consumer<ControlEvent> events) {
+    this.browser = browser;
+    this.settings = settings;
+    this.events = events;
+    browser.addBrowserListener(onBrowser);
+    attach();
+  }
+
+  /** What is wrong with the metadata of the scene, in the order of the scene. */
+  public List<ControlProblem> problems() {
+    return scene == null ? List.of() : scene.problems();
+  }
+
+  /** The names of the areas that the viewer is in, in the order of entering. */
+  public List<String> enteredAreas() {
+    return scene == null ? List.of() : scene.enteredAreas();
+  }
+
+  /** The schemas in force, as {@link Activation#activeSchemas()} orders them. */
+  public List<String> activeSchemas() {
+    return scene == null ? List.of() : scene.activeSchemas();
+  }
+
+  /** The choice that each enriched Switch shows, by name, in the order of the scene. */
+  public Map<String, Integer> choices() {
+    return scene == null ? Map.of() : scene.choices();
+  }
+
+  /** Looks for nodes that were added or removed at the top of the scene: the SAI does not tell. */
+  public void rescan() {
+    if (scene != null) {
+      scene.rescan();
+    }
+  }
+
+  /** Lets the browser go: no listener stays behind, and every Switch stays as it is. */
+  @Override
+  public void close() {
+    browser.removeBrowserListener(onBrowser);
+    detach();
+  }
+
+  private void browserChanged(BrowserEvent event) {
+    if (event.getID() == BrowserEvent.INITIALIZED) {
+      attach();
+    } else if (event.getID() == BrowserEvent.SHUTDOWN) {
+      detach();
+    }
+  }
+
+  private void attach() {
+    detach();
+    var context = browser.getExecutionContext();
+    if (context != null) { // no world is shown yet
+      scene = new SceneControl(context, settings, events);
+      scene.start();
+    }
+  }
+
+  private void detach() {
+    if (scene != null) {
+      scene.close();
+      scene = null;
+    }
+  }
+}

@@ -1,0 +1,64 @@
+package org.selectiverenderer.runtime;
+
+import java.util.List;
+import org.joml.FrustumIntersection;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Matrix4f;
+import org.joml.Quaterniondc;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.navigation.Viewer;
+import org.selectiverenderer.runtime.nodes.Frame;
+import org.selectiverenderer.runtime.scene.Node;
+
+/** A frame as nodes see it. */
+final class WorldFrame implements Frame {
+  /** Width to height assumed for what the viewer can see: headless runs have no window. */
+  static final double ASPECT = 4.0 / 3.0;
+
+  private static final double NEAR = 0.01;
+  private static final double FAR = 1e6;
+
+  private final double time;
+  private final Viewer viewer;
+  private final InstanceTree instances;
+  private @Nullable FrustumIntersection frustum;
+
+  WorldFrame(double time, Viewer viewer, InstanceTree instances) {
+    this.time = time;
+    this.viewer = viewer;
+    this.instances = instances;
+  }
+
+  @Override
+  public double time() {
+    return time;
+  }
+
+  @Override
+  public Vector3dc eye() {
+    return viewer.position();
+  }
+
+  @Override
+  public Quaterniondc orientation() {
+    return viewer.orientation();
+  }
+
+  @Override
+  public FrustumIntersection frustum() {
+    if (frustum == null) {
+      Matrix4d projection =
+          new Matrix4d().perspective(viewer.fieldOfView(), ASPECT, NEAR, FAR).mul(viewer.view());
+      frustum = new FrustumIntersection(new Matrix4f(projection));
+    }
+    return frustum;
+  }
+
+  @Override
+  public List<? extends Matrix4dc> places(Node node) {
+    return instances.places(node);
+  }
+}

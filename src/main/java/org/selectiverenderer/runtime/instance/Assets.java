@@ -1,0 +1,17 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.Optional;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/** Gives geometry nodes their meshes and texture nodes their images; made while loading, kept. */
+public interface Assets {
+  /** The mesh of a geometry node as its fields are; empty for what cannot be drawn. */
+  Optional<Mesh> mesh(Node geometry);
+
+  /** The image of a texture node; empty when it has none or it could not be read. */
+  Optional<Texture.Image> image(Node texture);
+
+  /** A geometry node (or a node in it) or a texture node has other values: forget its asset. */
+  void changed(Node geometryOrTexture);
+}

@@ -1,0 +1,131 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeObserver;
+
+/** A group in one place. Its children stand in the order of the node's own children. */
+public final class GroupInstance extends Instance implements NodeObserver {
+  private static final GroupingNode.Effect[] NOTHING = {};
+
+  private final GroupingNode group;
+  private final InstanceTree tree;
+  private Matrix4dc content = IDENTITY;
+  List<Instance> children = List.of();
+  Optional<Instance> proxy = Optional.empty();
+  boolean disposed;
+  private GroupingNode.Effect[] pending = NOTHING;
+
+  GroupInstance(GroupingNode node, @Nullable GroupInstance parent, InstanceTree tree) {
+    super(node, parent);
+    this.group = node;
+    this.tree = tree;
+    place();
+  }
+
+  @Override
+  public GroupingNode node() {
+    return group;
+  }
+
+  public List<Instance> children() {
+    return children;
+  }
+
+  /** What stands for the children of a Collision when the viewer bumps into them; never shown. */
+  public Optional<Instance> proxy() {
+    return proxy;
+  }
+
+  /** Whether the same group stands above it: a scene that contains itself. */
+  boolean insideItself() {
+    for (GroupInstance above = parent(); above != null; above = above.parent()) {
+      if (above.group == group) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** From the children's local coordinates to the world. */
+  public Matrix4dc content() {
+    return content;
+  }
+
+  private void place() {
+    content = group.placement().map(local -> (Matrix4dc) world().mul(local, local)).orElse(world());
+  }
+
+  @Override
+  public void changed(Node node, int field) {
+    GroupingNode.Effect effect = group.effectOf(field);
+    if (effect != GroupingNode.Effect.NONE) {
+      affected(effect);
+    }
+  }
+
+  /** Remembers an effect until the tree is updated. */
+  void affected(GroupingNode.Effect effect) {
+    for (GroupingNode.Effect known : pending) {
+      if (known == effect) {
+        return;
+      }
+    }
+    if (pending.length == 0) {
+      tree.pending(this);
+    }
+    pending = Arrays.copyOf(pending, pending.length + 1);
+    pending[pending.length - 1] = effect;
+  }
+
+  /** Applies the effects remembered. */
+  void update() {
+    GroupingNode.Effect[] effects = pending;
+    pending = NOTHING;
+    if (disposed) {
+      return; // It left the scene between the change and this update.
+    }
+    for (GroupingNode.Effect effect : effects) {
+      switch (effect) {
+        case STRUCTURE -> tree.rebuild(this);
+        case PLACEMENT -> {
+          moved(tree);
+          tree.moved();
+        }
+        case CHOICE -> choose();
+        case NONE -> {}
+      }
+    }
+  }
+
+  /** Shows and hides the children as the node now says. */
+  void choose() {
+    for (int i = 0; i < children.size(); i++) {
+      children.get(i).show(shown && group.shows(i), tree);
+    }
+  }
+
+  @Override
+  void show(boolean show, InstanceTree tree) {
+    if (show != shown) {
+      shown = show;
+      choose();
+    }
+  }
+
+  @Override
+  void moved(InstanceTree tree) {
+    place();
+    for (Instance child : children) {
+      child.moved(tree);
+    }
+    if (proxy.isPresent()) {
+      proxy.get().moved(tree);
+    }
+  }
+}

@@ -1,0 +1,321 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.CollisionNode;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.ViewerDependent;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * Every path from the root of a scene to its nodes, Inlines included. Changes of nodes are
+ * collected and applied by {@link #update()}: a Switch costs its old and new child, a Transform
+ * what is below it, other children what is new or gone (and one pass over the tree that makes the
+ * lists anew).
+ *
+ * <p>All versions of an object are in the tree, shown or not, so that switching makes nothing new.
+ */
+public final class InstanceTree {
+  /** Nesting beyond which a scene is cut off. */
+  static final int MAX_DEPTH = 1000;
+
+  /** Instances above which groups stay empty: nested USEs multiply without bound. */
+  static final int MAX_INSTANCES = 8_000_000;
+
+  private static final Vector3dc Y = new Vector3d(0, 1, 0);
+
+  private final Assets assets;
+  private final GroupInstance root;
+  private final Map<Node, ShapeLook> looks = new IdentityHashMap<>();
+  private final Map<Node, Places> places = new IdentityHashMap<>();
+  private final List<Node> otherNodes = new ArrayList<>();
+  private final List<GroupInstance> viewerDependent = new ArrayList<>();
+  private final List<GroupInstance> pendingGroups = new ArrayList<>();
+  private final List<ShapeLook> pendingLooks = new ArrayList<>();
+  private final List<LightInstance> lights = new ArrayList<>();
+  private final Matrix4d inverse = new Matrix4d();
+  private final Vector3d localEye = new Vector3d();
+  private final Vector3d localUp = new Vector3d();
+  private List<ShapeInstance> shapes = List.of();
+  private long structureVersion;
+  private long placementVersion;
+  private boolean structureChanged = true;
+  private boolean cutOff;
+  private int instances;
+  private long shownPolygons;
+
+  /**
+   * @param rootNode the scene's root group
+   */
+  public InstanceTree(GroupingNode rootNode, Assets assets) {
+    this.assets = assets;
+    root = (GroupInstance) build(rootNode, null, 0);
+    root.show(true, this);
+    collect();
+  }
+
+  public GroupInstance root() {
+    return root;
+  }
+
+  /** All shapes, shown or not, in document order; the same list until the structure changes. */
+  public List<ShapeInstance> shapes() {
+    return shapes;
+  }
+
+  /** Changes when {@link #shapes()} or the lights gain or lose an element. */
+  public long structureVersion() {
+    return structureVersion;
+  }
+
+  /** Changes when a shape may have moved or may have got another mesh. */
+  public long placementVersion() {
+    return placementVersion;
+  }
+
+  /** All lights, on or off, in document order. */
+  public List<LightInstance> lights() {
+    return List.copyOf(lights);
+  }
+
+  /** The instances of any node in document order; empty when it is in no part of the scene. */
+  public List<Instance> instances(Node node) {
+    Places known = places.get(node);
+    return known == null ? List.of() : known.instances();
+  }
+
+  /** The places of a node that is neither group, shape nor light, in document order. */
+  public List<Occurrence> occurrences(Node node) {
+    return instances(node).stream()
+        .filter(Occurrence.class::isInstance)
+        .map(Occurrence.class::cast)
+        .toList();
+  }
+
+  /**
+   * {@link Instance#world()} of each instance of a node, in document order: a view that follows the
+   * tree and costs nothing to ask for.
+   */
+  public List<Matrix4dc> places(Node node) {
+    Places known = places.get(node);
+    return known == null ? List.of() : known;
+  }
+
+  /** All nodes that are neither group, shape nor light, each once, in document order. */
+  public List<Node> otherNodes() {
+    return List.copyOf(otherNodes);
+  }
+
+  /** Triangles of all shapes shown: the polygon count of the scene in its present state. */
+  public long shownPolygons() {
+    return shownPolygons;
+  }
+
+  /**
+   * Whether a part of the scene is left out: it contains itself, or is nested or multiplied beyond
+   * measure.
+   */
+  public boolean cutOff() {
+    return cutOff;
+  }
+
+  void moved() {
+    placementVersion++;
+  }
+
+  void polygonsShown(int more) {
+    shownPolygons += more;
+  }
+
+  void pending(GroupInstance group) {
+    pendingGroups.add(group);
+  }
+
+  void pending(ShapeLook look) {
+    pendingLooks.add(look);
+  }
+
+  /** The lists of shapes and lights are to be made anew at the end of the update. */
+  void structureChanged() {
+    structureChanged = true;
+  }
+
+  /** Applies what changed since the last call. */
+  public void update() {
+    for (int i = 0; i < pendingGroups.size(); i++) {
+      pendingGroups.get(i).update();
+    }
+    pendingGroups.clear();
+    for (int i = 0; i < pendingLooks.size(); i++) {
+      pendingLooks.get(i).update();
+      moved();
+    }
+    pendingLooks.clear();
+    if (structureChanged) {
+      collect();
+    }
+  }
+
+  /** Like {@link #view(Vector3dc, Vector3dc, Cascade)} for a viewer whose up is the world's. */
+  public void view(Vector3dc eye, Cascade cascade) {
+    view(eye, Y, cascade);
+  }
+
+  /**
+   * Adapts LOD and Billboard nodes to the viewer. A node in two places follows the first. One in a
+   * place without extent (a scale of 0) stays as it is.
+   *
+   * @param eye the viewer in world coordinates
+   * @param up the viewer's up in world coordinates
+   */
+  public void view(Vector3dc eye, Vector3dc up, Cascade cascade) {
+    for (int i = 0; i < viewerDependent.size(); i++) {
+      GroupInstance group = viewerDependent.get(i);
+      group.world().invert(inverse);
+      inverse.transformPosition(eye, localEye);
+      inverse.transformDirection(up, localUp);
+      if (!localEye.isFinite() || !localUp.isFinite()) {
+        continue;
+      }
+      GroupingNode.Effect effect =
+          ((ViewerDependent) group.node()).view(localEye, localUp, cascade);
+      if (effect != GroupingNode.Effect.NONE) {
+        instances(group.node()).forEach(place -> ((GroupInstance) place).affected(effect));
+      }
+    }
+  }
+
+  private Instance build(Node node, @Nullable GroupInstance parent, int depth) {
+    instances++;
+    if (node instanceof GroupingNode group) {
+      GroupInstance instance = new GroupInstance(group, parent, this);
+      group.addObserver(instance);
+      if (group instanceof CollisionNode collision) {
+        instance.proxy = collision.proxy().map(proxy -> build(proxy, instance, depth + 1));
+      }
+      instance.children = children(instance, depth, Map.of());
+      return instance;
+    }
+    if (node.type().name().equals("Shape")) {
+      ShapeLook look = looks.computeIfAbsent(node, shape -> new ShapeLook(shape, assets, this));
+      ShapeInstance instance = new ShapeInstance(node, parent, look);
+      look.instances.add(instance);
+      return instance;
+    }
+    if (LightReader.isLight(node)) {
+      LightInstance instance = new LightInstance(node, parent, this);
+      node.addObserver(instance);
+      return instance;
+    }
+    return new Occurrence(node, parent);
+  }
+
+  /** Instances of a group's present children: those at hand for the node, and new ones. */
+  private List<Instance> children(
+      GroupInstance group, int depth, Map<Node, Deque<Instance>> atHand) {
+    List<Node> nodes = group.node().children();
+    if (nodes.isEmpty()) {
+      return List.of();
+    }
+    if (depth > MAX_DEPTH || instances > MAX_INSTANCES || group.insideItself()) {
+      cutOff = true;
+      return List.of();
+    }
+    List<Instance> children = new ArrayList<>(nodes.size());
+    for (Node child : nodes) {
+      Deque<Instance> known = atHand.get(child);
+      Instance instance = known == null ? null : known.poll();
+      children.add(instance == null ? build(child, group, depth + 1) : instance);
+    }
+    return children;
+  }
+
+  /** Gives a group the instances of its present children; those that stay keep theirs. */
+  void rebuild(GroupInstance group) {
+    Map<Node, Deque<Instance>> before = new IdentityHashMap<>();
+    for (Instance child : group.children) {
+      before.computeIfAbsent(child.node(), node -> new ArrayDeque<>(1)).add(child);
+    }
+    int depth = 0;
+    for (GroupInstance above = group.parent(); above != null; above = above.parent()) {
+      depth++;
+    }
+    group.children = children(group, depth, before);
+    before.values().forEach(gone -> gone.forEach(this::dispose));
+    group.moved(this);
+    group.choose();
+    structureChanged = true;
+  }
+
+  private void dispose(Instance instance) {
+    instances--;
+    instance.show(false, this);
+    if (instance instanceof GroupInstance group) {
+      group.disposed = true;
+      group.proxy.ifPresent(this::dispose);
+      group.children.forEach(this::dispose);
+      group.node().removeObserver(group);
+    } else if (instance instanceof ShapeInstance shape) {
+      shape.look().instances.remove(shape);
+      if (shape.look().instances.isEmpty()) {
+        shape.look().dispose();
+        looks.remove(shape.node());
+      }
+    } else if (instance instanceof LightInstance light) {
+      light.node().removeObserver(light);
+    }
+  }
+
+  private void collect() {
+    List<ShapeInstance> all = new ArrayList<>();
+    lights.clear();
+    places.clear();
+    otherNodes.clear();
+    viewerDependent.clear();
+    collect(root, all);
+    shapes = List.copyOf(all);
+    light();
+    structureVersion++;
+    structureChanged = false;
+  }
+
+  private void collect(Instance instance, List<ShapeInstance> all) {
+    Places known = places.computeIfAbsent(instance.node(), node -> new Places());
+    boolean first = known.isEmpty();
+    known.append(instance);
+    if (instance instanceof GroupInstance group) {
+      if (first && group.node() instanceof ViewerDependent) {
+        viewerDependent.add(group);
+      }
+      group.children.forEach(child -> collect(child, all));
+    } else if (instance instanceof ShapeInstance shape) {
+      all.add(shape);
+    } else if (instance instanceof LightInstance light) {
+      lights.add(light);
+    } else if (first) {
+      otherNodes.add(instance.node());
+    }
+  }
+
+  /** Tells every shape which lights reach it; one list for all where all lights are global. */
+  private void light() {
+    if (lights.stream().allMatch(light -> light.light().global())) {
+      List<LightInstance> global = List.copyOf(lights);
+      shapes.forEach(shape -> shape.light(global));
+      return;
+    }
+    for (ShapeInstance shape : shapes) {
+      shape.light(lights.stream().filter(light -> light.reaches(shape)).toList());
+    }
+  }
+}

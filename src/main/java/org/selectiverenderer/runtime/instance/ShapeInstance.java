@@ -1,0 +1,92 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.List;
+import java.util.Optional;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/** A Shape in one place: what a renderer draws and a ray hits. */
+public final class ShapeInstance extends Instance {
+  private final ShapeLook look;
+  private double @Nullable [] bounds;
+  private List<LightInstance> lights = List.of();
+
+  ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
+    super(node, parent);
+    this.look = look;
+  }
+
+  /** Its geometry in local coordinates; the same object until the geometry changes. */
+  public Optional<Mesh> mesh() {
+    return look.mesh();
+  }
+
+  /** Its look; the same object until it changes. */
+  public Surface surface() {
+    return look.surface();
+  }
+
+  ShapeLook look() {
+    return look;
+  }
+
+  /** The lights whose scope it lies in, on or off. */
+  public List<LightInstance> lights() {
+    return lights;
+  }
+
+  void light(List<LightInstance> reaching) {
+    lights = reaching;
+  }
+
+  /**
+   * Its axis-aligned box in the world: min x, y, z, max x, y, z. Empty geometry has min above max.
+   */
+  public double[] bounds() {
+    if (bounds == null) {
+      bounds =
+          mesh().map(mesh -> transform(mesh.bounds(), world())).orElseGet(ShapeInstance::empty);
+    }
+    return bounds;
+  }
+
+  void forgetBounds() {
+    bounds = null;
+  }
+
+  private static double[] empty() {
+    double inf = Double.POSITIVE_INFINITY;
+    return new double[] {inf, inf, inf, -inf, -inf, -inf};
+  }
+
+  private static double[] transform(float[] box, Matrix4dc world) {
+    if (box[0] > box[3]) {
+      return empty();
+    }
+    Vector3d min = new Vector3d();
+    Vector3d max = new Vector3d();
+    world.transformAab(box[0], box[1], box[2], box[3], box[4], box[5], min, max);
+    return new double[] {min.x, min.y, min.z, max.x, max.y, max.z};
+  }
+
+  @Override
+  void show(boolean show, InstanceTree tree) {
+    boolean now = show && look.visible();
+    if (now != shown) {
+      shown = now;
+      tree.polygonsShown(now ? look.polygons() : -look.polygons());
+    }
+    wanted = show;
+  }
+
+  /** What the groups above say, whatever its own {@code visible} says. */
+  boolean wanted;
+
+  @Override
+  void moved(InstanceTree tree) {
+    bounds = null;
+  }
+}

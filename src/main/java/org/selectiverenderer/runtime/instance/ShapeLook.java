@@ -1,0 +1,144 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeObserver;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * The mesh and surface of one Shape node, shared by its instances. It observes the Shape and every
+ * node in it, and makes anew what a change touched, at the next update.
+ */
+final class ShapeLook implements NodeObserver {
+  private final Node shape;
+  private final Assets assets;
+  private final InstanceTree tree;
+  final List<ShapeInstance> instances = new ArrayList<>(1);
+  private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
+  private @Nullable Mesh mesh;
+  private Surface surface = Surface.UNLIT_WHITE;
+  private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
+  private boolean pending;
+  private boolean geometryChanged;
+  private boolean disposed;
+
+  ShapeLook(Node shape, Assets assets, InstanceTree tree) {
+    this.shape = shape;
+    this.assets = assets;
+    this.tree = tree;
+    observe();
+    read();
+  }
+
+  Optional<Mesh> mesh() {
+    return Optional.ofNullable(mesh);
+  }
+
+  Surface surface() {
+    return surface;
+  }
+
+  int polygons() {
+    return mesh == null ? 0 : mesh.polygons();
+  }
+
+  boolean visible() {
+    return shape.type().field("visible").map(f -> (Boolean) shape.value(f.index())).orElse(true);
+  }
+
+  private void read() {
+    Node geometry = shape.node("geometry");
+    mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
+    surface = SurfaceReader.read(shape.node("appearance"), assets);
+  }
+
+  private void observe() {
+    observed.add(shape);
+    shape.addObserver(this);
+    Node geometry = shape.node("geometry");
+    if (geometry != null) {
+      observe(geometry, inGeometry);
+    }
+    Node appearance = shape.node("appearance");
+    if (appearance != null) {
+      observe(appearance, observed);
+    }
+  }
+
+  private void observe(Node node, Set<Node> set) {
+    if (!set.add(node)) {
+      return;
+    }
+    node.addObserver(this);
+    for (FieldDefinition field : node.type().fields()) {
+      if (field.name().equals("metadata")) {
+        continue;
+      }
+      Object value = node.value(field.index());
+      if (value instanceof Node child) {
+        observe(child, set);
+      } else if (field.type() == FieldType.MFNode) {
+        node.nodes(field.name()).forEach(child -> observe(child, set));
+      }
+    }
+  }
+
+  @Override
+  public void changed(Node node, int field) {
+    if (inGeometry.contains(node)) {
+      geometryChanged = true;
+    } else if (node.type().is("X3DTextureNode")) {
+      assets.changed(node);
+    }
+    if (!pending) {
+      pending = true;
+      tree.pending(this);
+    }
+  }
+
+  /** Makes mesh and surface anew after a change. */
+  void update() {
+    pending = false;
+    if (disposed) {
+      return; // Its last instance left the scene between the change and this update.
+    }
+    forget();
+    observe();
+    Node geometry = shape.node("geometry");
+    if (geometryChanged && geometry != null) {
+      assets.changed(geometry);
+    }
+    geometryChanged = false;
+    for (ShapeInstance instance : instances) {
+      boolean wanted = instance.wanted;
+      instance.show(false, tree);
+      instance.wanted = wanted;
+    }
+    read();
+    for (ShapeInstance instance : instances) {
+      instance.forgetBounds();
+      instance.show(instance.wanted, tree);
+    }
+  }
+
+  /** The last instance is gone. */
+  void dispose() {
+    disposed = true;
+    forget();
+  }
+
+  private void forget() {
+    observed.forEach(node -> node.removeObserver(this));
+    observed.clear();
+    inGeometry.forEach(node -> node.removeObserver(this));
+    inGeometry.clear();
+  }
+}

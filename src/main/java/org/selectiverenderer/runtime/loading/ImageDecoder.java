@@ -1,0 +1,109 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import org.selectiverenderer.runtime.instance.Texture;
+
+/** Reads image files (PNG, JPEG, GIF, BMP) and SFImage values. Needs no display. */
+final class ImageDecoder {
+  /** Pixels above which an image is refused, before memory is spent on it: 8192 x 8192. */
+  static final long MAX_PIXELS = 1L << 26;
+
+  private ImageDecoder() {}
+
+  /**
+   * @throws IOException with a clause that reads after the file's name, when it is no image that
+   *     can be read
+   */
+  static Texture.Image read(Path file) throws IOException {
+    try (InputStream in = Files.newInputStream(file);
+        ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
+      Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
+      if (!readers.hasNext()) {
+        throw new IOException("is no image (PNG, JPEG, GIF and BMP are read)");
+      }
+      ImageReader reader = readers.next();
+      try {
+        reader.setInput(stream, true, true);
+        long pixels = (long) reader.getWidth(0) * reader.getHeight(0);
+        if (pixels > MAX_PIXELS) {
+          throw new IOException("has " + pixels + " pixels, more than " + MAX_PIXELS);
+        }
+        return convert(reader.read(0));
+      } catch (RuntimeException e) {
+        throw new IOException("is a damaged image", e);
+      } finally {
+        reader.dispose();
+      }
+    }
+  }
+
+  private static Texture.Image convert(BufferedImage image) {
+    int width = image.getWidth();
+    int height = image.getHeight();
+    byte[] rgba = new byte[width * height * 4];
+    int[] row = new int[width];
+    for (int y = 0; y < height; y++) {
+      image.getRGB(0, y, width, 1, row, 0, width);
+      int at = (height - 1 - y) * width * 4;
+      for (int argb : row) {
+        rgba[at++] = (byte) (argb >> 16);
+        rgba[at++] = (byte) (argb >> 8);
+        rgba[at++] = (byte) argb;
+        rgba[at++] = (byte) (argb >> 24);
+      }
+    }
+    boolean grey = image.getRaster().getNumDataElements() <= 2 && isGrey(rgba);
+    int components = (grey ? 1 : 3) + (image.getColorModel().hasAlpha() ? 1 : 0);
+    return new Texture.Image(width, height, components, rgba);
+  }
+
+  private static boolean isGrey(byte[] rgba) {
+    for (int i = 0; i < rgba.length; i += 4) {
+      if (rgba[i] != rgba[i + 1] || rgba[i] != rgba[i + 2]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * An SFImage: width, height, components, then a number per pixel from the lowest row up (X3D 4.0,
+   * 5.3.6).
+   *
+   * @throws IOException when there are too few or too many pixels
+   */
+  static Texture.Image pixels(int[] image) throws IOException {
+    int width = image.length < 3 ? 0 : image[0];
+    int height = image.length < 3 ? 0 : image[1];
+    int components = image.length < 3 ? 0 : image[2];
+    if (width < 1 || height < 1 || components < 1 || components > 4) {
+      throw new IOException("holds no picture: width, height and 1 to 4 components are needed");
+    }
+    long pixels = (long) width * height;
+    if (pixels > MAX_PIXELS || image.length - 3 < pixels) {
+      throw new IOException(
+          "names %d x %d pixels and holds %d".formatted(width, height, image.length - 3));
+    }
+    byte[] rgba = new byte[(int) pixels * 4];
+    for (int i = 0; i < pixels; i++) {
+      int value = image[i + 3];
+      boolean colour = components > 2;
+      boolean alpha = components == 2 || components == 4;
+      int rgb = alpha ? value >>> 8 : value;
+      rgba[4 * i] = (byte) (colour ? rgb >> 16 : rgb);
+      rgba[4 * i + 1] = (byte) (colour ? rgb >> 8 : rgb);
+      rgba[4 * i + 2] = (byte) rgb;
+      rgba[4 * i + 3] = (byte) (alpha ? value : 255);
+    }
+    return new Texture.Image(width, height, components, rgba);
+  }
+}

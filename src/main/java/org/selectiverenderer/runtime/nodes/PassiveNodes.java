@@ -1,0 +1,73 @@
+package org.selectiverenderer.runtime.nodes;
+
+import java.util.Set;
+
+/** The node types without a behaviour that others read: to draw, to light, to describe. */
+final class PassiveNodes {
+  private static final Set<String> SHAPES =
+      Set.of(
+          "Shape",
+          "Appearance",
+          "Material",
+          "UnlitMaterial",
+          "PhysicalMaterial",
+          "TwoSidedMaterial",
+          "ImageTexture",
+          "PixelTexture",
+          "MultiTexture",
+          "TextureTransform");
+
+  private static final Set<String> GEOMETRY =
+      Set.of(
+          "Arc2D",
+          "ArcClose2D",
+          "Box",
+          "Circle2D",
+          "Cone",
+          "Cylinder",
+          "Disk2D",
+          "ElevationGrid",
+          "Extrusion",
+          "IndexedFaceSet",
+          "IndexedLineSet",
+          "IndexedQuadSet",
+          "IndexedTriangleFanSet",
+          "IndexedTriangleSet",
+          "IndexedTriangleStripSet",
+          "LineSet",
+          "PointSet",
+          "Polyline2D",
+          "Polypoint2D",
+          "QuadSet",
+          "Rectangle2D",
+          "Sphere",
+          "TriangleFanSet",
+          "TriangleSet",
+          "TriangleSet2D",
+          "TriangleStripSet");
+
+  private static final Set<String> GEOMETRY_DATA =
+      Set.of("Color", "ColorRGBA", "Coordinate", "CoordinateDouble", "Normal", "TextureCoordinate");
+
+  private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
+
+  private static final Set<String> DESCRIPTIONS =
+      Set.of(
+          "MetadataBoolean",
+          "MetadataDouble",
+          "MetadataFloat",
+          "MetadataInteger",
+          "MetadataSet",
+          "MetadataString",
+          "WorldInfo");
+
+  private PassiveNodes() {}
+
+  static boolean isRead(String typeName) {
+    return SHAPES.contains(typeName)
+        || GEOMETRY.contains(typeName)
+        || GEOMETRY_DATA.contains(typeName)
+        || LIGHTS.contains(typeName)
+        || DESCRIPTIONS.contains(typeName);
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.runtime.sai;
+
+import java.net.InetAddress;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+import org.web3d.x3d.sai.BrowserFactoryImpl;
+import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.NotSupportedException;
+import org.web3d.x3d.sai.X3DComponent;
+
+/** Makes embedded browsers for applications that use the SAI alone. */
+public final class EmbeddedBrowserFactory implements BrowserFactoryImpl {
+  /** Key of a parameter: a {@code Consumer<String>} that takes what applications print. */
+  public static final String CONSOLE = "org.selectiverenderer.console";
+
+  /** Key of a parameter: a {@code Consumer<Problem>} that hears what is wrong with files. */
+  public static final String PROBLEMS = "org.selectiverenderer.problems";
+
+  @Override
+  public X3DComponent createComponent(Map<String, Object> parameters) {
+    Problems problems = new Problems(consumer(parameters, PROBLEMS, Problem.class));
+    NodeCatalogue catalogue = NodeCatalogue.load();
+    NodeFactory factory = new NodeFactory();
+    SceneLoader loader = new SceneLoader(catalogue, factory, ReadLimits.standard(), problems);
+    Scene empty =
+        new Scene(
+            factory.make(catalogue.get("Group"), null, Location.of("(empty)")),
+            "",
+            "4.0",
+            "Full",
+            Map.of(),
+            1);
+    World world = new World(new LoadedScene(empty, loader.assets()), problems);
+    EmbeddedBrowser browser =
+        new EmbeddedBrowser(
+            world, loader, consumer(parameters, CONSOLE, String.class), Map.of("Renderer", "none"));
+    return new EmbeddedComponent(world, loader, browser);
+  }
+
+  /** The consumer among the parameters; one that takes no notice when there is none. */
+  @SuppressWarnings("unchecked")
+  private static <T> Consumer<T> consumer(Map<String, Object> parameters, String key, Class<T> of) {
+    return parameters != null && parameters.get(key) instanceof Consumer<?> consumer
+        ? (Consumer<T>) consumer
+        : value -> {};
+  }
+
+  @Override
+  public ExternalBrowser getBrowser(InetAddress address, int port) {
+    throw new NotSupportedException("browsers on other machines are not supported");
+  }
+}

@@ -1,0 +1,33 @@
+package org.selectiverenderer.runtime.sai;
+
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.web3d.x3d.sai.X3DFieldDefinition;
+import org.web3d.x3d.sai.X3DFieldTypes;
+
+/** A field of the catalogue, as the SAI describes it. */
+record EmbeddedFieldDefinition(FieldDefinition field) implements X3DFieldDefinition {
+  @Override
+  public String getName() {
+    return field.name();
+  }
+
+  @Override
+  public int getAccessType() {
+    return switch (field.access()) {
+      case INITIALIZE_ONLY -> X3DFieldTypes.INITIALIZE_ONLY;
+      case INPUT_ONLY -> X3DFieldTypes.INPUT_ONLY;
+      case OUTPUT_ONLY -> X3DFieldTypes.OUTPUT_ONLY;
+      case INPUT_OUTPUT -> X3DFieldTypes.INPUT_OUTPUT;
+    };
+  }
+
+  @Override
+  public int getFieldType() {
+    return SaiTypes.fieldType(field.type());
+  }
+
+  @Override
+  public String getFieldTypeString() {
+    return field.type().name();
+  }
+}

@@ -1,0 +1,28 @@
+package org.selectiverenderer.runtime.sai;
+
+import org.selectiverenderer.runtime.scene.Route;
+import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.X3DRoute;
+
+/** A route, as the SAI describes it. Equal when it connects the same fields. */
+record EmbeddedRoute(EmbeddedBrowser browser, Route route) implements X3DRoute {
+  @Override
+  public X3DNode getSourceNode() {
+    return browser.wrap(route.from());
+  }
+
+  @Override
+  public String getSourceField() {
+    return route.from().type().fields().get(route.fromField()).name();
+  }
+
+  @Override
+  public X3DNode getDestinationNode() {
+    return browser.wrap(route.to());
+  }
+
+  @Override
+  public String getDestinationField() {
+    return route.to().type().fields().get(route.toField()).name();
+  }
+}

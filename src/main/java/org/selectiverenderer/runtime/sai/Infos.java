@@ -1,0 +1,115 @@
+package org.selectiverenderer.runtime.sai;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.NodeType;
+import org.web3d.x3d.sai.ComponentInfo;
+import org.web3d.x3d.sai.NotSupportedException;
+import org.web3d.x3d.sai.ProfileInfo;
+
+/**
+ * Profiles and components (X3D 4.0, 4.6): components and levels are those of the node catalogue.
+ */
+final class Infos {
+  private static final List<String> PROFILES =
+      List.of(
+          "Core",
+          "Interchange",
+          "Interactive",
+          "MPEG4Interactive",
+          "MedicalInterchange",
+          "CADInterchange",
+          "Immersive",
+          "Full");
+
+  private final Map<String, Integer> levels = new TreeMap<>();
+
+  Infos(NodeCatalogue catalogue) {
+    for (NodeType type : catalogue.all()) {
+      levels.merge(type.component(), type.level(), Math::max);
+    }
+  }
+
+  ProfileInfo[] profiles() {
+    return PROFILES.stream().map(this::profile).toArray(ProfileInfo[]::new);
+  }
+
+  ProfileInfo profile(String name) {
+    if (!PROFILES.contains(name)) {
+      throw new NotSupportedException("there is no profile " + name);
+    }
+    return new Profile(name, components());
+  }
+
+  ComponentInfo[] components() {
+    return components(levels);
+  }
+
+  static ComponentInfo[] components(Map<String, Integer> levels) {
+    return levels.entrySet().stream()
+        .sorted(Comparator.comparing(Map.Entry::getKey))
+        .map(entry -> new Component(entry.getKey(), entry.getValue()))
+        .toArray(ComponentInfo[]::new);
+  }
+
+  ComponentInfo component(String name, int level) {
+    int highest = levels.getOrDefault(name, 0);
+    if (level < 1 || level > highest) {
+      throw new NotSupportedException(
+          "component %s is supported up to level %d".formatted(name, highest));
+    }
+    return new Component(name, level);
+  }
+
+  private record Component(String name, int level) implements ComponentInfo {
+    @Override
+    public String getName() {
+      return name;
+    }
+
+    @Override
+    public int getLevel() {
+      return level;
+    }
+
+    @Override
+    public String getTitle() {
+      return name;
+    }
+
+    @Override
+    public String getProviderURL() {
+      return "";
+    }
+
+    @Override
+    public String toX3DString() {
+      return "<component name=\"%s\" level=\"%d\"/>".formatted(name, level);
+    }
+  }
+
+  private record Profile(String name, ComponentInfo[] components) implements ProfileInfo {
+    @Override
+    public String getName() {
+      return name;
+    }
+
+    @Override
+    public String getTitle() {
+      return name;
+    }
+
+    @Override
+    public ComponentInfo[] getComponents() {
+      return components.clone();
+    }
+
+    @Override
+    public String toX3DString() {
+      return "profile=\"" + name + "\"";
+    }
+  }
+}

@@ -1,0 +1,141 @@
+package org.selectiverenderer.runtime.scene;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.x3d.X3dFile;
+
+/**
+ * A scene: its nodes under one root group, names, routes, and the head of its file. The content of
+ * an Inline is a scene of its own.
+ */
+public final class Scene {
+  private final Node root;
+  private final String url;
+  private final String version;
+  private final String profile;
+  private final Map<String, Integer> components;
+  private final Map<String, String> meta = new LinkedHashMap<>();
+  private final double unitLength;
+  private final Map<String, Node> named = new LinkedHashMap<>();
+  private final Map<String, Node> imported = new LinkedHashMap<>();
+  private final Map<String, String> exports = new LinkedHashMap<>();
+  private final Set<Route> routes = new LinkedHashSet<>();
+
+  /**
+   * @param root a Group that holds the scene's top nodes in its {@code children}
+   * @param url where it was read, or empty
+   * @param unitLength metres per unit of length
+   */
+  public Scene(
+      Node root,
+      String url,
+      String version,
+      String profile,
+      Map<String, Integer> components,
+      double unitLength) {
+    this.root = root;
+    this.url = url;
+    this.version = version;
+    this.profile = profile;
+    this.components = Collections.unmodifiableMap(new LinkedHashMap<>(components));
+    this.unitLength = unitLength;
+  }
+
+  /** The group that holds the top nodes; no part of the file. */
+  public Node root() {
+    return root;
+  }
+
+  public String url() {
+    return url;
+  }
+
+  public String version() {
+    return version;
+  }
+
+  public String profile() {
+    return profile;
+  }
+
+  public Map<String, Integer> components() {
+    return components;
+  }
+
+  /** The meta statements, name to content; may be changed. */
+  public Map<String, String> meta() {
+    return meta;
+  }
+
+  /** Metres per unit of length, from the {@code unit} statement. */
+  public double unitLength() {
+    return unitLength;
+  }
+
+  /** DEF name to node, in document order. */
+  public Map<String, Node> named() {
+    return Collections.unmodifiableMap(named);
+  }
+
+  public Optional<Node> find(String name) {
+    return Optional.ofNullable(named.get(name));
+  }
+
+  /** Names a node, or gives a name to another node. */
+  public void name(String name, Node node) {
+    Node before = named.put(name, node);
+    if (before != null && before != node && name.equals(before.name())) {
+      before.rename(null);
+    }
+    node.rename(name);
+  }
+
+  /** Frees a name. A node that has another one besides keeps that. */
+  public void unname(String name) {
+    Node node = named.remove(name);
+    if (node != null && name.equals(node.name())) {
+      node.rename(null);
+    }
+  }
+
+  /** Imported name to node, from IMPORT statements. */
+  public Map<String, Node> imported() {
+    return imported;
+  }
+
+  /** Exported name to DEF name, from EXPORT statements. */
+  public Map<String, String> exports() {
+    return exports;
+  }
+
+  public List<Route> routes() {
+    return List.copyOf(routes);
+  }
+
+  /** Adds a route unless the same one is there. */
+  public void addRoute(Route route) {
+    if (routes.add(route)) {
+      route.from().addRoute(route);
+    }
+  }
+
+  public void removeRoute(Route route) {
+    if (routes.remove(route)) {
+      route.from().removeRoute(route);
+    }
+  }
+
+  /** The length factor that a file's units state: metres per unit. */
+  public static double unitLength(X3dFile file) {
+    return file.units().stream()
+        .filter(unit -> unit.category().equals("length"))
+        .mapToDouble(X3dFile.Unit::conversionFactor)
+        .findFirst()
+        .orElse(1);
+  }
+}

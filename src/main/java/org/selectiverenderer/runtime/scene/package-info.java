@@ -1,0 +1,10 @@
+/**
+ * Nodes of a running scene, their routes and the event cascade (X3D 4.0, 4.4.8).
+ *
+ * <p>In: events. Out: field values, and calls to observers and listeners. Uses {@code x3d} only.
+ * All of it belongs to one thread, the one that steps the world.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.scene;
+
+import org.jspecify.annotations.NullMarked;

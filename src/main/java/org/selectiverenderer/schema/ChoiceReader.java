@@ -1,0 +1,79 @@
+package org.selectiverenderer.schema;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.selectiverenderer.schema.SchemaField.Owner;
+import org.selectiverenderer.schema.SchemaProblem.Kind;
+
+/** Reads what one MetadataSet says of one child of a Switch. */
+final class ChoiceReader {
+  private final Consumer<SchemaProblem> problems;
+
+  ChoiceReader(Consumer<SchemaProblem> problems) {
+    this.problems = problems;
+  }
+
+  Choice read(int index, MetadataSource set) {
+    Vocabulary words = Vocabulary.of(set);
+    if (!words.hasAny(Owner.CHOICE)) {
+      return Choice.undescribed(index); // keeps the place of a child that no schema shows
+    }
+    Optional<ConsistencyType> type =
+        single(
+            words,
+            SchemaField.CONSISTENCY_TYPE,
+            ConsistencyType::of,
+            Kind.UNKNOWN_TYPE,
+            "consistent, inconsistent nor frame");
+    Optional<Degree> degree =
+        single(
+            words,
+            SchemaField.DEGREE_OF_CONSISTENCY,
+            Degree::of,
+            Kind.UNKNOWN_DEGREE,
+            "low, high nor a number from 0 to 1");
+    List<String> schemas = words.values(SchemaField.SCHEMA_BELONGINESS);
+    boolean frame = type.filter(ConsistencyType.FRAME::equals).isPresent();
+    if (schemas.isEmpty() && !frame) {
+      problems.accept(
+          new SchemaProblem(
+              Kind.NO_SCHEMA, "the metadata names no schema; nothing activates this choice", set));
+    }
+    return new Choice(index, type, degree, schemas);
+  }
+
+  private <T> Optional<T> single(
+      Vocabulary words,
+      SchemaField field,
+      Function<String, Optional<T>> parser,
+      Kind unknown,
+      String known) {
+    List<String> values = words.values(field);
+    if (values.isEmpty()) {
+      return Optional.empty();
+    }
+    if (values.size() > 1) {
+      problems.accept(
+          new SchemaProblem(
+              Kind.SEVERAL_VALUES,
+              field.spelling() + " has several values; only " + values.get(0) + " counts",
+              words.source(field)));
+    }
+    Optional<T> value = parser.apply(values.get(0));
+    if (value.isEmpty()) {
+      problems.accept(
+          new SchemaProblem(
+              unknown,
+              field.spelling()
+                  + " is neither "
+                  + known
+                  + " but \""
+                  + values.get(0)
+                  + "\"; it is ignored",
+              words.source(field)));
+    }
+    return value;
+  }
+}

@@ -1,0 +1,57 @@
+package org.selectiverenderer.schema;
+
+import java.lang.reflect.Array;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.x3d.NodeView;
+
+/**
+ * A metadata node of a file or of the embedded browser's scene.
+ *
+ * @param node a node of a type that is an X3DMetadataObject
+ */
+public record NodeMetadata(NodeView node) implements MetadataSource {
+  /** The metadata of a node, if it has any. */
+  public static Optional<NodeMetadata> of(NodeView owner) {
+    return Optional.ofNullable(owner.node("metadata"))
+        .filter(metadata -> metadata.type().is("X3DMetadataObject"))
+        .map(NodeMetadata::new);
+  }
+
+  @Override
+  public boolean isSet() {
+    return node.type().name().equals("MetadataSet");
+  }
+
+  @Override
+  public String name() {
+    return node.string("name");
+  }
+
+  @Override
+  public List<String> values() {
+    if (isSet()) {
+      return List.of();
+    }
+    Object array = node.value("value");
+    List<String> values = new ArrayList<>();
+    for (int i = 0; array != null && i < Array.getLength(array); i++) {
+      values.add(String.valueOf(Array.get(array, i)));
+    }
+    return values;
+  }
+
+  @Override
+  public List<NodeMetadata> children() {
+    List<NodeMetadata> children = new ArrayList<>();
+    if (isSet()) {
+      for (NodeView child : node.nodes("value")) {
+        if (child.type().is("X3DMetadataObject")) {
+          children.add(new NodeMetadata(child));
+        }
+      }
+    }
+    return children;
+  }
+}

@@ -1,0 +1,119 @@
+package org.selectiverenderer.schema;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.schema.SchemaField.Owner;
+import org.selectiverenderer.schema.SchemaProblem.Kind;
+
+/**
+ * Reads the vocabulary of the thesis from the metadata of a node. Tolerant of layout: spaces around
+ * names and values, several values in one MetadataString or several MetadataStrings of one name,
+ * sets within sets, and a MetadataString without a set around it. Metadata that has nothing of the
+ * vocabulary belongs to somebody else and gives neither a result nor a problem.
+ */
+public final class SchemaReader {
+  private final Consumer<SchemaProblem> problems;
+
+  /** A reader that hands each problem on as it is found. */
+  public SchemaReader(Consumer<SchemaProblem> problems) {
+    this.problems = problems;
+  }
+
+  /**
+   * The schemas of an area, from the metadata of its ProximitySensor (thesis Figs 42, 47, 77).
+   *
+   * @return empty if the metadata has nothing of the vocabulary for areas
+   */
+  public Optional<SensorSchemas> sensor(MetadataSource metadata) {
+    Vocabulary words = Vocabulary.of(metadata);
+    misplaced(words, Owner.CHOICE, "describes a version of an object, not an area");
+    if (!words.hasAny(Owner.SENSOR)) {
+      return Optional.empty();
+    }
+    List<String> enter = schemas(words, SchemaField.ENTER_TIME_SCHEMA);
+    List<String> exit = schemas(words, SchemaField.EXIT_TIME_SCHEMA);
+    return Optional.of(new SensorSchemas(enter, exit));
+  }
+
+  /**
+   * What the versions of an object belong to, from the metadata of its Switch (thesis Figs 43, 52,
+   * 78). Metadata without a set for each choice describes the first choice.
+   *
+   * @param children the number of children of the Switch; sets beyond it are ignored, since showing
+   *     a child that is not there would hide the object
+   * @return empty if the metadata has nothing of the vocabulary for choices
+   */
+  public Optional<SwitchSchemas> switchNode(MetadataSource metadata, int children) {
+    Vocabulary words = Vocabulary.of(metadata);
+    misplaced(words, Owner.SENSOR, "describes an area, not an object");
+    if (!words.hasAny(Owner.CHOICE)) {
+      return Optional.empty();
+    }
+    List<? extends MetadataSource> sets =
+        metadata.children().stream().filter(MetadataSource::isSet).toList();
+    if (sets.isEmpty()) {
+      sets = List.of(metadata);
+    } else {
+      misplaced(
+          Vocabulary.ofStringsIn(metadata),
+          Owner.CHOICE,
+          "stands beside the MetadataSets of the choices, not in one of them");
+    }
+    compare(metadata, sets, children);
+    ChoiceReader reader = new ChoiceReader(problems);
+    List<Choice> choices = new ArrayList<>();
+    for (int i = 0; i < Math.min(sets.size(), children); i++) {
+      choices.add(reader.read(i, sets.get(i)));
+    }
+    return choices.isEmpty() ? Optional.empty() : Optional.of(new SwitchSchemas(choices));
+  }
+
+  private List<String> schemas(Vocabulary words, SchemaField field) {
+    List<String> schemas = words.values(field);
+    if (schemas.isEmpty() && words.has(field)) {
+      problems.accept(
+          new SchemaProblem(
+              Kind.NO_SCHEMA,
+              field.spelling() + " names no schema; it is ignored",
+              words.source(field)));
+    }
+    return schemas;
+  }
+
+  private void compare(MetadataSource metadata, List<? extends MetadataSource> sets, int children) {
+    String counts =
+        count(sets.size(), "MetadataSet", "MetadataSets")
+            + " for "
+            + count(children, "child", "children")
+            + " of the Switch; ";
+    if (sets.size() < children) {
+      problems.accept(
+          new SchemaProblem(
+              Kind.FEWER_SETS_THAN_CHOICES, counts + "no schema shows the rest", metadata));
+    }
+    for (MetadataSource beyond : sets.subList(Math.min(sets.size(), children), sets.size())) {
+      if (Vocabulary.of(beyond).hasAny(Owner.CHOICE)) {
+        problems.accept(
+            new SchemaProblem(Kind.MORE_SETS_THAN_CHOICES, counts + "this one is ignored", beyond));
+      }
+    }
+  }
+
+  private static String count(int number, String one, String many) {
+    return number + " " + (number == 1 ? one : many);
+  }
+
+  private void misplaced(Vocabulary words, Owner owner, String why) {
+    for (SchemaField field : SchemaField.values()) {
+      if (field.owner() == owner && words.has(field)) {
+        problems.accept(
+            new SchemaProblem(
+                Kind.MISPLACED,
+                field.spelling() + " " + why + "; it is ignored",
+                words.source(field)));
+      }
+    }
+  }
+}

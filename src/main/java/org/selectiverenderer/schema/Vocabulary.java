@@ -1,0 +1,79 @@
+package org.selectiverenderer.schema;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.schema.SchemaField.Owner;
+
+/** The words of the vocabulary found in a metadata node and all that it holds. */
+final class Vocabulary {
+  private final Map<SchemaField, Set<String>> values = new EnumMap<>(SchemaField.class);
+  private final Map<SchemaField, MetadataSource> sources = new EnumMap<>(SchemaField.class);
+
+  private Vocabulary() {}
+
+  /** All words at any depth. A set that holds itself is read once. */
+  static Vocabulary of(MetadataSource metadata) {
+    Vocabulary words = new Vocabulary();
+    words.collect(metadata, new HashSet<>());
+    return words;
+  }
+
+  /** The words that stand in a set itself, not in sets within it. */
+  static Vocabulary ofStringsIn(MetadataSource set) {
+    Vocabulary words = new Vocabulary();
+    set.children().stream().filter(child -> !child.isSet()).forEach(words::add);
+    return words;
+  }
+
+  private void collect(MetadataSource metadata, Set<MetadataSource> seen) {
+    if (!seen.add(metadata)) {
+      return;
+    }
+    if (!metadata.isSet()) {
+      add(metadata);
+    }
+    for (MetadataSource child : metadata.children()) {
+      collect(child, seen);
+    }
+  }
+
+  private void add(MetadataSource metadata) {
+    SchemaField.of(metadata.name())
+        .ifPresent(
+            field -> {
+              sources.putIfAbsent(field, metadata);
+              Set<String> found = values.computeIfAbsent(field, key -> new LinkedHashSet<>());
+              metadata.values().stream()
+                  .map(String::strip)
+                  .filter(value -> !value.isEmpty())
+                  .forEach(found::add);
+            });
+  }
+
+  boolean has(SchemaField field) {
+    return sources.containsKey(field);
+  }
+
+  boolean hasAny(Owner owner) {
+    return sources.keySet().stream().anyMatch(field -> field.owner() == owner);
+  }
+
+  /** The values of a field in order, without repetition, without empty ones. */
+  List<String> values(SchemaField field) {
+    return new ArrayList<>(values.getOrDefault(field, Set.of()));
+  }
+
+  /** The first metadata node that has the field; it must be there. */
+  MetadataSource source(SchemaField field) {
+    MetadataSource source = sources.get(field);
+    if (source == null) {
+      throw new IllegalStateException("there is no " + field.spelling());
+    }
+    return source;
+  }
+}

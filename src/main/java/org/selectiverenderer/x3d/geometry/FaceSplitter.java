@@ -1,0 +1,123 @@
+package org.selectiverenderer.x3d.geometry;
+
+import earcut4j.Earcut;
+import java.util.List;
+
+/**
+ * Splits polygons in space into triangles: convex ones into a fan, others by ear clipping in the
+ * plane that shows most of them. Whether a polygon is convex is found out, not believed: files that
+ * leave {@code convex} at TRUE with concave faces are common.
+ */
+final class FaceSplitter {
+  private final float[] xyz;
+  private final TriangleList triangles;
+
+  /**
+   * @param xyz the points that the list's stream refers to
+   * @param triangles where triangles are added, wound as their polygon is
+   */
+  FaceSplitter(float[] xyz, TriangleList triangles) {
+    this.xyz = xyz;
+    this.triangles = triangles;
+  }
+
+  /** Adds the polygon of the stream positions {@code from} up to {@code to}, at least three. */
+  void split(int from, int to, int face) {
+    if (to - from == 3) {
+      triangles.add(from, from + 1, from + 2, face);
+      return;
+    }
+    double[] normal = normal(from, to);
+    if (convex(from, to, normal) || !clip(from, to, normal, face)) {
+      for (int i = from + 1; i + 1 < to; i++) {
+        triangles.add(from, i, i + 1, face);
+      }
+    }
+  }
+
+  private double coordinate(int position, int axis) {
+    return xyz[3 * triangles.point(position) + axis];
+  }
+
+  /** Twice the polygon's area vector (Newell's method), taken from its first point for accuracy. */
+  private double[] normal(int from, int to) {
+    double ox = coordinate(from, 0);
+    double oy = coordinate(from, 1);
+    double oz = coordinate(from, 2);
+    double[] sum = new double[3];
+    double ux = coordinate(from + 1, 0) - ox;
+    double uy = coordinate(from + 1, 1) - oy;
+    double uz = coordinate(from + 1, 2) - oz;
+    for (int i = from + 2; i < to; i++) {
+      double vx = coordinate(i, 0) - ox;
+      double vy = coordinate(i, 1) - oy;
+      double vz = coordinate(i, 2) - oz;
+      sum[0] += uy * vz - uz * vy;
+      sum[1] += uz * vx - ux * vz;
+      sum[2] += ux * vy - uy * vx;
+      ux = vx;
+      uy = vy;
+      uz = vz;
+    }
+    return sum;
+  }
+
+  /** Whether the polygon turns the same way at all corners, or not at all. */
+  private boolean convex(int from, int to, double[] normal) {
+    double largest = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    double tolerance = -1e-6 * largest;
+    for (int i = from; i < to; i++) {
+      int j = i + 1 == to ? from : i + 1;
+      int k = j + 1 == to ? from : j + 1;
+      double ux = coordinate(j, 0) - coordinate(i, 0);
+      double uy = coordinate(j, 1) - coordinate(i, 1);
+      double uz = coordinate(j, 2) - coordinate(i, 2);
+      double vx = coordinate(k, 0) - coordinate(j, 0);
+      double vy = coordinate(k, 1) - coordinate(j, 1);
+      double vz = coordinate(k, 2) - coordinate(j, 2);
+      double turn =
+          normal[0] * (uy * vz - uz * vy)
+              + normal[1] * (uz * vx - ux * vz)
+              + normal[2] * (ux * vy - uy * vx);
+      if (turn < tolerance) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Ear clipping in the coordinate plane that the polygon faces most; false if it finds no ear. */
+  private boolean clip(int from, int to, double[] normal, int face) {
+    int up = 0;
+    for (int axis = 1; axis < 3; axis++) {
+      if (Math.abs(normal[axis]) > Math.abs(normal[up])) {
+        up = axis;
+      }
+    }
+    int first = (up + 1) % 3;
+    int second = (up + 2) % 3;
+    double[] plane = new double[2 * (to - from)];
+    for (int i = from; i < to; i++) {
+      plane[2 * (i - from)] = coordinate(i, first);
+      plane[2 * (i - from) + 1] = coordinate(i, second);
+    }
+    List<Integer> ears = Earcut.earcut(plane, null, 2);
+    double area = 0;
+    for (int i = 0; i + 2 < ears.size(); i += 3) {
+      int a = 2 * ears.get(i);
+      int b = 2 * ears.get(i + 1);
+      int c = 2 * ears.get(i + 2);
+      area +=
+          (plane[b] - plane[a]) * (plane[c + 1] - plane[a + 1])
+              - (plane[b + 1] - plane[a + 1]) * (plane[c] - plane[a]);
+    }
+    // Ear clipping winds its triangles in one way whichever way the polygon goes.
+    boolean turned = area * normal[up] < 0;
+    for (int i = 0; i + 2 < ears.size(); i += 3) {
+      int b = from + ears.get(turned ? i + 2 : i + 1);
+      int c = from + ears.get(turned ? i + 1 : i + 2);
+      triangles.add(from + ears.get(i), b, c, face);
+    }
+    return !ears.isEmpty();
+  }
+}

@@ -1,0 +1,29 @@
+package org.selectiverenderer.x3d.geometry;
+
+import org.selectiverenderer.x3d.NodeView;
+
+/** IndexedFaceSet (X3D 4.0, 13.3.6). */
+final class IndexedFaceSet {
+  private IndexedFaceSet() {}
+
+  static Mesh mesh(Job job) {
+    NodeView node = job.node();
+    Points points = Points.of(job);
+    int[] stream = node.ints("coordIndex");
+    Runs faces = Runs.separated(stream);
+    TriangleList triangles = new TriangleList(stream, stream.length + 1 - 3 * faces.count());
+    FaceSplitter splitter = new FaceSplitter(points.xyz(), triangles);
+    FaceCheck check = new FaceCheck(stream, points, 3);
+    for (int face = 0; face < faces.count(); face++) {
+      if (check.accepts(faces.from(face), faces.to(face))) {
+        splitter.split(faces.from(face), faces.to(face), face);
+      }
+    }
+    check.report(job, "face");
+    Surface.Indices indices =
+        new Surface.Indices(
+            node.ints("colorIndex"), node.ints("normalIndex"), node.ints("texCoordIndex"));
+    return new Surface(job, points, triangles, faces.count())
+        .composed(indices, node.number("creaseAngle"), null);
+  }
+}

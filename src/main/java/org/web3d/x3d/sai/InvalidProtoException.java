@@ -1,0 +1,13 @@
+package org.web3d.x3d.sai;
+
+/** There is no such prototype. */
+public class InvalidProtoException extends X3DException {
+  private static final long serialVersionUID = 1L;
+
+  public InvalidProtoException() {}
+
+  /** An exception that says what is wrong in one sentence. */
+  public InvalidProtoException(String message) {
+    super(message);
+  }
+}

@@ -1,0 +1,28 @@
+package org.web3d.x3d.sai;
+
+/** A field that holds any number of numbers of single precision (X3D 4.0, clause 5). */
+public interface MFFloat extends MField {
+  /** Adds a value at the end. */
+  void append(float value);
+
+  /** Takes all values away. */
+  void clear();
+
+  /** Puts all values into the first {@link #getSize()} elements of the array. */
+  void getValue(float[] value);
+
+  /** The value at an index from 0. */
+  float get1Value(int index) throws ArrayIndexOutOfBoundsException;
+
+  /** Puts a value in at an index from 0; what was there and behind moves back by one. */
+  void insertValue(int index, float value) throws ArrayIndexOutOfBoundsException;
+
+  /** Takes the value at an index from 0 away; what is behind moves forward by one. */
+  void removeValue(int index) throws ArrayIndexOutOfBoundsException;
+
+  /** Replaces all values by the first {@code size} elements of the array. */
+  void setValue(int size, float[] value);
+
+  /** Replaces the value at an index from 0. */
+  void set1Value(int index, float value) throws ArrayIndexOutOfBoundsException;
+}

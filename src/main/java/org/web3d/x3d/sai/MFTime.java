@@ -1,0 +1,31 @@
+package org.web3d.x3d.sai;
+
+/** A field that holds any number of times in seconds (X3D 4.0, clause 5). */
+public interface MFTime extends MField {
+  /** Adds a value at the end. */
+  void append(double value);
+
+  /** Takes all values away. */
+  void clear();
+
+  /** Puts all values into the first {@link #getSize()} elements of the array. */
+  void getValue(double[] value);
+
+  /** The value at an index from 0. */
+  double get1Value(int index) throws ArrayIndexOutOfBoundsException;
+
+  /** Puts a value in at an index from 0; what was there and behind moves back by one. */
+  void insertValue(int index, double value) throws ArrayIndexOutOfBoundsException;
+
+  /** Takes the value at an index from 0 away; what is behind moves forward by one. */
+  void removeValue(int index) throws ArrayIndexOutOfBoundsException;
+
+  /** Replaces all values by the first {@code size} elements of the array. */
+  void setValue(int size, double[] value);
+
+  /** Replaces all values by the first {@code size} elements of the array, times in milliseconds. */
+  void setValue(int size, long[] value);
+
+  /** Replaces the value at an index from 0. */
+  void set1Value(int index, double value) throws ArrayIndexOutOfBoundsException;
+}

@@ -1,0 +1,18 @@
+package org.web3d.x3d.sai.core;
+
+import org.web3d.x3d.sai.X3DMetadataObject;
+import org.web3d.x3d.sai.X3DNode;
+
+/** Metadata whose value is any number of strings (X3D 4.0, clause 7). */
+public interface MetadataString extends X3DNode, X3DMetadataObject {
+  /** The number of elements that {@link #getValue} writes. */
+  int getNumValue();
+
+  /**
+   * The elements of the value; go into the first {@link #getNumValue()} elements of {@code value}.
+   */
+  void getValue(String[] value);
+
+  /** Sets {@link #getValue} to all elements of {@code value}. */
+  void setValue(String[] value);
+}

@@ -1,0 +1,300 @@
+package org.selectiverenderer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The launcher script in a copy of the repository, with a Maven and a Java that only take notes.
+ */
+@DisabledOnOs(OS.WINDOWS)
+class LauncherTest {
+  private static final Instant LONG_AGO = Instant.parse("2020-01-01T00:00:00Z");
+
+  @TempDir private Path folder;
+  private Path home;
+  private Path tools;
+  private final Map<String, String> environment = new HashMap<>();
+
+  @BeforeEach
+  void aRepositoryThatWasBuilt() throws IOException {
+    home = folder.resolve("a home with spaces");
+    tools = folder.resolve("tools");
+    Files.createDirectories(home.resolve("target"));
+    Files.createDirectories(home.resolve("src/main"));
+    Files.copy(Path.of("selective-renderer"), home.resolve("selective-renderer"));
+    Files.writeString(home.resolve("pom.xml"), "");
+    Files.writeString(home.resolve("src/main/A.java"), "");
+    for (String source : List.of("pom.xml", "src/main/A.java", "src/main")) {
+      Files.setLastModifiedTime(home.resolve(source), FileTime.from(LONG_AGO));
+    }
+    Files.writeString(home.resolve("target/x3d-sai.jar"), "");
+    Files.writeString(home.resolve("target/selective-renderer.jar"), "");
+    // Notes "mvn"; makes the jars.
+    tool(
+        "mvn",
+        """
+        echo mvn "$@" >>"$NOTES"
+        echo chatter of Maven
+        [ -z "${MVN_FAILS:-}" ] || exit 1
+        mkdir -p target
+        touch target/x3d-sai.jar target/selective-renderer.jar
+        """);
+    // Notes its arguments, one in a line; fails at making archives, as some Javas do.
+    tool(
+        "jdk/bin/java",
+        """
+        case "$*" in *ClassList*) exit 1 ;; esac
+        for word in "$@"; do echo "java $word" >>"$NOTES"; done
+        cat
+        exit "${JAVA_STATUS:-0}"
+        """);
+    javaVersion("17.0.1");
+    environment.put("JAVA_HOME", tools.resolve("jdk").toString());
+    environment.put("NOTES", folder.resolve("notes").toString());
+    environment.put("PATH", tools + ":" + System.getenv("PATH"));
+  }
+
+  @Test
+  void aFreshJarIsStartedWithoutMaven() throws Exception {
+    Run run = launch("validate", "a scene.x3d", "--format=json");
+    assertThat(run.status()).isZero();
+    assertThat(run.err()).isEmpty();
+    assertThat(notes())
+        .noneMatch(note -> note.startsWith("mvn"))
+        .endsWith(
+            "java " + jar(),
+            "java org.selectiverenderer.cli.Main",
+            "java validate",
+            "java a scene.x3d",
+            "java --format=json");
+  }
+
+  @Test
+  void aMissingJarIsBuiltOnceWithOneLineOnStandardError() throws Exception {
+    Files.delete(jar());
+    Run run = launch("--version");
+    assertThat(run.status()).isZero();
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err()).startsWith("selective-renderer: building").hasLineCount(1);
+    launch("--version");
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void anEditedSourceIsBuiltAgain() throws Exception {
+    touchLater(home.resolve("src/main/A.java"));
+    launch("--version");
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void aDeletedSourceIsBuiltAgain() throws Exception {
+    Files.delete(home.resolve("src/main/A.java"));
+    touchLater(home.resolve("src/main"));
+    launch("--version");
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void anEditedEnricherIsBuiltAgain() throws Exception {
+    Path source = home.resolve("tools/enricher-gui/src/main/java/B.java");
+    Files.createDirectories(source.getParent());
+    Files.writeString(source, "");
+    touchLater(source);
+    launch("--version");
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void aFailedBuildShowsWhatMavenSaid() throws Exception {
+    Files.delete(jar());
+    environment.put("MVN_FAILS", "1");
+    Run run = launch("--version");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err()).contains("chatter of Maven", "the build failed");
+    assertThat(notes()).noneMatch(note -> note.startsWith("java"));
+    assertThat(home.resolve("target/.launcher-lock")).doesNotExist();
+  }
+
+  @Test
+  void aLockOfAKilledBuildDoesNotBlock() throws Exception {
+    Files.delete(jar());
+    // The process number of a process that has ended.
+    Process ended = new ProcessBuilder("true").start();
+    ended.waitFor();
+    Files.createSymbolicLink(
+        home.resolve("target/.launcher-lock"), Path.of(Long.toString(ended.pid())));
+    assertThat(launch("--version").status()).isZero();
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void exitStatusAndStandardInputPassThrough() throws Exception {
+    environment.put("JAVA_STATUS", "1");
+    Run run = launchWithInput("typed", "validate", "-");
+    assertThat(run.status()).isEqualTo(1);
+    assertThat(run.out()).isEqualTo("typed");
+  }
+
+  @Test
+  void aBuildLeavesStandardInputAlone() throws Exception {
+    Files.delete(jar());
+    assertThat(launchWithInput("typed", "validate", "-").out()).isEqualTo("typed");
+  }
+
+  @Test
+  void itWorksThroughLinksFromAnotherFolder() throws Exception {
+    Path bin = Files.createDirectories(folder.resolve("bin"));
+    Files.createSymbolicLink(bin.resolve("one"), home.resolve("selective-renderer"));
+    Files.createSymbolicLink(bin.resolve("two"), Path.of("one"));
+    Run run = start(List.of(bin.resolve("two").toString(), "--version"), "");
+    assertThat(run.status()).as(run.err()).isZero();
+    assertThat(notes()).contains("java " + jar());
+  }
+
+  @Test
+  void ownFlagsForJavaComeAfterOurs() throws Exception {
+    environment.put("SELECTIVE_RENDERER_JAVA_OPTS", "-Xmx4g -Dx=*");
+    launch("--version");
+    assertThat(notes())
+        .containsSubsequence("java -Djoml.nounsafe=true", "java -Xmx4g", "java -Dx=*", "java -cp");
+  }
+
+  @Test
+  void newJavaIsToldThatNativeCodeIsMeant() throws Exception {
+    launch("--version");
+    assertThat(notes()).doesNotContain("java --enable-native-access=ALL-UNNAMED");
+    javaVersion("25.0.3");
+    launch("--version");
+    assertThat(notes()).contains("java --enable-native-access=ALL-UNNAMED");
+  }
+
+  @Test
+  void anotherBrowsersJarsComeBeforeOurs() throws Exception {
+    Path xj3d = Files.createDirectories(folder.resolve("xj3d jars"));
+    environment.put("SELECTIVE_RENDERER_SAI", xj3d.toString());
+    launch("--version");
+    assertThat(notes()).contains("java " + xj3d + "/*:" + jar());
+    environment.put("SELECTIVE_RENDERER_SAI", "sai.jar:more.jar");
+    launch("--version");
+    assertThat(notes()).contains("java sai.jar:more.jar:" + jar());
+  }
+
+  @Test
+  void anOldJavaIsNamed() throws Exception {
+    javaVersion("1.8.0_292");
+    Run run = launch("--version");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("needs Java 17", "1.8.0_292").hasLineCount(1);
+  }
+
+  @Test
+  void aWrongJavaHomeIsNamed() throws Exception {
+    environment.put("JAVA_HOME", folder.resolve("nowhere").toString());
+    Run run = launch("--version");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("JAVA_HOME", "nowhere").hasLineCount(1);
+  }
+
+  @Test
+  void withoutMavenItSaysWhatToInstall() throws Exception {
+    Files.delete(jar());
+    Files.delete(tools.resolve("mvn"));
+    for (String name : List.of("readlink", "find", "head", "sed")) {
+      tool(name, "exec " + which(name) + " \"$@\"");
+    }
+    environment.put("PATH", tools.toString());
+    Run run = launch("--version");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("install Maven").hasLineCount(1);
+  }
+
+  private static Path which(String tool) {
+    return List.of("/usr/bin", "/bin").stream()
+        .map(directory -> Path.of(directory, tool))
+        .filter(Files::isExecutable)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private Path jar() {
+    return home.resolve("target/selective-renderer.jar");
+  }
+
+  /** Makes a file newer than the jar, but not newer than the next build. */
+  private void touchLater(Path file) throws IOException {
+    Instant justBefore = Instant.now().minusSeconds(5);
+    Files.setLastModifiedTime(jar(), FileTime.from(justBefore.minusSeconds(5)));
+    Files.setLastModifiedTime(file, FileTime.from(justBefore));
+  }
+
+  private void javaVersion(String version) throws IOException {
+    Files.writeString(tools.resolve("jdk/release"), "JAVA_VERSION=\"" + version + "\"\n");
+  }
+
+  private void tool(String name, String script) throws IOException {
+    Path file = tools.resolve(name);
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, "#!/bin/sh\n" + script);
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+  }
+
+  private List<String> notes() throws IOException {
+    Path notes = folder.resolve("notes");
+    return Files.exists(notes) ? Files.readAllLines(notes) : List.of();
+  }
+
+  private long builds() throws IOException {
+    return notes().stream().filter(note -> note.startsWith("mvn ")).count();
+  }
+
+  private Run launch(String... arguments) throws IOException, InterruptedException {
+    return launchWithInput("", arguments);
+  }
+
+  private Run launchWithInput(String input, String... arguments)
+      throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>();
+    command.add(home.resolve("selective-renderer").toString());
+    command.addAll(List.of(arguments));
+    return start(command, input);
+  }
+
+  private Run start(List<String> command, String input) throws IOException, InterruptedException {
+    Path in = Files.writeString(folder.resolve("in"), input);
+    Path out = folder.resolve("out");
+    Path err = folder.resolve("err");
+    ProcessBuilder builder =
+        new ProcessBuilder(command)
+            .directory(folder.toFile())
+            .redirectInput(in.toFile())
+            .redirectOutput(out.toFile())
+            .redirectError(err.toFile());
+    builder.environment().keySet().removeIf(name -> name.startsWith("SELECTIVE_RENDERER_"));
+    builder.environment().putAll(environment);
+    int status = builder.start().waitFor();
+    return new Run(
+        status,
+        Files.readString(out, StandardCharsets.UTF_8),
+        Files.readString(err, StandardCharsets.UTF_8));
+  }
+
+  private record Run(int status, String out, String err) {}
+}
