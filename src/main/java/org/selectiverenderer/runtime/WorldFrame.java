@@ -8,7 +8,6 @@ import org.joml.Matrix4f;
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.nodes.Frame;
@@ -60,6 +59,6 @@ final class WorldFrame implements Frame {
 
   @Override
   public List<? extends Matrix4dc> places(Node node) {
-    return instances.occurrences(node).stream().map(Instance::world).toList();
+    return instances.places(node);
   }
 }

@@ -11,7 +11,6 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.CollisionNode;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.ViewerDependent;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -32,8 +31,6 @@ public final class InstanceTree {
   /** Instances above which groups stay empty: nested USEs multiply without bound. */
   static final int MAX_INSTANCES = 8_000_000;
 
-  private static final Vector3dc Y = new Vector3d(0, 1, 0);
-
   private final Assets assets;
   private final GroupInstance root;
   private final Map<Node, ShapeLook> looks = new IdentityHashMap<>();
@@ -48,6 +45,7 @@ public final class InstanceTree {
   private final Vector3d localUp = new Vector3d();
   private List<ShapeInstance> shapes = List.of();
   private long structureVersion;
+  private long placementVersion;
   private boolean structureChanged = true;
   private boolean cutOff;
   private int instances;
@@ -75,6 +73,11 @@ public final class InstanceTree {
   /** Changes when {@link #shapes()} or the lights gain or lose an element. */
   public long structureVersion() {
     return structureVersion;
+  }
+
+  /** Changes when a shape may have moved or may have got another mesh. */
+  public long placementVersion() {
+    return placementVersion;
   }
 
   /** All lights, on or off, in document order. */
@@ -123,6 +126,10 @@ public final class InstanceTree {
     return cutOff;
   }
 
+  void moved() {
+    placementVersion++;
+  }
+
   void polygonsShown(int more) {
     shownPolygons += more;
   }
@@ -148,16 +155,12 @@ public final class InstanceTree {
     pendingGroups.clear();
     for (int i = 0; i < pendingLooks.size(); i++) {
       pendingLooks.get(i).update();
+      moved();
     }
     pendingLooks.clear();
     if (structureChanged) {
       collect();
     }
-  }
-
-  /** Like {@link #view(Vector3dc, Vector3dc, Cascade)} for a viewer whose up is the world's. */
-  public void view(Vector3dc eye, Cascade cascade) {
-    view(eye, Y, cascade);
   }
 
   /**
@@ -189,9 +192,6 @@ public final class InstanceTree {
     if (node instanceof GroupingNode group) {
       GroupInstance instance = new GroupInstance(group, parent, this);
       group.addObserver(instance);
-      if (group instanceof CollisionNode collision) {
-        instance.proxy = collision.proxy().map(proxy -> build(proxy, instance, depth + 1));
-      }
       instance.children = children(instance, depth, Map.of());
       return instance;
     }
@@ -251,7 +251,6 @@ public final class InstanceTree {
     instance.show(false, this);
     if (instance instanceof GroupInstance group) {
       group.disposed = true;
-      group.proxy.ifPresent(this::dispose);
       group.children.forEach(this::dispose);
       group.node().removeObserver(group);
     } else if (instance instanceof ShapeInstance shape) {

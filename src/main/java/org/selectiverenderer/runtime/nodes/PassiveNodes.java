@@ -41,6 +41,7 @@ final class PassiveNodes {
           "QuadSet",
           "Rectangle2D",
           "Sphere",
+          "Text",
           "TriangleFanSet",
           "TriangleSet",
           "TriangleSet2D",

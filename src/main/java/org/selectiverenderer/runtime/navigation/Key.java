@@ -1,0 +1,27 @@
+package org.selectiverenderer.runtime.navigation;
+
+/** The keys that mean something to navigation, whatever toolkit reads them. */
+public enum Key {
+  UP,
+  DOWN,
+  LEFT,
+  RIGHT,
+  W,
+  A,
+  S,
+  D,
+  /** Up, when flying. */
+  E,
+  /** Down, when flying. */
+  Q,
+  SHIFT,
+  HOME,
+  END,
+  PAGE_UP,
+  PAGE_DOWN,
+  F1,
+  F2,
+  F3,
+  F11,
+  ESCAPE
+}
