@@ -48,7 +48,14 @@ final class PassiveNodes {
           "TriangleStripSet");
 
   private static final Set<String> GEOMETRY_DATA =
-      Set.of("Color", "ColorRGBA", "Coordinate", "CoordinateDouble", "Normal", "TextureCoordinate");
+      Set.of(
+          "Color",
+          "ColorRGBA",
+          "Coordinate",
+          "CoordinateDouble",
+          "FontStyle",
+          "Normal",
+          "TextureCoordinate");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
