@@ -6,7 +6,10 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
-/** Meshes with as many triangles as a geometry node's {@code size} says in x; counts its calls. */
+/**
+ * Meshes with as many triangles as a Box is wide, or as the first coordinate of other geometry
+ * says; counts its calls.
+ */
 final class CountingAssets implements Assets {
   int meshes;
   int made;
@@ -20,7 +23,10 @@ final class CountingAssets implements Assets {
 
   private Mesh make(Node geometry) {
     made++;
-    float[] size = geometry.floats("size");
+    float[] size =
+        geometry.type().name().equals("Box")
+            ? geometry.floats("size")
+            : geometry.node("coord").floats("point");
     int[] indices = new int[3 * (int) size[0]];
     float[] box = {0, 0, 0, size[0], size[1], size[2]};
     return new Mesh(Mesh.Primitive.TRIANGLES, new float[9], null, null, null, indices, true, box);

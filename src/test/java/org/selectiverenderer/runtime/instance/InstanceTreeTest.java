@@ -65,7 +65,6 @@ class InstanceTreeTest {
     assertThat(shown(tree)).containsExactly(true, false);
     assertThat(tree.places(shared))
         .containsExactly(new Matrix4d().translation(-1, 0, 0), new Matrix4d().translation(1, 0, 0));
-    nodes.send(shared.node("geometry"), "metadata", null);
     nodes.send(right, "whichChoice", 0);
     tree.update();
     assertThat(tree.shownPolygons()).isEqualTo(20);
@@ -125,7 +124,9 @@ class InstanceTreeTest {
     InstanceTree tree = tree(nodes.group(outer));
     nodes.send(outer, "removeChildren", List.of(inner));
     nodes.send(inner, "addChildren", List.of(shape(5), sensor));
+    int meshes = assets.meshes;
     tree.update();
+    assertThat(assets.meshes).isEqualTo(meshes);
     assertThat(tree.shapes()).isEmpty();
     assertThat(tree.occurrences(sensor)).isEmpty();
     assertThat(tree.otherNodes()).isEmpty();
@@ -138,12 +139,15 @@ class InstanceTreeTest {
 
   @Test
   void aShapeThatChangesAndLeavesInTheSameUpdateIsReadAnewWhenItReturns() {
-    Node leaving = shape(3);
+    Node coord = nodes.node("Coordinate", "point", new float[] {5, 1, 1});
+    Node leaving = nodes.node("Shape", "geometry", nodes.node("IndexedFaceSet", "coord", coord));
     Node outer = nodes.group(leaving);
     InstanceTree tree = tree(nodes.group(outer));
-    nodes.send(leaving.node("geometry"), "metadata", null);
+    int meshes = assets.meshes;
+    nodes.send(coord, "point", new float[] {3, 1, 1});
     nodes.send(outer, "removeChildren", List.of(leaving));
     tree.update();
+    assertThat(assets.meshes).isEqualTo(meshes);
     nodes.send(outer, "addChildren", List.of(leaving));
     tree.update();
     assertThat(tree.shownPolygons()).isEqualTo(3);
@@ -160,6 +164,19 @@ class InstanceTreeTest {
     nodes.send(shared, "geometry", nodes.node("Box", "size", new float[] {3, 1, 1}));
     tree.update();
     assertThat(tree.shownPolygons()).isEqualTo(6);
+  }
+
+  @Test
+  void coordinatesThatChangeGiveEveryShapeThatSharesThemOneNewMesh() {
+    Node coord = nodes.node("Coordinate", "point", new float[] {5, 1, 1});
+    Node geometry = nodes.node("IndexedFaceSet", "coord", coord);
+    Node one = nodes.node("Shape", "geometry", geometry);
+    Node other = nodes.node("Shape", "geometry", geometry);
+    InstanceTree tree = tree(nodes.group(one, other));
+    nodes.send(coord, "point", new float[] {2, 1, 1});
+    tree.update();
+    assertThat(tree.shownPolygons()).isEqualTo(4);
+    assertThat(assets.made).isEqualTo(2);
   }
 
   @Test
@@ -230,11 +247,14 @@ class InstanceTreeTest {
   void aLodInTwoPlacesFollowsTheFirstAndSendsOneEvent() {
     Node lod =
         nodes.watch(
-            nodes.node("LOD", "range", new float[] {5}, "children", List.of(shape(100), shape(1))),
+            nodes.node("LOD", "range", new float[] {50}, "children", List.of(shape(100), shape(1))),
             "level_changed");
     InstanceTree tree = tree(nodes.group(lod, nodes.transform(100, 0, 0, lod)));
+    tree.view(new Vector3d(0, 0, 10), UP, nodes.cascade);
+    tree.update();
+    assertThat(nodes.sent()).isEmpty();
     for (int i = 0; i < 3; i++) {
-      tree.view(new Vector3d(0, 0, 10), UP, nodes.cascade);
+      tree.view(new Vector3d(100, 0, 0), UP, nodes.cascade);
       tree.update();
     }
     assertThat(nodes.sent()).containsExactly("level_changed=1");

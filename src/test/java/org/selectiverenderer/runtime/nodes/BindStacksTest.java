@@ -87,6 +87,19 @@ class BindStacksTest {
   }
 
   @Test
+  void aNodeStandsInItsStackOnce() {
+    Node first = viewpoint("first");
+    Node second = viewpoint("second");
+    BindStacks stacks = new BindStacks(nodes.group(first, second), nodes.cascade);
+    nodes.send(second, "set_bind", true);
+    nodes.send(first, "set_bind", true);
+    nodes.send(first, "set_bind", false);
+    assertThat(stacks.bound("Viewpoint")).containsSame(second);
+    nodes.send(second, "set_bind", false);
+    assertThat(stacks.bound("Viewpoint")).isEmpty();
+  }
+
+  @Test
   void viewpointsOfBothKindsShareAStackAndOtherKindsHaveTheirOwn() {
     Node perspective = viewpoint("perspective");
     Node ortho = nodes.node("OrthoViewpoint");
