@@ -41,6 +41,7 @@ class ArchitectureTest {
   private static final Set<String> TOP_LEVEL =
       Set.of(
           "app",
+          "bench",
           "cli",
           "control",
           "document",

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.GroupInstance;
@@ -43,6 +44,7 @@ public final class World {
   private final ConcurrentLinkedQueue<Runnable> posted = new ConcurrentLinkedQueue<>();
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private Scene scene;
+  private Assets assets;
   private InstanceTree instances;
   private BindStacks bindables;
   private ViewpointFollower follower;
@@ -67,6 +69,7 @@ public final class World {
 
   private void place(LoadedScene loaded) {
     scene = loaded.scene();
+    assets = loaded.assets();
     instances = new InstanceTree((GroupingNode) scene.root(), loaded.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
@@ -83,6 +86,11 @@ public final class World {
 
   public InstanceTree instances() {
     return instances;
+  }
+
+  /** The meshes and images of the scene's nodes. */
+  public Assets assets() {
+    return assets;
   }
 
   public Viewer viewer() {
@@ -225,19 +233,7 @@ public final class World {
 
   /** All viewpoints of the scene in document order. */
   public List<Node> viewpoints() {
-    List<Node> found = new ArrayList<>();
-    viewpoints(instances.root(), found);
-    return found.stream().distinct().toList();
-  }
-
-  private static void viewpoints(GroupInstance group, List<Node> found) {
-    for (Instance child : group.children()) {
-      if (child instanceof GroupInstance inner) {
-        viewpoints(inner, found);
-      } else if (child.node().type().is("X3DViewpointNode")) {
-        found.add(child.node());
-      }
-    }
+    return bindables.all("X3DViewpointNode");
   }
 
   /**

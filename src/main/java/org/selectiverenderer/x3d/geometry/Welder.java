@@ -43,7 +43,7 @@ final class Welder {
    * @param defaultTexCoords whether to generate texture coordinates when none were given
    */
   Mesh mesh(Mesh.Primitive primitive, boolean solid, boolean defaultTexCoords) {
-    int[] indices = byPoint() ? weldPoints() : weldTuples();
+    int[] indices = byPoint() ? weldPoints() : mostlyUnique() ? keepAll() : weldTuples();
     float[] positions = gather(points, 3, null);
     float[] normal = gather(normals);
     float[] color = gather(colors);
@@ -89,6 +89,20 @@ final class Welder {
     for (int i = 0; i < indices.length; i++) {
       indices[i] = vertexOf[corners[i]];
     }
+    return indices;
+  }
+
+  /** Whether there are so many normals, one per triangle, that few corners can share a number. */
+  private boolean mostlyUnique() {
+    return normals != null && normals.ids() != null && 3 * normals.count() >= corners.length;
+  }
+
+  /** Each corner is a vertex until its values tell. */
+  private int[] keepAll() {
+    int[] indices = Runs.identity(corners.length);
+    vertexPoint = corners;
+    vertexCorner = indices.clone();
+    vertexCount = corners.length;
     return indices;
   }
 

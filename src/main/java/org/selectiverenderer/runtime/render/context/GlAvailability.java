@@ -1,0 +1,44 @@
+package org.selectiverenderer.runtime.render.context;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Decides whether GL can be tried at all, without touching JOGL: where there is no X display its
+ * classes fail to initialise, once and for all.
+ */
+public final class GlAvailability {
+  private static final Pattern LOCAL_DISPLAY = Pattern.compile("(?:unix)?:(\\d+)(?:\\.\\d+)?");
+  private static final Path X_SOCKETS = Path.of("/tmp/.X11-unix");
+
+  private GlAvailability() {}
+
+  /** Why nothing can be drawn on this machine, as one sentence; empty if it can be tried. */
+  public static Optional<String> check() {
+    return check(System.getenv(), System.getProperty("os.name", ""), X_SOCKETS);
+  }
+
+  static Optional<String> check(Map<String, String> environment, String system, Path sockets) {
+    String name = system.toLowerCase(Locale.ROOT);
+    if (name.contains("windows") || name.contains("mac")) {
+      return Optional.empty();
+    }
+    String display = environment.getOrDefault("DISPLAY", "");
+    if (display.isBlank()) {
+      return Optional.of(
+          "there is no display to draw on: set DISPLAY to an X server, or start one with xvfb-run");
+    }
+    Matcher local = LOCAL_DISPLAY.matcher(display);
+    if (local.matches()
+        && Files.isDirectory(sockets)
+        && !Files.exists(sockets.resolve("X" + local.group(1)))) {
+      return Optional.of("no X server answers at the display " + display + ", which DISPLAY names");
+    }
+    return Optional.empty();
+  }
+}

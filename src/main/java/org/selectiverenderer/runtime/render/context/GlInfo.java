@@ -1,0 +1,16 @@
+package org.selectiverenderer.runtime.render.context;
+
+import com.jogamp.opengl.GL;
+
+/** What draws: the strings of the current context. */
+public record GlInfo(String vendor, String renderer, String version) {
+  public static GlInfo of(GL gl) {
+    return new GlInfo(
+        string(gl, GL.GL_VENDOR), string(gl, GL.GL_RENDERER), string(gl, GL.GL_VERSION));
+  }
+
+  private static String string(GL gl, int name) {
+    String value = gl.glGetString(name);
+    return value == null ? "unknown" : value;
+  }
+}

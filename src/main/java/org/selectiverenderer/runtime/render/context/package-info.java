@@ -1,0 +1,11 @@
+/**
+ * Whether there is GL, what it is, and drawing without a window.
+ *
+ * <p>In: the environment. Out: a current context, a frame buffer of any size, pictures. {@link
+ * org.selectiverenderer.runtime.render.context.GlAvailability} alone may be used before it is known
+ * that there is a display.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.render.context;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,89 @@
+package org.selectiverenderer.runtime.render.gpu;
+
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** A linked shader program, GLSL 3.30. */
+public final class Program {
+  private static final String FOLDER = "/org/selectiverenderer/runtime/render/";
+
+  private final int id;
+  private final Map<String, Integer> uniforms = new HashMap<>();
+
+  /**
+   * @param name of the resources {@code name.vert.glsl} and {@code name.frag.glsl}
+   * @param defines what the texts are compiled with: {@code NAME} or {@code NAME value}
+   * @throws GLException if the driver rejects the text; its log is in the message
+   */
+  public Program(GL3 gl, String name, List<String> defines) {
+    StringBuilder head = new StringBuilder("#version 330 core\n");
+    defines.forEach(define -> head.append("#define ").append(define).append('\n'));
+    int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, name + ".vert.glsl", head.toString());
+    int fragment = compile(gl, GL2ES2.GL_FRAGMENT_SHADER, name + ".frag.glsl", head.toString());
+    id = gl.glCreateProgram();
+    gl.glAttachShader(id, vertex);
+    gl.glAttachShader(id, fragment);
+    gl.glLinkProgram(id);
+    gl.glDeleteShader(vertex);
+    gl.glDeleteShader(fragment);
+    int[] state = new int[1];
+    gl.glGetProgramiv(id, GL2ES2.GL_LINK_STATUS, state, 0);
+    if (state[0] == 0) {
+      byte[] log = new byte[4096];
+      int[] length = new int[1];
+      gl.glGetProgramInfoLog(id, log.length, length, 0, log, 0);
+      throw new GLException("the shader program " + name + " does not link: " + text(log, length));
+    }
+  }
+
+  private static int compile(GL3 gl, int kind, String resource, String head) {
+    int shader = gl.glCreateShader(kind);
+    gl.glShaderSource(shader, 2, new String[] {head, read(resource)}, null, 0);
+    gl.glCompileShader(shader);
+    int[] state = new int[1];
+    gl.glGetShaderiv(shader, GL2ES2.GL_COMPILE_STATUS, state, 0);
+    if (state[0] == 0) {
+      byte[] log = new byte[4096];
+      int[] length = new int[1];
+      gl.glGetShaderInfoLog(shader, log.length, length, 0, log, 0);
+      throw new GLException("the shader " + resource + " does not compile: " + text(log, length));
+    }
+    return shader;
+  }
+
+  private static String text(byte[] log, int[] length) {
+    return new String(log, 0, length[0], StandardCharsets.UTF_8).strip();
+  }
+
+  private static String read(String resource) {
+    try (InputStream in = Program.class.getResourceAsStream(FOLDER + resource)) {
+      if (in == null) {
+        throw new IllegalStateException("the program was built without its shader " + resource);
+      }
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException("the shader " + resource + " cannot be read", e);
+    }
+  }
+
+  public void use(GL3 gl) {
+    gl.glUseProgram(id);
+  }
+
+  /** The location of a uniform; -1, which GL ignores, for one that this program does not have. */
+  public int uniform(GL3 gl, String name) {
+    return uniforms.computeIfAbsent(name, key -> gl.glGetUniformLocation(id, key));
+  }
+
+  public void dispose(GL3 gl) {
+    gl.glDeleteProgram(id);
+  }
+}

@@ -1,0 +1,11 @@
+/**
+ * What lives on the graphics card: programs, buffers, textures. Every call needs the context to be
+ * current on the calling thread.
+ *
+ * <p>In: packed meshes, images, shader texts from the resources. Out: GL objects, each with a
+ * {@code dispose}. Uses {@code render.mesh}, {@code instance} and JOGL.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.render.gpu;
+
+import org.jspecify.annotations.NullMarked;

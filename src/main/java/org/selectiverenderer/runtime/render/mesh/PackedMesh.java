@@ -1,0 +1,34 @@
+package org.selectiverenderer.runtime.render.mesh;
+
+import java.nio.ByteBuffer;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * A mesh as the bytes of one vertex and one index buffer, both direct and in native order.
+ *
+ * @param wideIndices whether an index takes four bytes, else two
+ * @param indexCount number of indices, three, two or one per primitive
+ * @param clusters the triangles' clusters; lines and points are one cluster that is never culled
+ * @param translucentColors whether a vertex colour is not opaque
+ */
+public record PackedMesh(
+    Mesh.Primitive primitive,
+    boolean solid,
+    VertexLayout layout,
+    ByteBuffer vertices,
+    ByteBuffer indices,
+    boolean wideIndices,
+    int indexCount,
+    Clusters clusters,
+    boolean translucentColors) {
+
+  /** Bytes per index. */
+  public int indexBytes() {
+    return wideIndices ? 4 : 2;
+  }
+
+  /** Bytes that the mesh takes on the graphics card. */
+  public long bytes() {
+    return (long) vertices.limit() + indices.limit();
+  }
+}

@@ -1,0 +1,36 @@
+package org.selectiverenderer.runtime.render.mesh;
+
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * Where the attributes of a vertex stand in the vertex buffer, in bytes from the vertex's first; -1
+ * for an attribute that the mesh does not have. The position comes first: three floats.
+ *
+ * @param stride bytes per vertex
+ * @param normal four signed normalised shorts, the last unused: ten bits would show in highlights
+ * @param color four unsigned normalised bytes r, g, b, a
+ * @param texCoord two floats
+ */
+public record VertexLayout(int stride, int normal, int color, int texCoord) {
+  private static final int POSITION_BYTES = 12;
+
+  static VertexLayout of(Mesh mesh) {
+    int stride = POSITION_BYTES;
+    int normal = -1;
+    int color = -1;
+    int texCoord = -1;
+    if (mesh.normals() != null) {
+      normal = stride;
+      stride += 8;
+    }
+    if (mesh.colors() != null) {
+      color = stride;
+      stride += 4;
+    }
+    if (mesh.texCoords() != null) {
+      texCoord = stride;
+      stride += 8;
+    }
+    return new VertexLayout(stride, normal, color, texCoord);
+  }
+}

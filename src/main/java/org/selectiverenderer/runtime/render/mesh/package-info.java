@@ -1,0 +1,11 @@
+/**
+ * Meshes made ready for the graphics card, on any thread and without GL.
+ *
+ * <p>In: a {@link org.selectiverenderer.x3d.geometry.Mesh}. Out: a {@link
+ * org.selectiverenderer.runtime.render.mesh.PackedMesh}, bytes for one vertex and one index buffer,
+ * and its clusters for culling. Uses {@code x3d.geometry} only.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.render.mesh;
+
+import org.jspecify.annotations.NullMarked;

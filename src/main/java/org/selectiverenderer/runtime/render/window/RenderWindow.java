@@ -1,0 +1,253 @@
+package org.selectiverenderer.runtime.render.window;
+
+import com.jogamp.nativewindow.NativeWindowException;
+import com.jogamp.newt.event.KeyAdapter;
+import com.jogamp.newt.event.KeyEvent;
+import com.jogamp.newt.event.WindowAdapter;
+import com.jogamp.newt.event.WindowEvent;
+import com.jogamp.newt.opengl.GLWindow;
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLAutoDrawable;
+import com.jogamp.opengl.GLCapabilities;
+import com.jogamp.opengl.GLEventListener;
+import com.jogamp.opengl.GLException;
+import com.jogamp.opengl.GLProfile;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.render.context.GlAvailability;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+
+/**
+ * A window with its render loop. One thread, named {@code render}, opens the window, owns its
+ * context, steps and draws frames at the display's rate, and closes it. F11 changes between window
+ * and full screen.
+ */
+public final class RenderWindow {
+  private static final long IDLE_NANOS = 20_000_000;
+
+  private final WindowOptions options;
+  private final FrameSource source;
+  private final InputListener listener;
+  private final InputQueue queue = new InputQueue();
+  private final AtomicBoolean closing = new AtomicBoolean();
+  private final AtomicBoolean fullScreenWanted = new AtomicBoolean();
+  private @Nullable Throwable failure;
+  private long drawn;
+  private volatile boolean stopping;
+
+  public RenderWindow(WindowOptions options, FrameSource source, InputListener listener) {
+    this.options = options;
+    this.source = source;
+    this.listener = listener;
+  }
+
+  /** Ends the loop after the present frame; any thread. */
+  public void close() {
+    closing.set(true);
+  }
+
+  /**
+   * Opens the window and shows frames until it is closed by the user, by {@link #close} or by the
+   * source. Whatever happened, the window is gone and the thread has ended when this returns.
+   * Called once.
+   *
+   * @throws GlUnavailableException if there is no display or no OpenGL 3.3
+   * @throws RuntimeException what the source or the listener threw
+   * @throws InterruptedException if the waiting thread is interrupted; the window is closed
+   */
+  public void run() throws InterruptedException {
+    GlAvailability.check()
+        .ifPresent(
+            reason -> {
+              throw new GlUnavailableException(reason);
+            });
+    Thread thread = new Thread(this::loop, "render");
+    thread.start();
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      close();
+      throw e;
+    }
+    if (failure instanceof RuntimeException exception) {
+      throw exception;
+    }
+    if (failure != null) {
+      throw new IllegalStateException("drawing failed: " + failure, failure);
+    }
+  }
+
+  private void loop() {
+    try {
+      GLWindow window = open();
+      try {
+        frames(window);
+      } finally {
+        stopping = true;
+        // This last call frees what the source has, here and not on NEWT's thread.
+        window.setExclusiveContextThread(null);
+        window.display();
+        window.destroy();
+      }
+    } catch (GLException | NativeWindowException | LinkageError e) {
+      fail(new GlUnavailableException("no window with OpenGL 3.3 opens: " + e.getMessage(), e));
+    } catch (RuntimeException | Error e) {
+      fail(e);
+    }
+  }
+
+  /** The first failure is the one that matters; later ones are its consequences. */
+  private void fail(Throwable e) {
+    if (failure == null) {
+      failure = e;
+    } else if (failure != e) {
+      failure.addSuppressed(e);
+    }
+  }
+
+  private GLWindow open() {
+    GLProfile profile = GLProfile.get(GLProfile.GL3);
+    GLCapabilities wanted = new GLCapabilities(profile);
+    wanted.setDepthBits(24);
+    if (options.samples() > 1) {
+      wanted.setSampleBuffers(true);
+      wanted.setNumSamples(options.samples());
+    }
+    try {
+      return open(wanted);
+    } catch (GLException e) {
+      if (!wanted.getSampleBuffers()) {
+        throw e;
+      }
+      wanted.setSampleBuffers(false);
+      return open(wanted);
+    }
+  }
+
+  private GLWindow open(GLCapabilities wanted) {
+    GLWindow window = GLWindow.create(wanted);
+    window.setTitle(options.title());
+    window.setSize(options.width(), options.height());
+    window.setDefaultCloseOperation(
+        com.jogamp.nativewindow.WindowClosingProtocol.WindowClosingMode.DO_NOTHING_ON_CLOSE);
+    window.addWindowListener(queue);
+    window.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowDestroyNotify(WindowEvent event) {
+            closing.set(true);
+          }
+        });
+    window.addMouseListener(queue);
+    window.addKeyListener(queue);
+    window.addKeyListener(
+        new KeyAdapter() {
+          @Override
+          public void keyPressed(KeyEvent event) {
+            if (event.getKeySymbol() == KeyEvent.VK_F11 && !event.isAutoRepeat()) {
+              fullScreenWanted.set(!fullScreenWanted.get());
+            }
+          }
+        });
+    window.addGLEventListener(new Drawing(window));
+    // Else NEWT's own thread would draw too, whenever the window system asks for a repaint.
+    window.setExclusiveContextThread(Thread.currentThread());
+    fullScreenWanted.set(options.fullScreen());
+    try {
+      window.setFullscreen(options.fullScreen());
+      window.setVisible(true);
+    } catch (GLException | NativeWindowException e) {
+      window.destroy();
+      throw e;
+    }
+    window.requestFocus(false);
+    return window;
+  }
+
+  private void frames(GLWindow window) {
+    while (!closing.get() && failure == null) {
+      queue.drain(listener);
+      if (!source.step()) {
+        return;
+      }
+      if (window.isFullscreen() != fullScreenWanted.get()) {
+        boolean now = window.setFullscreen(fullScreenWanted.get());
+        fullScreenWanted.set(now);
+      }
+      long before = drawn;
+      window.display();
+      if (drawn == before) {
+        // Hidden or minimised: nothing waits for the display's rate then.
+        LockSupport.parkNanos(IDLE_NANOS);
+      }
+    }
+  }
+
+  /** Called by NEWT from {@code display()} and {@code destroy()}. */
+  private final class Drawing implements GLEventListener {
+    private final GLWindow window;
+    private boolean started;
+
+    Drawing(GLWindow window) {
+      this.window = window;
+    }
+
+    @Override
+    public void init(GLAutoDrawable drawable) {
+      // It may also be called while the window becomes visible; starting waits for a frame.
+      drawable.getGL().setSwapInterval(1);
+    }
+
+    @Override
+    public void display(GLAutoDrawable drawable) {
+      GL3 gl = drawable.getGL().getGL3();
+      if (stopping) {
+        stop(gl);
+      } else if (failure == null) {
+        try {
+          frame(gl, drawable.getSurfaceWidth(), drawable.getSurfaceHeight());
+        } catch (RuntimeException | Error e) {
+          fail(e);
+        }
+      }
+    }
+
+    private void frame(GL3 gl, int width, int height) {
+      if (!started) {
+        started = true;
+        source.start(gl);
+      }
+      if (width > 0 && height > 0) {
+        source.draw(gl, new FrameSize(width, height, scale()));
+        drawn++;
+      }
+    }
+
+    private void stop(GL3 gl) {
+      if (started) {
+        started = false;
+        try {
+          source.stop(gl);
+        } catch (RuntimeException | Error e) {
+          fail(e);
+        }
+      }
+    }
+
+    private float scale() {
+      return Math.max(1, window.getCurrentSurfaceScale(new float[2])[1]);
+    }
+
+    @Override
+    public void reshape(GLAutoDrawable drawable, int x, int y, int width, int height) {
+      // Each frame asks for the size.
+    }
+
+    @Override
+    public void dispose(GLAutoDrawable drawable) {
+      // Where the window went away before the last frame could be; the render thread waits.
+      stop(drawable.getGL().getGL3());
+    }
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * The window: its render loop, which owns the context, and its input.
+ *
+ * <p>In: NEWT's events, from NEWT's own threads. Out: calls of a {@link
+ * org.selectiverenderer.runtime.render.window.FrameSource} and of an {@link
+ * org.selectiverenderer.runtime.render.window.InputListener}, all on the render thread. Uses NEWT
+ * and {@code render.context}; no AWT.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.render.window;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,65 @@
+package org.selectiverenderer.runtime.render;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+
+/** A scene written in a test, or read from a file, with its instance tree. */
+public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) {
+
+  /** The scene with these nodes, in X3D's XML encoding. */
+  public static TestScene of(String nodes) {
+    String text = "<X3D profile='Full' version='4.0'><Scene>" + nodes + "</Scene></X3D>";
+    Problems problems = new Problems();
+    try (SceneLoader loader = loader(problems)) {
+      byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+      TestScene scene =
+          of(loader.load("test.x3d", new ByteArrayInputStream(bytes), Path.of("")), problems);
+      if (problems.any()) {
+        throw new IllegalArgumentException(problems.list().toString());
+      }
+      return scene;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  public static TestScene load(Path file) {
+    Problems problems = new Problems();
+    try (SceneLoader loader = loader(problems)) {
+      return of(loader.load(file), problems);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static SceneLoader loader(Problems problems) {
+    return new SceneLoader(
+        NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+  }
+
+  private static TestScene of(LoadedScene loaded, Problems problems) {
+    GroupingNode root = (GroupingNode) loaded.scene().root();
+    return new TestScene(loaded, new InstanceTree(root, loaded.assets()), new Cascade(problems));
+  }
+
+  /** Sends an event and lets the tree follow. */
+  public void set(String def, String field, Object value) {
+    Node node = loaded.scene().find(def).orElseThrow();
+    cascade.send(node, node.type().indexOf(field), value);
+    cascade.run();
+    tree.update();
+  }
+}
