@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4d;
+import org.joml.Vector3d;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
@@ -192,7 +193,8 @@ public final class World {
     }
     follower.follow();
     motion.move(viewer, now, dt);
-    instances.view(viewer.position(), cascade);
+    Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
+    instances.view(viewer.position(), up, cascade);
     instances.update();
     WorldFrame frame = new WorldFrame(now, viewer, instances);
     for (FrameNode node : frameNodes()) {

@@ -5,6 +5,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.runtime.Nodes;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.Texture;
@@ -13,7 +14,6 @@ import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.FewNodeTypes;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.geometry.Mesh;
@@ -28,11 +28,11 @@ final class TestWorld implements Assets {
   private InstanceTree tree;
 
   Node node(String type) {
-    return factory.make(FewNodeTypes.of(type), null, Location.of("test.x3d"));
+    return factory.make(Nodes.CATALOGUE.get(type), null, Location.of("test.x3d"));
   }
 
   Node shape(Mesh mesh) {
-    Node geometry = node("Geometry");
+    Node geometry = node("Box");
     meshes.put(geometry, mesh);
     Node shape = node("Shape");
     shape.init(shape.type().indexOf("geometry"), geometry);
