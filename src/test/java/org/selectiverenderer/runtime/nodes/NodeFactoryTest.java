@@ -41,7 +41,7 @@ class NodeFactoryTest {
             Core: ProtoInstance
             CubeMapTexturing: all
             DIS: all
-            EnvironmentalEffects: FogCoordinate LocalFog
+            EnvironmentalEffects: Fog FogCoordinate LocalFog
             Followers: all
             Geospatial: all
             HAnim: all
