@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.GroupInstance;
@@ -42,6 +44,7 @@ public final class World {
   private final ConcurrentLinkedQueue<Runnable> posted = new ConcurrentLinkedQueue<>();
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private Scene scene;
+  private Assets assets;
   private InstanceTree instances;
   private BindStacks bindables;
   private ViewpointFollower follower;
@@ -66,6 +69,7 @@ public final class World {
 
   private void place(LoadedScene loaded) {
     scene = loaded.scene();
+    assets = loaded.assets();
     instances = new InstanceTree((GroupingNode) scene.root(), loaded.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
@@ -82,6 +86,11 @@ public final class World {
 
   public InstanceTree instances() {
     return instances;
+  }
+
+  /** The meshes and images of the scene's nodes. */
+  public Assets assets() {
+    return assets;
   }
 
   public Viewer viewer() {
@@ -184,7 +193,8 @@ public final class World {
     }
     follower.follow();
     motion.move(viewer, now, dt);
-    instances.view(viewer.position(), cascade);
+    Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
+    instances.view(viewer.position(), up, cascade);
     instances.update();
     WorldFrame frame = new WorldFrame(now, viewer, instances);
     for (FrameNode node : frameNodes()) {

@@ -6,6 +6,7 @@ import java.util.Set;
 /** What the parts of one reader share while a file is read. */
 final class Reading {
   private static final int MESSAGE_LENGTH = 500;
+  private static final int LONGEST_NAME = 100;
 
   final NodeCatalogue catalogue;
   final ReadLimits limits;
@@ -13,6 +14,7 @@ final class Reading {
   private final String source;
   private final Problems problems;
   private final Set<Problem> replayed = new HashSet<>();
+  private int reported;
   private int spent;
   private int replays;
   private int depth;
@@ -46,7 +48,7 @@ final class Reading {
       report(
           new Problem(
               flaw.severity(),
-              place.inAttribute(attribute, flaw.offset() - leading),
+              crowded() ? place.location() : place.inAttribute(attribute, flaw.offset() - leading),
               name + ": " + flaw.message()));
     }
   }
@@ -56,7 +58,29 @@ final class Reading {
     if (replays > 0 && (replayed.size() >= Problems.LIMIT * 10 || !replayed.add(problem))) {
       return;
     }
+    reported++;
     problems.add(new Problem(problem.severity(), problem.location(), printable(problem.message())));
+  }
+
+  // Beyond the problems that are listed, looking for places and names would be work for nothing; a
+  // hostile file could make it quadratic.
+  private boolean crowded() {
+    return reported > Problems.LIMIT;
+  }
+
+  /** Where an attribute's name stands. */
+  Location at(Place place, int attribute) {
+    return crowded() ? place.location() : place.attribute(attribute);
+  }
+
+  /** Asks whether another name was meant, for the middle of a message; empty if none is near. */
+  String question(String name, Iterable<String> candidates) {
+    if (crowded() || name.length() > LONGEST_NAME) {
+      return "";
+    }
+    return Spelling.nearest(name, candidates)
+        .map(found -> " (did you mean " + found + "?)")
+        .orElse("");
   }
 
   /** A message is one line of a bearable length, whatever names the file has. */

@@ -41,13 +41,21 @@ final class PassiveNodes {
           "QuadSet",
           "Rectangle2D",
           "Sphere",
+          "Text",
           "TriangleFanSet",
           "TriangleSet",
           "TriangleSet2D",
           "TriangleStripSet");
 
   private static final Set<String> GEOMETRY_DATA =
-      Set.of("Color", "ColorRGBA", "Coordinate", "CoordinateDouble", "Normal", "TextureCoordinate");
+      Set.of(
+          "Color",
+          "ColorRGBA",
+          "Coordinate",
+          "CoordinateDouble",
+          "FontStyle",
+          "Normal",
+          "TextureCoordinate");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 

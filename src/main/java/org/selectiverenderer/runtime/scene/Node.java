@@ -27,7 +27,8 @@ public class Node implements NodeView {
   private @Nullable String name;
   private final @Nullable Object[] values;
   private Route[] routes = NO_ROUTES;
-  private NodeObserver[] observers = NO_OBSERVERS;
+  private @Nullable NodeObserver[] observers = NO_OBSERVERS;
+  private int observerCount;
   private Listening[] listeners = NO_LISTENERS;
   private long @Nullable [] sentIn;
   private @Nullable Object companion;
@@ -134,8 +135,8 @@ public class Node implements NodeView {
 
   /** Makes observers look at a field again, without an event. */
   protected final void tellObservers(int field) {
-    for (NodeObserver observer : observers) {
-      observer.changed(this, field);
+    for (int i = 0; i < observerCount; i++) {
+      observers[i].changed(this, field);
     }
   }
 
@@ -161,11 +162,21 @@ public class Node implements NodeView {
 
   /** Observers are told in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
-    observers = append(observers, observer);
+    if (observerCount == observers.length) {
+      // Doubled, since a node that is USEd in many places has as many observers.
+      observers = Arrays.copyOf(observers, Math.max(1, 2 * observerCount));
+    }
+    observers[observerCount++] = observer;
   }
 
   public final void removeObserver(NodeObserver observer) {
-    observers = remove(observers, observer);
+    for (int i = 0; i < observerCount; i++) {
+      if (observers[i].equals(observer)) {
+        System.arraycopy(observers, i + 1, observers, i, observerCount - i - 1);
+        observers[--observerCount] = null;
+        return;
+      }
+    }
   }
 
   /** Listeners are called in the order in which they were added. */

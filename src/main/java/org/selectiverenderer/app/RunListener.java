@@ -1,0 +1,15 @@
+package org.selectiverenderer.app;
+
+import org.selectiverenderer.x3d.Problem;
+
+/** Hears what a run has to say. Called on the stepping thread, or while loading, in order. */
+public interface RunListener {
+  /** Something is wrong with the scene. */
+  void problem(Problem problem);
+
+  /** A line of the time line. */
+  void happened(TimelineEvent event);
+
+  /** An application or a scene printed something through the SAI. */
+  void printed(String text);
+}

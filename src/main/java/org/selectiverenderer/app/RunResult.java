@@ -1,0 +1,12 @@
+package org.selectiverenderer.app;
+
+import java.util.Optional;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+
+/**
+ * How a run ended.
+ *
+ * @param problems whether anything was wrong with the scene
+ * @param screenshot the last frame, where it was asked for
+ */
+public record RunResult(RunFigures figures, boolean problems, Optional<Screenshot> screenshot) {}

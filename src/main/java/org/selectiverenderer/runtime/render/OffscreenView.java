@@ -1,0 +1,94 @@
+package org.selectiverenderer.runtime.render;
+
+import com.jogamp.opengl.GL3;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+
+/**
+ * A view of a world without a window. The thread that opens it owns its GL context and makes all
+ * calls.
+ */
+public final class OffscreenView implements AutoCloseable {
+  private static final long SECOND = 1_000_000_000L;
+
+  private final OffscreenContext context;
+  private final OffscreenTarget target;
+  private final WorldPainter painter = new WorldPainter();
+  private long previousFrame;
+
+  private OffscreenView(OffscreenContext context, OffscreenTarget target) {
+    this.context = context;
+    this.target = target;
+  }
+
+  /**
+   * Opens a context and a target.
+   *
+   * @param samples per pixel for anti-aliasing; 0 for none
+   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
+   *     display or no OpenGL 3.3
+   */
+  public static OffscreenView open(int width, int height, int samples) {
+    OffscreenContext context = OffscreenContext.open();
+    try {
+      return new OffscreenView(context, new OffscreenTarget(context.gl(), width, height, samples));
+    } catch (RuntimeException e) {
+      context.close();
+      throw e;
+    }
+  }
+
+  public GlInfo info() {
+    return context.info();
+  }
+
+  /** Sends all meshes and textures of the world to the graphics card. */
+  public void prepare(World world) {
+    painter.prepare(context.gl(), world);
+  }
+
+  /**
+   * Draws a frame. Like a window with two buffers it lets one frame be under way while the next is
+   * prepared: it returns when the frame before this one is complete.
+   */
+  public Drawn draw(World world) {
+    GL3 gl = context.gl();
+    target.bind(gl);
+    Drawn drawn = painter.paint(gl, world, target.width(), target.height());
+    long frame = gl.glFenceSync(GL3.GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.glFlush();
+    awaitPrevious(gl);
+    previousFrame = frame;
+    return drawn;
+  }
+
+  private void awaitPrevious(GL3 gl) {
+    if (previousFrame != 0) {
+      gl.glClientWaitSync(previousFrame, 0, SECOND);
+      gl.glDeleteSync(previousFrame);
+      previousFrame = 0;
+    }
+  }
+
+  /** Waits until everything is drawn. */
+  public void finish() {
+    target.finish(context.gl());
+  }
+
+  /** The picture last drawn. */
+  public Screenshot screenshot() {
+    return target.read(context.gl());
+  }
+
+  @Override
+  public void close() {
+    GL3 gl = context.gl();
+    awaitPrevious(gl);
+    painter.dispose(gl);
+    target.dispose(gl);
+    context.close();
+  }
+}
