@@ -76,12 +76,21 @@ public final class SceneLoader implements AutoCloseable {
    * @throws IOException with a one-line message when the file itself cannot be read
    */
   public LoadedScene load(Path file) throws IOException {
+    return load(file, problems);
+  }
+
+  /**
+   * As {@link #load(Path)}.
+   *
+   * @param heard hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(Path file, Problems heard) throws IOException {
     if (Files.isDirectory(file)) {
       throw new IOException(file + " is a folder, not a scene");
     }
     try (InputStream in = Files.newInputStream(file)) {
       Path real = file.toRealPath();
-      return build(load(file.toString(), in, real, folderOf(file)), file.toString());
+      return build(read(file.toString(), in, real, folderOf(file)), file.toString(), heard);
     } catch (NoSuchFileException e) {
       throw new NoSuchFileException(file + ": there is no such file");
     }
@@ -94,7 +103,17 @@ public final class SceneLoader implements AutoCloseable {
    * @param folder against which its urls are resolved
    */
   public LoadedScene load(String name, InputStream in, Path folder) throws IOException {
-    return build(load(name, new BufferedInputStream(in), folder, folder), name);
+    return load(name, in, folder, problems);
+  }
+
+  /**
+   * As {@link #load(String, InputStream, Path)}.
+   *
+   * @param heard hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(String name, InputStream in, Path folder, Problems heard)
+      throws IOException {
+    return build(read(name, new BufferedInputStream(in), folder, folder), name, heard);
   }
 
   private static Path folderOf(Path file) {
@@ -102,13 +121,13 @@ public final class SceneLoader implements AutoCloseable {
     return parent == null ? Path.of("") : parent;
   }
 
-  private FileContent load(String name, InputStream in, Path path, Path folder) throws IOException {
+  private FileContent read(String name, InputStream in, Path path, Path folder) throws IOException {
     ContentRoot root = new ContentRoot(folder.toAbsolutePath());
     return new FileLoader(reader, tessellator, executor, root).load(name, in, path, folder);
   }
 
-  private LoadedScene build(FileContent content, String name) {
-    Scene scene = new SceneBuilder(catalogue, factory, assets, problems).build(content, List.of());
+  private LoadedScene build(FileContent content, String name, Problems heard) {
+    Scene scene = new SceneBuilder(catalogue, factory, assets, heard).build(content, List.of());
     return new LoadedScene(scene, assets);
   }
 

@@ -1,7 +1,6 @@
 package org.selectiverenderer.runtime.scene;
 
 import java.util.ArrayDeque;
-import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.Problems;
 
@@ -110,7 +109,10 @@ public final class Cascade {
     notifications.add(new Notification(listener, node, field, value, time));
   }
 
-  /** Calls the listeners of everything that was sent, until they send no more. */
+  /**
+   * Calls the listeners of everything that was sent, until they send no more. Should one end in an
+   * error that {@link ApplicationCode} lets through, the rest are called in the next run.
+   */
   public void run() {
     if (running) {
       return; // A listener asked for it; the run that called it goes on.
@@ -133,15 +135,10 @@ public final class Cascade {
   }
 
   private void call(Notification next) {
-    try {
-      next.listener.fieldChanged(next.node, next.field, next.value, next.time);
-    } catch (RuntimeException | LinkageError e) {
-      problems.error(
-          next.node.location(),
-          "a listener of %s failed and was passed over: %s"
-              .formatted(
-                  next.node.type().fields().get(next.field).name(),
-                  Optional.ofNullable(e.getMessage()).orElse(e.getClass().getSimpleName())));
-    }
+    ApplicationCode.call(
+        problems,
+        next.node.location(),
+        "a listener of " + next.node.type().fields().get(next.field).name(),
+        () -> next.listener.fieldChanged(next.node, next.field, next.value, next.time));
   }
 }
