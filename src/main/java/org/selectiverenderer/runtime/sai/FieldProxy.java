@@ -209,7 +209,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
   /** Calls the listeners in order; one that was removed meanwhile is not called any more. */
   @Override
   public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
-    if (listeners == null || owner.binding().disposed()) {
+    if (listeners == null || owner.gone()) {
       return;
     }
     X3DFieldEvent event = new X3DFieldEvent(proxy, time, userData);

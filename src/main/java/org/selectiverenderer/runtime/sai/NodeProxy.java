@@ -57,6 +57,11 @@ final class NodeProxy implements InvocationHandler {
     realized = true;
   }
 
+  /** Whether the node or its browser was disposed of. */
+  boolean gone() {
+    return disposed || binding.disposed();
+  }
+
   /** Refuses further use of a node or a browser that was disposed of. */
   void check() {
     binding.check();

@@ -65,7 +65,7 @@ final class Values {
    */
   @Nullable Object fromArgument(FieldType type, @Nullable Object argument) {
     if (type.isNode()) {
-      return type.multiple() ? List.copyOf(nodes(argument)) : binding.unwrap((X3DNode) argument);
+      return type.multiple() ? List.copyOf(nodes(argument)) : node(argument);
     }
     if (argument == null) {
       throw new InvalidFieldValueException("null is no value of type " + type);
@@ -90,6 +90,13 @@ final class Values {
           "%d numbers are no whole tuples of %s".formatted(given, type));
     }
     return flat;
+  }
+
+  private @Nullable Node node(@Nullable Object argument) {
+    if (argument == null || argument instanceof X3DNode) {
+      return binding.unwrap((X3DNode) argument);
+    }
+    throw new InvalidNodeException("the object is no node of this browser");
   }
 
   private List<Node> nodes(@Nullable Object argument) {

@@ -23,7 +23,7 @@ public final class Cascade {
   private record First(Node node, int field, @Nullable Object value, boolean input) {}
 
   private record Notification(
-      FieldListener listener, Node node, int field, @Nullable Object value, double time) {}
+      FieldListener listener, Node node, int field, @Nullable Object value) {}
 
   private final ArrayDeque<Delivery> deliveries = new ArrayDeque<>();
   private final ArrayDeque<First> waiting = new ArrayDeque<>();
@@ -106,12 +106,13 @@ public final class Cascade {
   }
 
   void notify(FieldListener listener, Node node, int field, @Nullable Object value) {
-    notifications.add(new Notification(listener, node, field, value, time));
+    notifications.add(new Notification(listener, node, field, value));
   }
 
   /**
-   * Calls the listeners of everything that was sent, until they send no more. Should one end in an
-   * error that {@link ApplicationCode} lets through, the rest are called in the next run.
+   * Calls the listeners of everything that was sent, until they send no more. They hear the time
+   * stamp of now: what was sent between two frames belongs to the one that delivers it. Should one
+   * end in an error that {@link ApplicationCode} lets through, the rest are called in the next run.
    */
   public void run() {
     if (running) {
@@ -139,6 +140,6 @@ public final class Cascade {
         problems,
         next.node.location(),
         "a listener of " + next.node.type().fields().get(next.field).name(),
-        () -> next.listener.fieldChanged(next.node, next.field, next.value, next.time));
+        () -> next.listener.fieldChanged(next.node, next.field, next.value, time));
   }
 }
