@@ -46,12 +46,6 @@ final class FigureKeeper {
 
   RunFigures figures(GlInfo gl) {
     return new RunFigures(
-        loadMs,
-        firstFrameMs,
-        times.summary(),
-        polygons,
-        drawn,
-        ProcessMemory.peakMegabytes(),
-        gl);
+        loadMs, firstFrameMs, times.summary(), polygons, drawn, ProcessMemory.peakMegabytes(), gl);
   }
 }

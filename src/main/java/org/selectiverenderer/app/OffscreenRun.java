@@ -9,8 +9,8 @@ import org.selectiverenderer.runtime.render.OffscreenView;
 
 /**
  * Runs a scene without a window, as fast as it can be drawn. With a path its frames are those of a
- * simulation; without one the viewer stays at the start, for the duration or for a single frame. The
- * calling thread steps and draws.
+ * simulation; without one the viewer stays at the start, for the duration or for a single frame.
+ * The calling thread steps and draws.
  */
 public final class OffscreenRun {
   private final RunSettings settings;

@@ -2,15 +2,19 @@ package org.selectiverenderer.runtime;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.ReentrantLock;
-import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
-import org.selectiverenderer.runtime.instance.GroupInstance;
-import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.navigation.Colliders;
+import org.selectiverenderer.runtime.navigation.MeshBvhs;
+import org.selectiverenderer.runtime.navigation.Navigation;
+import org.selectiverenderer.runtime.navigation.NavigationFrame;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.nodes.BindStacks;
@@ -45,8 +49,13 @@ public final class World {
   private InstanceTree instances;
   private BindStacks bindables;
   private ViewpointFollower follower;
+  private LiveFiles files;
+  private Pointing pointing;
+  private Colliders colliders;
+  private MeshBvhs meshes = new MeshBvhs();
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
+  private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
   private final ReentrantLock lock = new ReentrantLock();
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
@@ -66,10 +75,32 @@ public final class World {
 
   private void place(LoadedScene loaded) {
     scene = loaded.scene();
-    instances = new InstanceTree((GroupingNode) scene.root(), loaded.assets());
+    LiveFiles live = new LiveFiles(loaded, problems, this::post);
+    files = live;
+    instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
-    frameNodesOf = 0;
+    meshes = new MeshBvhs();
+    colliders = new Colliders(instances, files.assets(), meshes);
+    Links links = new Links(scene, files, problems, linkTarget(live));
+    pointing = new Pointing(instances, meshes, links::follow);
+    frameNodesOf = -1;
+  }
+
+  private Links.Target linkTarget(LiveFiles from) {
+    return new Links.Target() {
+      @Override
+      public void bind(Node viewpoint) {
+        bindables.bind(viewpoint, cascade);
+      }
+
+      @Override
+      public void show(LoadedScene linked) {
+        if (files == from) { // Else the world shows another scene by now.
+          replace(linked);
+        }
+      }
+    };
   }
 
   public void onReplace(ReplaceListener listener) {
@@ -105,6 +136,33 @@ public final class World {
   /** What is to be seen behind everything. */
   public Backdrop backdrop() {
     return bindables.bound("X3DBackgroundNode").map(BackdropReader::read).orElse(Backdrop.BLACK);
+  }
+
+  /** How the user may move, by the bound NavigationInfo; walking when the scene has none. */
+  public Navigation navigation() {
+    return bindables.bound("NavigationInfo").map(Navigation::of).orElse(Navigation.WALKING);
+  }
+
+  /** How the bound viewpoint lies in the world: which way is up, how large the viewer is. */
+  public NavigationFrame navigationFrame() {
+    return bindables
+        .bound("X3DViewpointNode")
+        .map(follower::placeOf)
+        .map(NavigationFrame::of)
+        .orElse(NavigationFrame.WORLD);
+  }
+
+  /** What the viewer bumps into and stands on; another one after {@link #replace}. */
+  public Colliders colliders() {
+    return colliders;
+  }
+
+  /**
+   * The pointing device moved, or its button went down or up. Evaluated in the next step, before
+   * its events are carried. Thread-safe.
+   */
+  public void point(Pointer pointer) {
+    pointed.add(pointer);
   }
 
   /** The time of the last step in seconds; NaN before the first. */
@@ -170,15 +228,8 @@ public final class World {
     double dt = Double.isNaN(time) ? 0 : Math.max(0, now - time);
     time = now;
     cascade.at(now);
-    for (int open = posted.size(); open > 0; open--) {
-      Runnable task = posted.poll();
-      if (task != null) {
-        task.run();
-      }
-    }
-    cascade.run();
-    instances.update();
-    bindables.update(cascade);
+    runPosted();
+    settle();
     if (!running) {
       return;
     }
@@ -186,32 +237,52 @@ public final class World {
     motion.move(viewer, now, dt);
     instances.view(viewer.position(), cascade);
     instances.update();
+    pointing.frame(drain(pointed), viewer, cascade);
     WorldFrame frame = new WorldFrame(now, viewer, instances);
     for (FrameNode node : frameNodes()) {
       node.frame(frame, cascade);
     }
-    cascade.run();
-    instances.update();
+    settle();
   }
 
+  /** Those of this moment; what they post in turn waits for the next frame. */
+  private void runPosted() {
+    for (int open = posted.size(); open > 0; open--) {
+      Runnable task = posted.poll();
+      if (task != null) {
+        task.run();
+      }
+    }
+  }
+
+  /** Carries the events sent, and brings up to date what follows the scene. */
+  private void settle() {
+    cascade.run();
+    instances.update();
+    bindables.update(cascade);
+    cascade.run(); // Nodes that came or went may have been bound or unbound.
+    instances.update();
+    frameNodes();
+    files.update();
+  }
+
+  private static <T> List<T> drain(Queue<T> queue) {
+    List<T> drained = new ArrayList<>();
+    for (T next = queue.poll(); next != null; next = queue.poll()) {
+      drained.add(next);
+    }
+    return drained;
+  }
+
+  /** The nodes that look at every frame; follows the structure of the scene. */
   private List<FrameNode> frameNodes() {
     if (frameNodesOf != instances.structureVersion()) {
       frameNodesOf = instances.structureVersion();
-      List<FrameNode> found = new ArrayList<>();
-      collect(instances.root(), found);
-      frameNodes = found.stream().distinct().toList();
+      SceneWalk walk = SceneWalk.of(scene, instances);
+      frameNodes = walk.frameNodes();
+      files.watch(walk.inlines());
     }
     return frameNodes;
-  }
-
-  private static void collect(GroupInstance group, List<FrameNode> found) {
-    for (Instance child : group.children()) {
-      if (child instanceof GroupInstance inner) {
-        collect(inner, found);
-      } else if (child.node() instanceof FrameNode node) {
-        found.add(node);
-      }
-    }
   }
 
   /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */
@@ -240,7 +311,7 @@ public final class World {
   }
 
   /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */
-  public Matrix4d placeOf(Node viewpoint) {
+  public Matrix4dc placeOf(Node viewpoint) {
     return follower.placeOf(viewpoint);
   }
 }

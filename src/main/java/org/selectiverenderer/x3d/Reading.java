@@ -5,8 +5,6 @@ import java.util.Set;
 
 /** What the parts of one reader share while a file is read. */
 final class Reading {
-  private static final int MESSAGE_LENGTH = 500;
-
   final NodeCatalogue catalogue;
   final ReadLimits limits;
   final FieldParser parser = new FieldParser();
@@ -56,18 +54,7 @@ final class Reading {
     if (replays > 0 && (replayed.size() >= Problems.LIMIT * 10 || !replayed.add(problem))) {
       return;
     }
-    problems.add(new Problem(problem.severity(), problem.location(), printable(problem.message())));
-  }
-
-  /** A message is one line of a bearable length, whatever names the file has. */
-  private static String printable(String message) {
-    StringBuilder line = new StringBuilder(message.length());
-    message
-        .codePoints()
-        .limit(MESSAGE_LENGTH)
-        .map(c -> Character.isISOControl(c) ? '?' : c)
-        .forEach(line::appendCodePoint);
-    return message.length() > MESSAGE_LENGTH ? line + "..." : line.toString();
+    problems.add(problem);
   }
 
   void startReplay() {

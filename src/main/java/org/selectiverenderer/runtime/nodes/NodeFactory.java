@@ -74,8 +74,9 @@ public final class NodeFactory {
   }
 
   /**
-   * Whether the runtime does something with nodes of a type: they behave, are drawn, light, or are
-   * data that is read. Nodes of other types are kept with their fields, and that is all.
+   * Whether the runtime does something with nodes of a type: they behave, light, or are data that
+   * is read. Nodes of other types are kept with their fields, and that is all, unless they are
+   * geometry of which meshes are made.
    */
   public boolean actsOn(NodeType type) {
     return makers.containsKey(type.name()) || PassiveNodes.isRead(type.name());

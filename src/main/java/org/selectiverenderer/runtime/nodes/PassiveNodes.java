@@ -2,7 +2,10 @@ package org.selectiverenderer.runtime.nodes;
 
 import java.util.Set;
 
-/** The node types without a behaviour that others read: to draw, to light, to describe. */
+/**
+ * The node types without a behaviour that others read: to draw, to light, to describe. Geometry is
+ * not among them: whoever makes meshes of it knows which he can.
+ */
 final class PassiveNodes {
   private static final Set<String> SHAPES =
       Set.of(
@@ -17,37 +20,16 @@ final class PassiveNodes {
           "MultiTexture",
           "TextureTransform");
 
-  private static final Set<String> GEOMETRY =
-      Set.of(
-          "Arc2D",
-          "ArcClose2D",
-          "Box",
-          "Circle2D",
-          "Cone",
-          "Cylinder",
-          "Disk2D",
-          "ElevationGrid",
-          "Extrusion",
-          "IndexedFaceSet",
-          "IndexedLineSet",
-          "IndexedQuadSet",
-          "IndexedTriangleFanSet",
-          "IndexedTriangleSet",
-          "IndexedTriangleStripSet",
-          "LineSet",
-          "PointSet",
-          "Polyline2D",
-          "Polypoint2D",
-          "QuadSet",
-          "Rectangle2D",
-          "Sphere",
-          "TriangleFanSet",
-          "TriangleSet",
-          "TriangleSet2D",
-          "TriangleStripSet");
-
   private static final Set<String> GEOMETRY_DATA =
-      Set.of("Color", "ColorRGBA", "Coordinate", "CoordinateDouble", "Normal", "TextureCoordinate");
+      Set.of(
+          "Color",
+          "ColorRGBA",
+          "Coordinate",
+          "CoordinateDouble",
+          "FontStyle",
+          "MultiTextureCoordinate",
+          "Normal",
+          "TextureCoordinate");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
@@ -65,7 +47,6 @@ final class PassiveNodes {
 
   static boolean isRead(String typeName) {
     return SHAPES.contains(typeName)
-        || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
         || LIGHTS.contains(typeName)
         || DESCRIPTIONS.contains(typeName);

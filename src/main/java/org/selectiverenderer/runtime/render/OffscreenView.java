@@ -34,8 +34,7 @@ public final class OffscreenView implements AutoCloseable {
   public static OffscreenView open(int width, int height, int samples) {
     OffscreenContext context = OffscreenContext.open();
     try {
-      return new OffscreenView(
-          context, new OffscreenTarget(context.gl(), width, height, samples));
+      return new OffscreenView(context, new OffscreenTarget(context.gl(), width, height, samples));
     } catch (RuntimeException e) {
       context.close();
       throw e;

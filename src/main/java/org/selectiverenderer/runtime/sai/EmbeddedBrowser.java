@@ -283,7 +283,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
     execute(
         () -> {
           current = embedded;
-          world.replace(new LoadedScene(embedded.scene(), loader.assets()));
+          world.replace(new LoadedScene(embedded.scene(), loader));
         });
   }
 
