@@ -53,11 +53,11 @@ final class ImageDecoder {
   private static void spend(long pixels, AtomicLong budget) throws IOException {
     if (pixels > MAX_PIXELS) {
       throw new IOException(
-          "has %d pixels, more than the %d that an image may have".formatted(pixels, MAX_PIXELS));
+          "has %s pixels, more than the %s that an image may have".formatted(pixels, MAX_PIXELS));
     }
     if (budget.addAndGet(-BYTES * pixels) < 0) {
       budget.addAndGet(BYTES * pixels);
-      throw new IOException("has %d pixels, for which there is no more memory".formatted(pixels));
+      throw new IOException("has %s pixels, for which there is no more memory".formatted(pixels));
     }
   }
 
@@ -106,7 +106,7 @@ final class ImageDecoder {
     long pixels = (long) width * height;
     if (pixels > MAX_PIXELS || image.length - 3 < pixels) {
       throw new IOException(
-          "names %d x %d pixels and holds %d".formatted(width, height, image.length - 3));
+          "names %s x %s pixels and holds %s".formatted(width, height, image.length - 3));
     }
     byte[] rgba = new byte[(int) pixels * 4];
     for (int i = 0; i < pixels; i++) {

@@ -181,7 +181,7 @@ final class SceneBuilder {
       if (depth >= MAX_DEPTH) {
         content.error(
             parsed.location(),
-            "nodes and Inlines are nested more than %d deep; the %s is left out"
+            "nodes and Inlines are nested more than %s deep; the %s is left out"
                 .formatted(MAX_DEPTH, parsed.type().name()));
         return false;
       }
@@ -190,7 +190,7 @@ final class SceneBuilder {
         tooMany = true;
         content.error(
             parsed.location(),
-            "with its Inlines the scene has more than %d nodes, an Inline counted as %d; the rest is left out"
+            "with its Inlines the scene has more than %s nodes, an Inline counted as %s; the rest is left out"
                 .formatted(maxNodes, SCENE_COST));
       }
       return !tooMany;
@@ -243,7 +243,7 @@ final class SceneBuilder {
       } else if (origin.including().size() > MAX_INLINES) {
         content.error(
             inline.location(),
-            "Inlines are nested more than %d deep; the Inline of %s is left out"
+            "Inlines are nested more than %s deep; the Inline of %s is left out"
                 .formatted(MAX_INLINES, name));
       } else {
         Scene included = SceneBuilder.this.build(inner, origin.including());

@@ -21,7 +21,7 @@ final class ImageValues {
     }
     if (pixels.length < width * height) {
       throw new InvalidFieldValueException(
-          "%d x %d pixels are announced, %d are given".formatted(width, height, pixels.length));
+          "%s x %s pixels are announced, %s are given".formatted(width, height, pixels.length));
     }
     int[] value = new int[3 + width * height];
     value[0] = width;

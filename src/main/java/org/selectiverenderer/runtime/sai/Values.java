@@ -45,7 +45,7 @@ final class Values {
       int given = Array.getLength(flat);
       if (given < type.components()) {
         throw new InvalidFieldValueException(
-            "%s needs %d components, not %d".formatted(type, type.components(), given));
+            "%s needs %s components, not %s".formatted(type, type.components(), given));
       }
       return copy(flat, type.components());
     }
@@ -169,7 +169,7 @@ final class Values {
   private static void check(FieldType type, Object value, int index, boolean endAllowed) {
     int size = size(type, value);
     if (index < 0 || index > size || (index == size && !endAllowed)) {
-      throw new ArrayIndexOutOfBoundsException("index %d of %d values".formatted(index, size));
+      throw new ArrayIndexOutOfBoundsException("index %s of %s values".formatted(index, size));
     }
   }
 
@@ -181,7 +181,7 @@ final class Values {
     }
     if (all == null || Array.getLength(all) < count * type.components()) {
       throw new InvalidFieldValueException(
-          "%d values of %s are announced, fewer are given".formatted(count, type));
+          "%s values of %s are announced, fewer are given".formatted(count, type));
     }
     return copy(all, count * type.components());
   }
