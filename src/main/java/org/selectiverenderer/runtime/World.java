@@ -31,7 +31,8 @@ import org.selectiverenderer.x3d.Problems;
  * instance tree brought up to date; what is drawn afterwards shows all of it. With the same scene,
  * times and motion the same frames come out.
  *
- * <p>Threads: one thread steps the world and may touch it between steps; others {@link #post}.
+ * <p>Threads: one thread steps the world and may read it between steps, in {@link #hold} when
+ * others may {@link #execute} meanwhile.
  */
 public final class World {
   /** Hears that the world shows another scene. */
@@ -191,6 +192,19 @@ public final class World {
       } finally {
         lock.unlock();
       }
+    }
+  }
+
+  /**
+   * Runs a task, such as drawing, while no other thread changes the world. For the stepping thread,
+   * between steps.
+   */
+  public void hold(Runnable task) {
+    lock.lock();
+    try {
+      task.run();
+    } finally {
+      lock.unlock();
     }
   }
 
