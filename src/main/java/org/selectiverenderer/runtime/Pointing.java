@@ -1,19 +1,18 @@
 package org.selectiverenderer.runtime;
 
-import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.TouchDispatch;
 import org.selectiverenderer.runtime.navigation.MeshBvhs;
 import org.selectiverenderer.runtime.navigation.RayCaster;
 import org.selectiverenderer.runtime.navigation.Viewer;
-import org.selectiverenderer.runtime.nodes.TouchSensorNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 
 /**
@@ -24,13 +23,13 @@ import org.selectiverenderer.runtime.scene.Cascade;
  */
 final class Pointing {
   private final InstanceTree instances;
-  private final RayCaster rays;
+  private final MeshBvhs meshes;
+  private @Nullable RayCaster rays;
   private final Consumer<GroupInstance> activated;
   private final TouchDispatch touch = new TouchDispatch();
   private Pointer last = Pointer.AWAY;
   private Optional<GroupInstance> pressedOn = Optional.empty();
-  private long structure = -1;
-  private boolean anythingToTouch;
+  private boolean touchable;
 
   /**
    * @param activated hears of an Anchor that the user clicked on
@@ -38,20 +37,19 @@ final class Pointing {
   Pointing(InstanceTree instances, MeshBvhs meshes, Consumer<GroupInstance> activated) {
     this.instances = instances;
     this.activated = activated;
-    rays = new RayCaster(instances, meshes);
+    this.meshes = meshes;
+  }
+
+  /** Whether there is a TouchSensor or an Anchor: without any, no ray is cast. */
+  void touchable(boolean anything) {
+    touchable = anything;
   }
 
   /**
    * @param since what the device said since the last frame, oldest first
    */
   void frame(List<Pointer> since, Viewer viewer, Cascade cascade) {
-    if (structure != instances.structureVersion()) {
-      structure = instances.structureVersion();
-      anythingToTouch =
-          instances.otherNodes().stream().anyMatch(TouchSensorNode.class::isInstance)
-              || hasAnchor();
-    }
-    if (!anythingToTouch) {
+    if (!touchable) {
       last = since.isEmpty() ? last : since.get(since.size() - 1);
       return;
     }
@@ -62,26 +60,12 @@ final class Pointing {
     }
   }
 
-  private boolean hasAnchor() {
-    ArrayDeque<GroupInstance> open = new ArrayDeque<>(List.of(instances.root()));
-    while (!open.isEmpty()) {
-      GroupInstance group = open.pop();
-      if (group.node().type().name().equals("Anchor")) {
-        return true;
-      }
-      group.children().stream()
-          .filter(GroupInstance.class::isInstance)
-          .forEach(child -> open.push((GroupInstance) child));
-    }
-    return false;
-  }
-
   private void point(Pointer pointer, Viewer viewer, Cascade cascade) {
     Optional<TouchDispatch.Hit> hit =
         pointer
             .direction()
             .map(direction -> viewer.orientation().transform(direction, new Vector3d()))
-            .flatMap((Vector3dc ray) -> rays.cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
+            .flatMap((Vector3dc ray) -> rays().cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
             .map(Pointing::touched);
     touch.point(hit, pointer.pressed(), cascade);
     Optional<GroupInstance> anchor = hit.flatMap(at -> TouchDispatch.anchor(at.shape()));
@@ -92,6 +76,13 @@ final class Pointing {
       pressedOn = Optional.empty();
     }
     last = pointer;
+  }
+
+  private RayCaster rays() {
+    if (rays == null) {
+      rays = new RayCaster(instances, meshes);
+    }
+    return rays;
   }
 
   private static TouchDispatch.Hit touched(RayCaster.Hit hit) {

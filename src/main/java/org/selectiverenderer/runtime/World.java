@@ -295,6 +295,7 @@ public final class World {
       SceneWalk walk = SceneWalk.of(scene, instances);
       frameNodes = walk.frameNodes();
       files.watch(walk.inlines());
+      pointing.touchable(walk.touchable());
     }
     return frameNodes;
   }

@@ -2,8 +2,8 @@ package org.selectiverenderer.runtime.loading;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -42,7 +42,8 @@ final class SceneBuilder {
   private final SceneStore store;
   private final ContentRoot root;
   private final int maxNodes;
-  private final Set<FileContent> files = new LinkedHashSet<>();
+  private final List<FileContent> files = new ArrayList<>();
+  private final Set<FileContent> known = Collections.newSetFromMap(new IdentityHashMap<>());
   private int nodes;
   private boolean tooMany;
   private int depth;
@@ -64,7 +65,9 @@ final class SceneBuilder {
    * @param above the files that this one is inlined by, outermost first
    */
   Scene build(FileContent content, List<Path> above) {
-    files.add(content);
+    if (known.add(content)) {
+      files.add(content);
+    }
     return new FileBuilder(content, above).build();
   }
 
@@ -78,11 +81,13 @@ final class SceneBuilder {
     private final FileContent content;
     private final Origin origin;
     private final Scene scene;
-    private final Map<ParsedNode, Node> made = new IdentityHashMap<>();
+    private final Map<ParsedNode, Node> made;
 
     FileBuilder(FileContent content, List<Path> above) {
       this.content = content;
       X3dFile file = content.file();
+      // Nearly no growing: a node with a name has some without in it.
+      made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<Path> including = new ArrayList<>(above);
       including.add(content.path());
       origin = new Origin(root, content.folder(), List.copyOf(including), Scene.unitLength(file));

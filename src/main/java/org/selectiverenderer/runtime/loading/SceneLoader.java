@@ -12,6 +12,11 @@ import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
+import org.joml.FrustumIntersection;
+import org.joml.Matrix4d;
+import org.joml.Matrix4f;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
@@ -62,6 +67,16 @@ public final class SceneLoader implements AutoCloseable {
                     : Optional.empty());
     store = new SceneStore(assets, type -> factory.actsOn(type) || tessellator.handles(type));
     threads = threads();
+    threads.execute(SceneLoader::loadMatrices);
+  }
+
+  /**
+   * Loads JOML's classes while the first file is read. They are of an old format, which class-data
+   * sharing passes over, so that it takes some 20 ms, which the world would otherwise wait for.
+   */
+  private static void loadMatrices() {
+    Matrix4d matrix = new Matrix4d().translationRotate(new Vector3d(), new Quaterniond());
+    new FrustumIntersection(new Matrix4f(matrix));
   }
 
   /**

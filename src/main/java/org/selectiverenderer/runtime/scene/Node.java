@@ -28,6 +28,7 @@ public class Node implements NodeView {
   private final @Nullable Object[] values;
   private Route[] routes = NO_ROUTES;
   private NodeObserver[] observers = NO_OBSERVERS;
+  private int observerCount;
   private Listening[] listeners = NO_LISTENERS;
   private long @Nullable [] sentIn;
   private @Nullable Object companion;
@@ -134,8 +135,10 @@ public class Node implements NodeView {
 
   /** Makes observers look at a field again, without an event: what it leads to has changed. */
   public final void tellObservers(int field) {
-    for (NodeObserver observer : observers) {
-      observer.changed(this, field);
+    NodeObserver[] now = observers;
+    int count = observerCount;
+    for (int i = 0; i < count; i++) {
+      now[i].changed(this, field);
     }
   }
 
@@ -161,11 +164,23 @@ public class Node implements NodeView {
 
   /** Observers are told in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
-    observers = append(observers, observer);
+    // A node that is USEd in many places has an observer in each.
+    if (observerCount == observers.length) {
+      observers = Arrays.copyOf(observers, Math.max(1, 2 * observerCount));
+    }
+    observers[observerCount++] = observer;
   }
 
   public final void removeObserver(NodeObserver observer) {
-    observers = remove(observers, observer);
+    int at = Arrays.asList(observers).indexOf(observer);
+    if (at >= 0) {
+      // A copy: an observer may leave while observers are being told.
+      NodeObserver[] fewer = new NodeObserver[observerCount - 1];
+      System.arraycopy(observers, 0, fewer, 0, at);
+      System.arraycopy(observers, at + 1, fewer, at, observerCount - at - 1);
+      observers = fewer;
+      observerCount--;
+    }
   }
 
   /** Listeners are called in the order in which they were added. */
