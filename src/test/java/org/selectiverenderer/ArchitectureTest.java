@@ -104,10 +104,10 @@ class ArchitectureTest {
           .resideInAPackage(of("cli"));
 
   @ArchTest
-  static final ArchRule onlyTheCommandLineUsesTheProgramsThatItStarts =
+  static final ArchRule onlyTheCommandLineAndTheBenchmarkUseTheProgram =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("cli"), of("app"))
+          .resideOutsideOfPackages(of("cli"), of("bench"), of("app"))
           .should()
           .dependOnClassesThat()
           .resideInAPackage(of("app"));

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app;
 
+import java.lang.management.ManagementFactory;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.FrameTimes;
 import org.selectiverenderer.runtime.render.context.GlInfo;
@@ -15,6 +16,7 @@ final class FigureKeeper {
   private PolygonCount drawn = PolygonCount.NONE;
   private double loadMs;
   private double firstFrameMs;
+  private double processToFirstFrameMs;
   private long lastFrame;
 
   /** The scene is ready to be stepped. */
@@ -25,6 +27,8 @@ final class FigureKeeper {
   /** The first frame is completely drawn. */
   void firstFrame(long scenePolygons, Drawn frame) {
     firstFrameMs = since(begun);
+    processToFirstFrameMs =
+        System.currentTimeMillis() - ManagementFactory.getRuntimeMXBean().getStartTime();
     count(scenePolygons, frame);
   }
 
@@ -46,6 +50,13 @@ final class FigureKeeper {
 
   RunFigures figures(GlInfo gl) {
     return new RunFigures(
-        loadMs, firstFrameMs, times.summary(), polygons, drawn, ProcessMemory.peakMegabytes(), gl);
+        loadMs,
+        firstFrameMs,
+        processToFirstFrameMs,
+        times.summary(),
+        polygons,
+        drawn,
+        ProcessMemory.peakMegabytes(),
+        gl);
   }
 }

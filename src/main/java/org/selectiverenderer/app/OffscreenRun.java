@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Optional;
 import org.selectiverenderer.runtime.navigation.PathMotion;
 import org.selectiverenderer.runtime.navigation.ViewerMotion;
+import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.OffscreenView;
 
@@ -14,14 +15,9 @@ import org.selectiverenderer.runtime.render.OffscreenView;
  */
 public final class OffscreenRun {
   private final RunSettings settings;
-  private final int samples;
 
-  /**
-   * @param samples per pixel for anti-aliasing; 0 for none
-   */
-  public OffscreenRun(RunSettings settings, int samples) {
+  public OffscreenRun(RunSettings settings) {
     this.settings = settings;
-    this.samples = samples;
   }
 
   /**
@@ -31,7 +27,7 @@ public final class OffscreenRun {
     FigureKeeper keeper = new FigureKeeper();
     try (SceneOpening opening = new SceneOpening(settings, listener);
         // The context comes up while the scene is being read.
-        OffscreenView view = OffscreenView.open(settings.width(), settings.height(), samples);
+        OffscreenView view = OffscreenView.open(settings.width(), settings.height(), samples());
         Walkthrough walk = opening.await()) {
       keeper.loaded();
       walk(walk, view, keeper);
@@ -39,6 +35,14 @@ public final class OffscreenRun {
       return new RunResult(
           keeper.figures(view.info()), walk.problems().any(), Optional.of(view.screenshot()));
     }
+  }
+
+  /** A single picture is worth smooth edges; many are not where they take too long. */
+  private int samples() {
+    boolean still = settings.path().isEmpty() && settings.duration().isEmpty();
+    return settings
+        .samples()
+        .orElseGet(() -> still ? AntiAliasing.SMOOTH : AntiAliasing.forMotion());
   }
 
   private void walk(Walkthrough walk, OffscreenView view, FigureKeeper keeper) {

@@ -11,6 +11,7 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
  *
  * @param loadMs from the beginning of reading until the scene is ready to be stepped
  * @param firstFrameMs from the beginning of reading until the first frame is completely drawn
+ * @param processToFirstFrameMs from the start of the process until then
  * @param times of the frames after the first, from one to the next
  * @param polygons of the whole scene in its versions, seen or not, per frame
  * @param drawn triangles sent to the graphics card after culling, per frame
@@ -18,6 +19,7 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
 public record RunFigures(
     double loadMs,
     double firstFrameMs,
+    double processToFirstFrameMs,
     FrameTimes.Summary times,
     PolygonCount polygons,
     PolygonCount drawn,
@@ -32,6 +34,7 @@ public record RunFigures(
     node.put("fps", tenth(times.framesPerSecond()));
     node.put("load_ms", tenth(loadMs));
     node.put("first_frame_ms", tenth(firstFrameMs));
+    node.put("process_to_first_frame_ms", tenth(processToFirstFrameMs));
     node.putObject("frame_ms")
         .put("p50", hundredth(times.p50()))
         .put("p95", hundredth(times.p95()))

@@ -3,6 +3,7 @@ package org.selectiverenderer.app;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.runtime.navigation.CameraPath;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
@@ -14,6 +15,7 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  * @param duration seconds after which the run ends by itself
  * @param width of the picture in pixels
  * @param height of the picture in pixels
+ * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
  * @param mouse what the mouse buttons do
  */
 public record RunSettings(
@@ -23,10 +25,8 @@ public record RunSettings(
     OptionalDouble duration,
     int width,
     int height,
+    OptionalInt samples,
     MouseMapping mouse) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;
-
-  /** Samples per pixel for anti-aliasing in windows and pictures. */
-  public static final int SAMPLES = 4;
 }

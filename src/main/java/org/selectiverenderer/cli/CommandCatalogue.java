@@ -7,6 +7,7 @@ final class CommandCatalogue {
   private CommandCatalogue() {}
 
   static List<CliCommand> commands(Console console) {
-    return List.of(new SimulateCommand(console));
+    return List.of(
+        new RunCommand(console), new SimulateCommand(console), new BenchCommand(console));
   }
 }

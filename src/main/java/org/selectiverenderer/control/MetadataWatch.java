@@ -47,8 +47,10 @@ final class MetadataWatch {
 
   private void watch(SaiMetadata source, Set<SaiMetadata> seen) {
     if (seen.add(source)) {
-      watch(source.node(), "name");
       watch(source.node(), "value");
+      if (!source.isSet()) { // the name of a set means nothing here
+        watch(source.node(), "name");
+      }
       source.children().forEach(child -> watch(child, seen));
     }
   }

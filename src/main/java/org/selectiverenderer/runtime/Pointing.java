@@ -65,7 +65,8 @@ final class Pointing {
         pointer
             .direction()
             .map(direction -> viewer.orientation().transform(direction, new Vector3d()))
-            .flatMap((Vector3dc ray) -> rays().cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
+            .flatMap(
+                (Vector3dc ray) -> rays().cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
             .map(Pointing::touched);
     touch.point(hit, pointer.pressed(), cascade);
     Optional<GroupInstance> anchor = hit.flatMap(at -> TouchDispatch.anchor(at.shape()));

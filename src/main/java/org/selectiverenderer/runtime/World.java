@@ -6,15 +6,14 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
-import org.selectiverenderer.runtime.navigation.Colliders;
 import org.selectiverenderer.runtime.navigation.MeshBvhs;
-import org.selectiverenderer.runtime.navigation.Navigation;
-import org.selectiverenderer.runtime.navigation.NavigationFrame;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.nodes.BindStacks;
@@ -52,8 +51,7 @@ public final class World {
   private ViewpointFollower follower;
   private LiveFiles files;
   private Pointing pointing;
-  private Colliders colliders;
-  private MeshBvhs meshes = new MeshBvhs();
+  private final MeshBvhs meshes = new MeshBvhs();
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
   private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
@@ -81,8 +79,6 @@ public final class World {
     instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
-    meshes = new MeshBvhs();
-    colliders = new Colliders(instances, files.assets(), meshes);
     Links links = new Links(scene, files, problems, linkTarget(live));
     pointing = new Pointing(instances, meshes, links::follow);
     frameNodesOf = -1;
@@ -116,6 +112,16 @@ public final class World {
     return instances;
   }
 
+  /** The meshes and images of the scene's nodes. */
+  public Assets assets() {
+    return files.assets();
+  }
+
+  /** What rays and collisions search the meshes by; made where it is needed, for all to share. */
+  public MeshBvhs meshes() {
+    return meshes;
+  }
+
   public Viewer viewer() {
     return viewer;
   }
@@ -137,25 +143,6 @@ public final class World {
   /** What is to be seen behind everything. */
   public Backdrop backdrop() {
     return bindables.bound("X3DBackgroundNode").map(BackdropReader::read).orElse(Backdrop.BLACK);
-  }
-
-  /** How the user may move, by the bound NavigationInfo; walking when the scene has none. */
-  public Navigation navigation() {
-    return bindables.bound("NavigationInfo").map(Navigation::of).orElse(Navigation.WALKING);
-  }
-
-  /** How the bound viewpoint lies in the world: which way is up, how large the viewer is. */
-  public NavigationFrame navigationFrame() {
-    return bindables
-        .bound("X3DViewpointNode")
-        .map(follower::placeOf)
-        .map(NavigationFrame::of)
-        .orElse(NavigationFrame.WORLD);
-  }
-
-  /** What the viewer bumps into and stands on; another one after {@link #replace}. */
-  public Colliders colliders() {
-    return colliders;
   }
 
   /**
@@ -249,7 +236,8 @@ public final class World {
     }
     follower.follow();
     motion.move(viewer, now, dt);
-    instances.view(viewer.position(), cascade);
+    Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
+    instances.view(viewer.position(), up, cascade);
     instances.update();
     pointing.frame(drain(pointed), viewer, cascade);
     WorldFrame frame = new WorldFrame(now, viewer, instances);

@@ -95,7 +95,7 @@ final class DocumentReader implements NodeReader.Links {
                 in.location(),
                 in.name()
                     + " does not belong into the head"
-                    + Spelling.question(in.name(), List.of("component", "meta", "unit"))
+                    + reading.question(in.name(), List.of("component", "meta", "unit"))
                     + "; it is left out");
       }
       in.skip();
@@ -140,7 +140,7 @@ final class DocumentReader implements NodeReader.Links {
         export.location(),
         "no node is called "
             + export.localDef()
-            + Spelling.question(export.localDef(), scope.names().keySet())
+            + reading.question(export.localDef(), scope.names().keySet())
             + "; the EXPORT is left out");
     return true;
   }

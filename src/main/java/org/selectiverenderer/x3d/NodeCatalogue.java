@@ -12,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
@@ -72,6 +73,11 @@ public final class NodeCatalogue {
       all.add(get(name));
     }
     return Collections.unmodifiableList(all);
+  }
+
+  /** The names of all node types, in alphabetical order. */
+  Set<String> names() {
+    return rows.keySet();
   }
 
   /** The node that somebody who wrote an unknown name probably meant. */

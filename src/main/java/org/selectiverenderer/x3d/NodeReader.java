@@ -24,13 +24,17 @@ final class NodeReader {
   private final Reading reading;
   private final RouteReader routes;
   private final Links links;
-  private final ProtoReader prototypes;
+  private final ProtoDeclarationReader declarations;
+  private final ProtoInstanceReader instances;
+  private final IsReader connecting;
 
   NodeReader(Reading reading, RouteReader routes, Links links) {
     this.reading = reading;
     this.routes = routes;
     this.links = links;
-    this.prototypes = new ProtoReader(reading, this, routes);
+    this.declarations = new ProtoDeclarationReader(reading);
+    this.connecting = new IsReader(reading);
+    this.instances = new ProtoInstanceReader(reading, this, routes, connecting);
   }
 
   /** Reads the current element to its end. Null when it is no node or is left out. */
@@ -51,10 +55,10 @@ final class NodeReader {
     try {
       switch (in.name()) {
         case "ROUTE" -> routes.read(in, scope);
-        case "ProtoDeclare" -> prototypes.declare(in, scope);
-        case "ExternProtoDeclare" -> prototypes.declareExternal(in, scope);
+        case "ProtoDeclare" -> declarations.declare(in, scope);
+        case "ExternProtoDeclare" -> declarations.declareExternal(in, scope);
         case "ProtoInstance" -> {
-          return prototypes.instance(in, scope, name);
+          return instances.instance(in, scope, name);
         }
         case "IMPORT", "EXPORT" -> {
           links.link(in);
@@ -69,11 +73,7 @@ final class NodeReader {
               in.location(),
               "unknown element "
                   + in.name()
-                  + reading
-                      .catalogue
-                      .suggestion(shortened(in.name()))
-                      .map(found -> " (did you mean " + found + "?)")
-                      .orElse("")
+                  + reading.question(in.name(), reading.catalogue.names())
                   + "; it and its children are left out");
           in.skip();
         }
@@ -82,10 +82,6 @@ final class NodeReader {
     } finally {
       reading.leave();
     }
-  }
-
-  private static String shortened(String name) {
-    return name.substring(0, Math.min(name.length(), 100));
   }
 
   private @Nullable Child node(
@@ -133,29 +129,33 @@ final class NodeReader {
    * Reads an element with USE: the node that has the name, as long as it is a node of that kind.
    */
   @Nullable Child use(ElementCursor in, Scope scope, String name, String element) {
-    Location location = in.place().attribute(in.indexOf("USE"));
+    Place place = in.place();
+    int attribute = in.indexOf("USE");
     String containerField = in.attribute("containerField");
     in.skip();
     Scope.Named found = scope.find(name);
     if (found == null) {
       reading.error(
-          location,
+          reading.at(place, attribute),
           "no node before this is called "
               + name
-              + Spelling.question(name, scope.names().keySet())
+              + reading.question(name, scope.names().keySet())
               + "; the USE is left out");
       return null;
     }
     if (scope.isOpen(found.node())) {
-      reading.error(location, name + " would become a part of itself here; the USE is left out");
+      reading.error(
+          reading.at(place, attribute),
+          name + " would become a part of itself here; the USE is left out");
       return null;
     }
     String kind = found.instance() != null ? "ProtoInstance" : found.node().type().name();
     if (!kind.equals(element)) {
       reading.warning(
-          location, name + " is a " + kind + ", not a " + element + "; the " + kind + " is used");
+          reading.at(place, attribute),
+          name + " is a " + kind + ", not a " + element + "; the " + kind + " is used");
     }
-    return new Child(found, containerField, location);
+    return new Child(found, containerField, place.location());
   }
 
   private void attributes(ElementCursor in, ParsedNode node) {
@@ -170,21 +170,21 @@ final class NodeReader {
           }
           default ->
               reading.warning(
-                  in.place().attribute(i),
+                  reading.at(in.place(), i),
                   type
                       + " has no field "
                       + name
-                      + Spelling.question(
+                      + reading.question(
                           name, type.fields().stream().map(FieldDefinition::name).toList())
                       + "; it is left out");
         }
       } else if (field.type().isNode()) {
         reading.warning(
-            in.place().attribute(i),
+            reading.at(in.place(), i),
             name + " of " + type + " is given by a child element; the attribute is left out");
       } else if (!field.access().initialisable()) {
         reading.warning(
-            in.place().attribute(i),
+            reading.at(in.place(), i),
             name + " of " + type + " is for events and has no value in a file; it is left out");
       } else {
         Object value = in.attributeValue(i, field.type());
@@ -206,7 +206,7 @@ final class NodeReader {
     Children children = new Children(node, reading);
     while (in.next()) {
       if (in.name().equals("IS")) {
-        prototypes.connect(in, scope, named, children);
+        connecting.connect(in, scope, named, children);
       } else if (in.name().equals("field") && node.type().field("field").isPresent()) {
         scriptField(in, scope);
       } else {

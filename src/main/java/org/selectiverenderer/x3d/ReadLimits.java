@@ -11,11 +11,12 @@ package org.selectiverenderer.x3d;
 public record ReadLimits(long maxBytes, int maxRatio, int maxDepth, int maxNodes) {
   /**
    * 1 GiB but no more than a quarter of the heap, since the text is held while it is read; 1000:1,
-   * where real scenes have 3:1 to 30:1; 500 levels; 4 million nodes, fewer on a small heap.
+   * where real scenes have 3:1 to 30:1; 250 levels, which fit a stack of half a MiB; 4 million
+   * nodes, fewer on a small heap.
    */
   public static ReadLimits standard() {
     long heap = Runtime.getRuntime().maxMemory();
     return new ReadLimits(
-        Math.min(1L << 30, heap / 4), 1000, 500, (int) Math.min(4_000_000, heap / 512));
+        Math.min(1L << 30, heap / 4), 1000, 250, (int) Math.min(4_000_000, heap / 512));
   }
 }

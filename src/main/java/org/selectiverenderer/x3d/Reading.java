@@ -5,12 +5,15 @@ import java.util.Set;
 
 /** What the parts of one reader share while a file is read. */
 final class Reading {
+  private static final int LONGEST_NAME = 100;
+
   final NodeCatalogue catalogue;
   final ReadLimits limits;
   final FieldParser parser = new FieldParser();
   private final String source;
   private final Problems problems;
   private final Set<Problem> replayed = new HashSet<>();
+  private int reported;
   private int spent;
   private int replays;
   private int depth;
@@ -44,7 +47,7 @@ final class Reading {
       report(
           new Problem(
               flaw.severity(),
-              place.inAttribute(attribute, flaw.offset() - leading),
+              crowded() ? place.location() : place.inAttribute(attribute, flaw.offset() - leading),
               name + ": " + flaw.message()));
     }
   }
@@ -54,7 +57,29 @@ final class Reading {
     if (replays > 0 && (replayed.size() >= Problems.LIMIT * 10 || !replayed.add(problem))) {
       return;
     }
+    reported++;
     problems.add(problem);
+  }
+
+  // Beyond the problems that are listed, looking for places and names would be work for nothing; a
+  // hostile file could make it quadratic.
+  private boolean crowded() {
+    return reported > Problems.LIMIT;
+  }
+
+  /** Where an attribute's name stands. */
+  Location at(Place place, int attribute) {
+    return crowded() ? place.location() : place.attribute(attribute);
+  }
+
+  /** Asks whether another name was meant, for the middle of a message; empty if none is near. */
+  String question(String name, Iterable<String> candidates) {
+    if (crowded() || name.length() > LONGEST_NAME) {
+      return "";
+    }
+    return Spelling.nearest(name, candidates)
+        .map(found -> " (did you mean " + found + "?)")
+        .orElse("");
   }
 
   void startReplay() {

@@ -92,7 +92,7 @@ final class RouteReader {
             route,
             "no node is called "
                 + end.node()
-                + Spelling.question(end.node(), scope.names().keySet()));
+                + reading.question(end.node(), scope.names().keySet()));
       }
       return null;
     }
@@ -117,7 +117,7 @@ final class RouteReader {
     return null;
   }
 
-  private static String why(Scope.Named named, PendingRoute.End end, boolean input) {
+  private String why(Scope.Named named, PendingRoute.End end, boolean input) {
     ProtoInstance instance = named.instance();
     String owner = instance == null ? named.node().type().name() : instance.declaration().name();
     List<String> names =
@@ -126,7 +126,7 @@ final class RouteReader {
             : List.copyOf(instance.declaration().fields().keySet());
     return names.contains(end.field())
         ? end + (input ? " takes no events" : " sends no events")
-        : owner + " has no field " + end.field() + Spelling.question(end.field(), names);
+        : owner + " has no field " + end.field() + reading.question(end.field(), names);
   }
 
   /**

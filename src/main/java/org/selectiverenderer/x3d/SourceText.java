@@ -23,6 +23,12 @@ import org.jspecify.annotations.Nullable;
 final class SourceText {
   private static final int DECLARATION_LENGTH = 200;
 
+  /** Attributes that a tag may have. The richest node of X3D 4.0 has some 40 fields. */
+  static final int ATTRIBUTES = 10_000;
+
+  // Ten thousand different names have three letters at least, then come =, two quotes and a space.
+  private static final int SHORTEST_ATTRIBUTE = 7;
+
   private final byte[] bytes;
   private final int length;
   private final char @Nullable [] decoded;
@@ -143,6 +149,54 @@ final class SourceText {
     char[] decoded = new char[text.remaining()];
     text.get(decoded);
     return new SourceText(bytes, decoded.length, decoded, complaint);
+  }
+
+  /**
+   * The offset of the first tag that may have more attributes than any element needs, or -1. The
+   * parser compares the attributes of a tag with each other, so that a tag of a million would take
+   * it days. Since {@code <} ends every tag, well formed or not, it is enough to count in between.
+   */
+  int floodedTag() {
+    if (length < ATTRIBUTES * SHORTEST_ATTRIBUTE) {
+      return -1;
+    }
+    int tag = 0;
+    int count = 0;
+    for (int i = 0; i < length - 1; i++) {
+      char c = charAt(i);
+      if (c == '<') {
+        tag = i;
+        count = 0;
+      } else if (c == '=') {
+        char next = charAt(i + 1);
+        if ((next == '"' || next == '\'' || next <= ' ') && ++count > ATTRIBUTES) {
+          return tag;
+        }
+      }
+    }
+    return -1;
+  }
+
+  /** The text up to an offset. */
+  SourceText cutAt(int offset) {
+    return new SourceText(bytes, offset, decoded, complaint);
+  }
+
+  /** A character's place in the file of that name. */
+  Location location(String file, int offset) {
+    int line = 1;
+    int column = 1;
+    for (int i = 0; i < offset; i++) {
+      char c = charAt(i);
+      boolean first = c == '\r' && charAt(i + 1) == '\n';
+      if (c == '\n' || c == '\r' && !first) {
+        line++;
+        column = 1;
+      } else if (!first) {
+        column++;
+      }
+    }
+    return new Location(file, line, column);
   }
 
   /** What is wrong with the encoding, or null. */

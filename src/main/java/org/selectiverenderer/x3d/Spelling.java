@@ -33,15 +33,6 @@ public final class Spelling {
     return Optional.ofNullable(best);
   }
 
-  /** A question for the end of a message: {@code " (did you mean Shape?)"}, or nothing. */
-  static String question(String name, Iterable<String> candidates) {
-    // A name longer than any of X3D's is no slip, and comparing it would cost its length squared.
-    if (name.length() > 100) {
-      return "";
-    }
-    return nearest(name, candidates).map(found -> " (did you mean " + found + "?)").orElse("");
-  }
-
   /** Levenshtein's distance: letters to insert, leave out or replace. */
   private static int distance(String a, String b) {
     int[] row = new int[b.length() + 1];

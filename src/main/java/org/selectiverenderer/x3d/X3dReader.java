@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javax.xml.stream.XMLStreamException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads scenes in the XML encoding of X3D 3.0 to 4.0 (ISO/IEC 19776-1), plain or compressed by
@@ -106,10 +107,18 @@ public final class X3dReader {
       problems.error(whole, foreign);
       return empty(source);
     }
+    String cut = bytes.cut();
+    Location end = whole;
+    int flood = text.floodedTag();
+    if (flood >= 0) {
+      end = text.location(source, flood);
+      cut = "an element has more than " + SourceText.ATTRIBUTES + " attributes, as no node does";
+      text = text.cutAt(flood);
+    }
     Reading reading = new Reading(source, catalogue, limits, problems);
     X3dFile file;
     try {
-      file = new DocumentReader(reading).read(new XmlCursor(text, reading, bytes.cut() != null));
+      file = new DocumentReader(reading).read(new XmlCursor(text, reading, cut != null));
     } catch (XMLStreamException e) {
       // Thrown for a bad XML declaration only, before there is any element.
       problems.error(
@@ -117,14 +126,14 @@ public final class X3dReader {
           "the XML declaration is not well formed; nothing can be shown");
       return empty(source);
     }
-    if (bytes.cut() != null) {
-      problems.error(whole, bytes.cut() + "; what was read before is kept");
+    if (cut != null) {
+      problems.error(end, cut + "; what was read before is kept");
     }
     return file;
   }
 
   /** What to say about a file that is no XML, or null when it may be. */
-  private static @org.jspecify.annotations.Nullable String foreign(String head) {
+  private static @Nullable String foreign(String head) {
     String start = head.stripLeading();
     if (start.startsWith("#VRML") || start.startsWith("#X3D")) {
       return "this is a scene in the Classic VRML encoding, of which nothing is read; convert it to"

@@ -77,8 +77,13 @@ final class XmlCursor implements ElementCursor {
     } catch (XMLStreamException e) {
       breakOff(XmlFaults.describe(e), e.getLocation());
     } catch (RuntimeException e) {
-      // Aalto 1.3.4 runs over the end of its own arrays on some malformed text.
-      breakOff("the XML is not well formed here", null);
+      // Text is parsed when it is asked for, and then the parser wraps its exception. Whatever else
+      // it may throw on hostile text means no more than that the text is bad.
+      if (e.getCause() instanceof XMLStreamException fault) {
+        breakOff(XmlFaults.describe(fault), fault.getLocation());
+      } else {
+        breakOff("the XML is not well formed from here on", xml.getLocation());
+      }
     }
     if (broken && gathered.size() > 1) {
       gathered.remove(gathered.size() - 1);

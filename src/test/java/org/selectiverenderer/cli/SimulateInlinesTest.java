@@ -255,18 +255,18 @@ class SimulateInlinesTest {
 
   @Test
   void deepScenesWithinDeepScenesAreCutOff() {
-    String open = "<Group>".repeat(450);
-    String close = "</Group>".repeat(450);
-    for (int i = 0; i < 4; i++) {
+    String open = "<Group>".repeat(240);
+    String close = "</Group>".repeat(240);
+    for (int i = 0; i < 6; i++) {
       folder.scene(
           "scenes/s%d.x3d".formatted(i), open + BOX + inline("s%d.x3d".formatted(i + 1)) + close);
     }
     SceneFolder.Result result = simulate(BOX + inline("s0.x3d"));
     assertThat(result.messages())
         .containsExactly(
-            "scenes/s2.x3d:2:680: nodes and Inlines are nested more than 1000 deep; the Group is left"
+            "scenes/s4.x3d:2:246: nodes and Inlines are nested more than 1000 deep; the Group is left"
                 + " out");
-    assertThat(result.polygons()).isEqualTo(3 * 12);
+    assertThat(result.polygons()).isEqualTo(5 * 12);
   }
 
   @Test

@@ -8,8 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.navigation.Navigation;
-import org.selectiverenderer.runtime.navigation.NavigationMode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.Problem;
 
@@ -212,27 +210,6 @@ class WorldTest {
       fixture.world.onStep(() -> fixture.log.add("end of step"));
       fixture.step(0, 0, 0, 0);
       assertThat(fixture.log).containsExactly("0.00 Area.isActive=true", "end of step");
-    }
-  }
-
-  @Test
-  void theBoundNavigationInfoSaysHowToMove() {
-    try (WorldFixture fixture =
-        new WorldFixture(
-            """
-            <NavigationInfo type='"FLY"' speed='3' avatarSize='0.5 1.8 0.3'/>
-            <Transform rotation='0 0 1 1.5707963' scale='2 2 2'><Viewpoint/></Transform>
-            """)) {
-      Navigation navigation = fixture.world.navigation();
-      assertThat(navigation.initial()).isEqualTo(NavigationMode.FLY);
-      assertThat(navigation.speed()).isEqualTo(3);
-      assertThat(fixture.world.navigationFrame().scale()).isEqualTo(2, within(1e-6));
-      Vector3d up = fixture.world.navigationFrame().upright().transform(new Vector3d(0, 1, 0));
-      assertThat(up.distance(-1, 0, 0)).isLessThan(1e-6);
-    }
-    try (WorldFixture fixture = new WorldFixture("")) {
-      assertThat(fixture.world.navigation()).isEqualTo(Navigation.WALKING);
-      assertThat(fixture.world.navigationFrame().scale()).isEqualTo(1);
     }
   }
 }

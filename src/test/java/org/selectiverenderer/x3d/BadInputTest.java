@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class BadInputTest {
@@ -171,7 +172,7 @@ class BadInputTest {
   }
 
   @Test
-  void theStandardLimitOfDepthFitsTheStack() {
+  void theStandardLimitOfDepthFitsASmallStack() throws InterruptedException {
     X3dReader reader = new X3dReader(NodeCatalogue.load());
     Problems problems = new Problems();
     StringBuilder text = new StringBuilder("<X3D><Scene>");
@@ -181,9 +182,44 @@ class BadInputTest {
       text.append("</ProtoBody></ProtoDeclare>");
     }
     text.append("<ProtoInstance name='P599'/></Scene></X3D>");
-    reader.read("deep", text.toString().getBytes(StandardCharsets.UTF_8), problems);
+    byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
+    Thread thread = new Thread(null, () -> reader.read("deep", bytes, problems), "small", 1 << 19);
+    thread.start();
+    thread.join();
     assertThat(problems.list()).hasSize(1);
-    assertThat(problems.list().get(0).message()).contains("500 deep");
+    assertThat(problems.list().get(0).message()).contains("250 deep");
+  }
+
+  @Test
+  @Timeout(60)
+  void manyFaultsOfOneFileTakeNoLongerThanItsLength() {
+    fixture.scene("<Transform" + attributes(5_000) + "/>");
+    assertReadable();
+    assertThat(fixture.problems.list()).hasSize(Problems.LIMIT + 1);
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < 5_000; i++) {
+      text.append("<Group DEF='N").append(i).append("'/><Group USE='M").append(i).append("'/>");
+    }
+    fixture.scene(text.toString());
+    assertReadable();
+  }
+
+  @Test
+  @Timeout(60)
+  void aTagOfVeryManyAttributesEndsTheFile() {
+    X3dFile file = fixture.scene("<Group/>\r\n <Group" + attributes(200_000) + "/><Group/>");
+    fixture.assertOnly(
+        "test.x3d:3:2: an element has more than 10000 attributes, as no node does;"
+            + " what was read before is kept");
+    assertThat(file.nodes()).hasSize(1);
+  }
+
+  private static String attributes(int count) {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < count; i++) {
+      text.append(" name").append(i).append("='x'");
+    }
+    return text.toString();
   }
 
   @Test

@@ -2,7 +2,6 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
@@ -17,7 +16,6 @@ public final class GroupInstance extends Instance implements NodeObserver {
   private final InstanceTree tree;
   private Matrix4dc content = IDENTITY;
   List<Instance> children = List.of();
-  Optional<Instance> proxy = Optional.empty();
   boolean disposed;
   private GroupingNode.Effect[] pending = NOTHING;
 
@@ -35,11 +33,6 @@ public final class GroupInstance extends Instance implements NodeObserver {
 
   public List<Instance> children() {
     return children;
-  }
-
-  /** What stands for the children of a Collision when the viewer bumps into them; never shown. */
-  public Optional<Instance> proxy() {
-    return proxy;
   }
 
   /** Whether the same group stands above it: a scene that contains itself. */
@@ -123,9 +116,6 @@ public final class GroupInstance extends Instance implements NodeObserver {
     place();
     for (Instance child : children) {
       child.moved(tree);
-    }
-    if (proxy.isPresent()) {
-      proxy.get().moved(tree);
     }
   }
 }

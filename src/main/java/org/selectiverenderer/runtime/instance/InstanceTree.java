@@ -11,7 +11,6 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.CollisionNode;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.ViewerDependent;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -31,8 +30,6 @@ public final class InstanceTree {
 
   /** Instances above which groups stay empty: nested USEs multiply without bound. */
   static final int MAX_INSTANCES = 8_000_000;
-
-  private static final Vector3dc Y = new Vector3d(0, 1, 0);
 
   private final Assets assets;
   private final GroupInstance root;
@@ -166,11 +163,6 @@ public final class InstanceTree {
     }
   }
 
-  /** Like {@link #view(Vector3dc, Vector3dc, Cascade)} for a viewer whose up is the world's. */
-  public void view(Vector3dc eye, Cascade cascade) {
-    view(eye, Y, cascade);
-  }
-
   /**
    * Adapts LOD and Billboard nodes to the viewer. A node in two places follows the first. One in a
    * place without extent (a scale of 0) stays as it is.
@@ -200,9 +192,6 @@ public final class InstanceTree {
     if (node instanceof GroupingNode group) {
       GroupInstance instance = new GroupInstance(group, parent, this);
       group.addObserver(instance);
-      if (group instanceof CollisionNode collision) {
-        instance.proxy = collision.proxy().map(proxy -> build(proxy, instance, depth + 1));
-      }
       instance.children = children(instance, depth, Map.of());
       return instance;
     }
@@ -262,7 +251,6 @@ public final class InstanceTree {
     instance.show(false, this);
     if (instance instanceof GroupInstance group) {
       group.disposed = true;
-      group.proxy.ifPresent(this::dispose);
       group.children.forEach(this::dispose);
       group.node().removeObserver(group);
     } else if (instance instanceof ShapeInstance shape) {

@@ -27,8 +27,8 @@ final class ShapeLook implements NodeObserver {
   private Surface surface = Surface.UNLIT_WHITE;
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
-  private boolean geometryChanged;
   private boolean disposed;
+  private @Nullable Node geometry;
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
@@ -55,7 +55,6 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void read() {
-    Node geometry = shape.node("geometry");
     mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }
@@ -63,7 +62,7 @@ final class ShapeLook implements NodeObserver {
   private void observe() {
     observed.add(shape);
     shape.addObserver(this);
-    Node geometry = shape.node("geometry");
+    geometry = shape.node("geometry");
     if (geometry != null) {
       observe(geometry, inGeometry);
     }
@@ -93,8 +92,8 @@ final class ShapeLook implements NodeObserver {
 
   @Override
   public void changed(Node node, int field) {
-    if (inGeometry.contains(node)) {
-      geometryChanged = true;
+    if (inGeometry.contains(node) && geometry != null) {
+      assets.changed(geometry);
     } else if (node.type().is("X3DTextureNode")) {
       assets.changed(node);
     }
@@ -112,11 +111,6 @@ final class ShapeLook implements NodeObserver {
     }
     forget();
     observe();
-    Node geometry = shape.node("geometry");
-    if (geometryChanged && geometry != null) {
-      assets.changed(geometry);
-    }
-    geometryChanged = false;
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
       instance.show(false, tree);

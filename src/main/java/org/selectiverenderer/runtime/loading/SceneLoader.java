@@ -65,7 +65,7 @@ public final class SceneLoader implements AutoCloseable {
                 node.type().name().equals("PixelTexture")
                     ? ImageFiles.pixels(node, problems)
                     : Optional.empty());
-    store = new SceneStore(assets, type -> factory.actsOn(type) || tessellator.handles(type));
+    store = new SceneStore(assets, factory::actsOn);
     threads = threads();
     threads.execute(SceneLoader::loadMatrices);
   }

@@ -67,7 +67,7 @@ final class BoxTree {
     stack[size++] = 0;
     while (size > 0) {
       int node = stack[--size];
-      if (entered[size] > nearest) {
+      if (!(entered[size] <= nearest)) {
         continue;
       }
       if (count[node] > 0) {

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -122,11 +123,11 @@ public final class CameraPathReader {
   /** The cells of t, x, y, z and, when there, yaw, pitch, roll; empty after a fault. */
   private int[] columns(CSVRecord header, int line) {
     Map<String, Integer> at = new HashMap<>();
+    Map<String, Integer> again = new LinkedHashMap<>();
     for (int cell = 0; cell < header.size(); cell++) {
       String name = header.get(cell).strip().toLowerCase(Locale.ROOT);
       if (at.putIfAbsent(name, cell) != null) {
-        fault(place(line, cell), "the header names the column " + name + " twice");
-        return new int[0];
+        again.put(name, cell);
       }
     }
     List<String> wanted = new ArrayList<>(PLACE);
@@ -145,7 +146,10 @@ public final class CameraPathReader {
                   + " (it must be t,x,y,z or t,x,y,z,yaw,pitch,roll)");
       return new int[0];
     }
-    return wanted.stream().mapToInt(at::get).toArray();
+    again.keySet().retainAll(wanted);
+    again.forEach(
+        (name, cell) -> fault(place(line, cell), "the header names the column " + name + " twice"));
+    return again.isEmpty() ? wanted.stream().mapToInt(at::get).toArray() : new int[0];
   }
 
   private void row(CSVRecord cells, int line, int[] columns, int width, List<double[]> rows) {

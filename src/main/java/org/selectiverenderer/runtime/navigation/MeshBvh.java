@@ -19,9 +19,7 @@ public final class MeshBvh {
   public enum Sides {
     BOTH,
     /** Only triangles seen from the side on which they are wound counter-clockwise. */
-    FRONT,
-    /** Only triangles seen from the other side. */
-    BACK
+    FRONT
   }
 
   /**
@@ -98,9 +96,7 @@ public final class MeshBvh {
       corner(triangle, 2, ac).sub(a);
       direction.cross(ac, p);
       double facing = ab.dot(p);
-      if (facing == 0
-          || (sides == Sides.FRONT && facing < 0)
-          || (sides == Sides.BACK && facing > 0)) {
+      if (facing == 0 || (sides == Sides.FRONT && facing < 0)) {
         return nearest;
       }
       origin.sub(a, a);

@@ -25,7 +25,7 @@ public record Navigation(
     height = height > 0 && height < Double.POSITIVE_INFINITY ? height : 1.6;
     // A viewer without any extent would see through the walls it touches.
     radius = Math.max(radius > 0 && radius < Double.POSITIVE_INFINITY ? radius : 0, height / 100);
-    step = Math.max(0, Math.min(step, 0.95 * height));
+    step = step > 0 ? Math.min(step, 0.95 * height) : 0;
     speed = speed > 0 && speed < Double.POSITIVE_INFINITY ? speed : 0;
   }
 

@@ -98,7 +98,6 @@ final class PlacedIndex<P extends Placed> {
       if (mesh == null || mesh.polygons() == 0) {
         return nearest;
       }
-      double determinant = placed.world().determinant3x3();
       placed.world().invertAffine(toLocal);
       if (!toLocal.isFinite()) {
         // Scaled to nothing: it has no surface.
@@ -111,17 +110,14 @@ final class PlacedIndex<P extends Placed> {
                   toLocal.transformPosition(origin, new Vector3d()),
                   toLocal.transformDirection(direction, new Vector3d()),
                   nearest,
-                  sides(mesh, determinant));
+                  sides(mesh));
       hit.ifPresent(at -> found = new PlacedHit<>(placed, mesh, at));
       return hit.map(MeshBvh.MeshHit::distance).orElse(nearest);
     }
 
-    /** A mirroring transformation keeps the front in the front, but turns the winding about. */
-    private MeshBvh.Sides sides(Mesh mesh, double determinant) {
-      if (!passBacks || !mesh.solid()) {
-        return MeshBvh.Sides.BOTH;
-      }
-      return determinant < 0 ? MeshBvh.Sides.BACK : MeshBvh.Sides.FRONT;
+    /** In local coordinates front is front, even where a transformation mirrors. */
+    private MeshBvh.Sides sides(Mesh mesh) {
+      return passBacks && mesh.solid() ? MeshBvh.Sides.FRONT : MeshBvh.Sides.BOTH;
     }
   }
 

@@ -16,8 +16,8 @@ final class RaySlabs {
   }
 
   /**
-   * Where the ray enters a box, in lengths of its direction, not below 0; infinite when it misses
-   * the box or only meets it beyond {@code limit}.
+   * Where the ray enters a box, in lengths of its direction, not below 0; NaN when it misses the
+   * box or only meets it beyond {@code limit}, so that no comparison with it holds.
    */
   double enter(float[] boxes, int box, double limit) {
     double from = 0;
@@ -27,12 +27,12 @@ final class RaySlabs {
       double low = boxes[at + axis] - origin[axis];
       double high = boxes[at + axis + 3] - origin[axis];
       if (low > high) {
-        return Double.POSITIVE_INFINITY;
+        return Double.NaN;
       }
       if (Double.isInfinite(inverse[axis])) {
         // Parallel to the slab: inside it all along or nowhere.
         if (low > 0 || high < 0) {
-          return Double.POSITIVE_INFINITY;
+          return Double.NaN;
         }
         continue;
       }
@@ -41,6 +41,6 @@ final class RaySlabs {
       from = Math.max(from, Math.min(a, b));
       to = Math.min(to, Math.max(a, b) * SLACK);
     }
-    return from <= to ? from : Double.POSITIVE_INFINITY;
+    return from <= to ? from : Double.NaN;
   }
 }

@@ -97,7 +97,7 @@ public final class Walker implements ViewerMotion {
     }
     Quaterniond toFrame = frame.upright().conjugate(new Quaterniond());
     Vector3d eye = toFrame.transform(viewer.position(), new Vector3d());
-    Heading heading = Heading.of(toFrame.mul(viewer.orientation(), new Quaterniond())).turned(0, 0);
+    Heading heading = Heading.of(toFrame.mul(viewer.orientation(), new Quaterniond()));
     heading =
         switch (mode) {
           case EXAMINE, LOOKAT -> orbit(eye, heading, motion, toFrame, dt);

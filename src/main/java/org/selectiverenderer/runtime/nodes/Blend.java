@@ -25,7 +25,7 @@ interface Blend {
     };
   }
 
-  /** Rotations: the short way on the unit sphere of quaternions (X3D 4.0, 19.4.7). */
+  /** Rotations: the short way on the unit sphere of quaternions (X3D 4.0, 19.4.6). */
   static Blend rotation() {
     Quaterniond a = new Quaterniond();
     Quaterniond b = new Quaterniond();
@@ -37,7 +37,7 @@ interface Blend {
     };
   }
 
-  /** Unit vectors: along the great circle (X3D 4.0, 19.4.6). Opposite ones have none: the first. */
+  /** Unit vectors: along the great circle (X3D 4.0, 19.4.5). Opposite ones have none: the first. */
   static Blend normal() {
     return (v, from, to, part, into, at) -> {
       double dot = v[from] * v[to] + v[from + 1] * v[to + 1] + v[from + 2] * v[to + 2];
@@ -51,7 +51,7 @@ interface Blend {
     };
   }
 
-  /** Colours: linearly in hue, saturation and value, the short way round (X3D 4.0, 19.4.2). */
+  /** Colours: linearly in hue, saturation and value, the short way round (X3D 4.0, 19.4.1). */
   static Blend hsv() {
     float[] a = new float[3];
     float[] b = new float[3];

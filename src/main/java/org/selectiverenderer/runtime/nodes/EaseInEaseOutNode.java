@@ -7,7 +7,7 @@ import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeType;
 
-/** Speeds up after a key and slows down before the next one (X3D 4.0, 19.4.5). */
+/** Speeds up after a key and slows down before the next one (X3D 4.0, 19.4.4). */
 public final class EaseInEaseOutNode extends Node {
   private final int fraction;
   private final int key;

@@ -17,6 +17,9 @@ public final class NodeFactory {
     Node make(NodeType type, @Nullable String name, Location location);
   }
 
+  /** Takes part in binding, but nothing looks foggy yet. */
+  private static final String BOUND_ONLY = "Fog";
+
   private final Map<String, Maker> makers = new HashMap<>(EventUtilities.MAKERS);
 
   public NodeFactory() {
@@ -74,11 +77,11 @@ public final class NodeFactory {
   }
 
   /**
-   * Whether the runtime does something with nodes of a type: they behave, light, or are data that
-   * is read. Nodes of other types are kept with their fields, and that is all, unless they are
-   * geometry of which meshes are made.
+   * Whether the runtime does something with nodes of a type: they behave, are drawn, light, or are
+   * data that is read. Nodes of other types are kept with their fields, and that is all.
    */
   public boolean actsOn(NodeType type) {
-    return makers.containsKey(type.name()) || PassiveNodes.isRead(type.name());
+    return !type.name().equals(BOUND_ONLY)
+        && (makers.containsKey(type.name()) || PassiveNodes.isRead(type.name()));
   }
 }

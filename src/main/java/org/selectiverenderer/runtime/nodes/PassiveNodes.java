@@ -2,10 +2,7 @@ package org.selectiverenderer.runtime.nodes;
 
 import java.util.Set;
 
-/**
- * The node types without a behaviour that others read: to draw, to light, to describe. Geometry is
- * not among them: whoever makes meshes of it knows which he can.
- */
+/** The node types without a behaviour that others read: to draw, to light, to describe. */
 final class PassiveNodes {
   private static final Set<String> SHAPES =
       Set.of(
@@ -20,6 +17,36 @@ final class PassiveNodes {
           "MultiTexture",
           "TextureTransform");
 
+  private static final Set<String> GEOMETRY =
+      Set.of(
+          "Arc2D",
+          "ArcClose2D",
+          "Box",
+          "Circle2D",
+          "Cone",
+          "Cylinder",
+          "Disk2D",
+          "ElevationGrid",
+          "Extrusion",
+          "IndexedFaceSet",
+          "IndexedLineSet",
+          "IndexedQuadSet",
+          "IndexedTriangleFanSet",
+          "IndexedTriangleSet",
+          "IndexedTriangleStripSet",
+          "LineSet",
+          "PointSet",
+          "Polyline2D",
+          "Polypoint2D",
+          "QuadSet",
+          "Rectangle2D",
+          "Sphere",
+          "Text",
+          "TriangleFanSet",
+          "TriangleSet",
+          "TriangleSet2D",
+          "TriangleStripSet");
+
   private static final Set<String> GEOMETRY_DATA =
       Set.of(
           "Color",
@@ -27,7 +54,6 @@ final class PassiveNodes {
           "Coordinate",
           "CoordinateDouble",
           "FontStyle",
-          "MultiTextureCoordinate",
           "Normal",
           "TextureCoordinate");
 
@@ -47,6 +73,7 @@ final class PassiveNodes {
 
   static boolean isRead(String typeName) {
     return SHAPES.contains(typeName)
+        || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
         || LIGHTS.contains(typeName)
         || DESCRIPTIONS.contains(typeName);

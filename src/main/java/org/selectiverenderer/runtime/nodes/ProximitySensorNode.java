@@ -36,13 +36,10 @@ public final class ProximitySensorNode extends RegionSensorNode {
 
   @Override
   public void frame(Frame frame, Cascade cascade) {
-    if (!enabled()) {
-      return;
-    }
-    int at = hasVolume() ? find(frame) : -1;
+    int at = enabled() && hasVolume() ? find(frame) : -1;
     boolean before = active();
     sense(at >= 0, cascade);
-    if (at >= 0 && active()) { // An answer to isActive may have disabled it.
+    if (at >= 0 && enabled()) { // An answer to isActive may have disabled it.
       last = at;
       report(frame, locals.get(at), !before, cascade);
     }
@@ -76,7 +73,7 @@ public final class ProximitySensorNode extends RegionSensorNode {
     Rotations.up(frame.orientation(), up);
     pose.send(local, eye, forward, up, always, cascade);
     Vector3dc center = frame.centerOfRotation();
-    if (center != null && active()) {
+    if (center != null && enabled()) {
       pose.sendPoint(centerOfRotationChanged, local.point(center, eye), always, cascade);
     }
   }

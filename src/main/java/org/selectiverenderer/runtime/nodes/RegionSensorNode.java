@@ -63,10 +63,16 @@ abstract class RegionSensorNode extends Node implements FrameNode {
         && Math.abs(local.z() - c[2]) <= s[2] / 2.0;
   }
 
-  /** Sends what a change of state calls for. */
+  /**
+   * Sends what a change of state calls for. An answer to its own isActive that disables it is heard
+   * at the next frame: isActive sends one event in a cascade.
+   */
   final void sense(boolean inside, Cascade cascade) {
-    if (inside != active()) {
-      emit(isActive, inside, cascade);
+    if (inside == active()) {
+      return;
+    }
+    emit(isActive, inside, cascade);
+    if (inside == active()) {
       emit(inside ? enterTime : exitTime, cascade.time(), cascade);
     }
   }

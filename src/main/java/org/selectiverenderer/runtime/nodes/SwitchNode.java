@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeType;
 
-/** Shows one of its children, or none (X3D 4.0, 10.4.5; thesis 2.5.3). */
+/** Shows one of its children, or none (X3D 4.0, 10.4.3; thesis 2.5.3). */
 public final class SwitchNode extends GroupingNode {
   private final int whichChoice;
 

@@ -87,8 +87,10 @@ public final class TimeSensorNode extends Node implements FrameNode {
       newCycle = true;
       emit(fields.isActive, true, cascade);
     }
-    if (active()) {
+    if (active() && is(fields.enabled)) {
       tick(now, cascade);
+    } else {
+      end(cascade); // An answer to its own isActive disabled it.
     }
     lastFrame = now;
   }

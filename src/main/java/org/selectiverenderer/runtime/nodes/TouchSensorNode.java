@@ -62,6 +62,7 @@ public final class TouchSensorNode extends Node {
     boolean goesDown = pressed && !pressedBefore;
     pressedBefore = pressed;
     if (!enabled()) {
+      release(cascade); // Only if an answer to its own event disabled it.
       return;
     }
     boolean entered = hit.isPresent() && !over();
@@ -103,8 +104,12 @@ public final class TouchSensorNode extends Node {
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     super.receive(field, value, cascade);
     if (field.index() == enabled && !enabled()) {
-      sendState(isActive, false, cascade);
-      sendState(isOver, false, cascade);
+      release(cascade);
     }
+  }
+
+  private void release(Cascade cascade) {
+    sendState(isActive, false, cascade);
+    sendState(isOver, false, cascade);
   }
 }

@@ -33,14 +33,11 @@ public final class TransformSensorNode extends RegionSensorNode {
 
   @Override
   public void frame(Frame frame, Cascade cascade) {
-    if (!enabled()) {
-      return;
-    }
     Node object = (Node) value(targetObject);
-    LocalFrame found = object == null || !hasVolume() ? null : find(object, frame);
+    LocalFrame found = object == null || !enabled() || !hasVolume() ? null : find(object, frame);
     boolean before = active();
     sense(found != null, cascade);
-    if (found != null && active()) {
+    if (found != null && enabled()) {
       target.transformDirection(forward.set(0, 0, -1));
       target.transformDirection(up.set(0, 1, 0));
       pose.send(found, local, forward, up, !before, cascade);

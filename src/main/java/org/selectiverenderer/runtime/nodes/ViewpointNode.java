@@ -9,7 +9,7 @@ import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeType;
 
 /**
- * Viewpoint and OrthoViewpoint (X3D 4.0, 23.3.5, 23.4.6): a place to look from, in the node's local
+ * Viewpoint and OrthoViewpoint (X3D 4.0, 23.4.6, 23.4.5): a place to look from, in the node's local
  * coordinates. The NavigationInfo in it is bound and unbound with it.
  */
 public final class ViewpointNode extends BindableNode {

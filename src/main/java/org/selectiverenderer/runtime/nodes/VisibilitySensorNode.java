@@ -29,11 +29,8 @@ public final class VisibilitySensorNode extends RegionSensorNode {
 
   @Override
   public void frame(Frame frame, Cascade cascade) {
-    if (!enabled()) {
-      return;
-    }
     boolean visible = false;
-    if (hasExtent()) {
+    if (enabled() && hasExtent()) {
       List<? extends Matrix4dc> places = frame.places(this);
       for (int i = 0; i < places.size() && !visible; i++) {
         visible = sees(frame.frustum(), places.get(i));

@@ -9,6 +9,12 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 /**
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
  * #draw} once per eye. Belongs to the thread that owns the context.
+ *
+ * <p>What was measured, in CPU time per frame of the heavy scene (784,000 triangles, 1024 x 768,
+ * llvmpipe): 14 ms on the render thread, of which culling takes 0.3 ms, and 45 ms spread over the
+ * rasteriser's threads. It was 69 ms before the fragment shader wrote lights out one by one (see
+ * {@link org.selectiverenderer.runtime.render.gpu.ShapeVariant}). Clusters of triangles do nothing
+ * for that scene's objects of 11,200 triangles; they are for larger ones (see {@code MeshPacker}).
  */
 public final class SceneRenderer {
   private final GpuAssets assets = new GpuAssets();

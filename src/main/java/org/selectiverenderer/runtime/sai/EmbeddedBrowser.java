@@ -52,7 +52,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
   private final Values values = new Values(this);
   private final Infos infos;
   private final UpdateBuffer updates = new UpdateBuffer();
-  private final List<BrowserListener> listeners = new CopyOnWriteArrayList<>();
+  private final CopyOnWriteArrayList<BrowserListener> listeners = new CopyOnWriteArrayList<>();
   private final Map<String, Object> renderingProperties;
   private volatile EmbeddedScene current;
   private volatile String description = "";
@@ -173,7 +173,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
   @Override
   public void addBrowserListener(BrowserListener listener) {
     check();
-    listeners.add(listener);
+    listeners.addIfAbsent(listener);
   }
 
   @Override

@@ -40,8 +40,11 @@ final class FieldProxy implements InvocationHandler {
     return proxy;
   }
 
-  private static Class<?> interfaceOf(FieldType type) {
-    return SaiTypes.find(type.name()).orElse(type.multiple() ? MField.class : X3DField.class);
+  private Class<?> interfaceOf(FieldType type) {
+    return browser
+        .types()
+        .find(type.name())
+        .orElse(type.multiple() ? MField.class : X3DField.class);
   }
 
   @Override

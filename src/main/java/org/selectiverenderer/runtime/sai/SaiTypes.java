@@ -18,24 +18,29 @@ final class SaiTypes {
   private static final String PACKAGE = X3DNode.class.getPackageName() + ".";
 
   private final Map<NodeType, Class<?>[]> interfaces = new ConcurrentHashMap<>();
+  private final Map<String, Optional<Class<?>>> found = new ConcurrentHashMap<>();
 
   /**
    * The interfaces of a node: X3DNode, its own, and those of the abstract types it descends from.
    */
   Class<?>[] interfacesOf(NodeType type) {
-    return interfaces.computeIfAbsent(type, SaiTypes::collect);
+    return interfaces.computeIfAbsent(type, this::collect);
   }
 
-  private static Class<?>[] collect(NodeType type) {
-    List<Class<?>> found = new ArrayList<>();
-    found.add(X3DNode.class);
-    find(type.component().toLowerCase(Locale.ROOT) + "." + type.name()).ifPresent(found::add);
-    type.ancestors().stream().sorted().forEach(name -> find(name).ifPresent(found::add));
-    return found.stream().distinct().toArray(Class<?>[]::new);
+  private Class<?>[] collect(NodeType type) {
+    List<Class<?>> all = new ArrayList<>();
+    all.add(X3DNode.class);
+    find(type.component().toLowerCase(Locale.ROOT) + "." + type.name()).ifPresent(all::add);
+    type.ancestors().stream().sorted().forEach(name -> find(name).ifPresent(all::add));
+    return all.stream().distinct().toArray(Class<?>[]::new);
   }
 
   /** An interface of the SAI by its name below the base package. */
-  static Optional<Class<?>> find(String name) {
+  Optional<Class<?>> find(String name) {
+    return found.computeIfAbsent(name, SaiTypes::load);
+  }
+
+  private static Optional<Class<?>> load(String name) {
     try {
       return Optional.of(Class.forName(PACKAGE + name, false, X3DNode.class.getClassLoader()));
     } catch (ClassNotFoundException e) {

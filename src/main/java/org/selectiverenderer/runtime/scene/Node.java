@@ -27,7 +27,7 @@ public class Node implements NodeView {
   private @Nullable String name;
   private final @Nullable Object[] values;
   private Route[] routes = NO_ROUTES;
-  private NodeObserver[] observers = NO_OBSERVERS;
+  private @Nullable NodeObserver[] observers = NO_OBSERVERS;
   private int observerCount;
   private Listening[] listeners = NO_LISTENERS;
   private long @Nullable [] sentIn;
@@ -135,10 +135,8 @@ public class Node implements NodeView {
 
   /** Makes observers look at a field again, without an event: what it leads to has changed. */
   public final void tellObservers(int field) {
-    NodeObserver[] now = observers;
-    int count = observerCount;
-    for (int i = 0; i < count; i++) {
-      now[i].changed(this, field);
+    for (int i = 0; i < observerCount; i++) {
+      observers[i].changed(this, field);
     }
   }
 
@@ -164,22 +162,20 @@ public class Node implements NodeView {
 
   /** Observers are told in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
-    // A node that is USEd in many places has an observer in each.
     if (observerCount == observers.length) {
+      // Doubled, since a node that is USEd in many places has as many observers.
       observers = Arrays.copyOf(observers, Math.max(1, 2 * observerCount));
     }
     observers[observerCount++] = observer;
   }
 
   public final void removeObserver(NodeObserver observer) {
-    int at = Arrays.asList(observers).indexOf(observer);
-    if (at >= 0) {
-      // A copy: an observer may leave while observers are being told.
-      NodeObserver[] fewer = new NodeObserver[observerCount - 1];
-      System.arraycopy(observers, 0, fewer, 0, at);
-      System.arraycopy(observers, at + 1, fewer, at, observerCount - at - 1);
-      observers = fewer;
-      observerCount--;
+    for (int i = 0; i < observerCount; i++) {
+      if (observers[i].equals(observer)) {
+        System.arraycopy(observers, i + 1, observers, i, observerCount - i - 1);
+        observers[--observerCount] = null;
+        return;
+      }
     }
   }
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.geometry;
 import java.util.Arrays;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The spine-aligned cross-section planes of an Extrusion (X3D 4.0, 13.3.5.3 and 13.3.5.4): at each
@@ -41,10 +42,11 @@ final class SpineFrames {
       y[i] = along(i);
       z[i] = bend(i);
     }
-    if (Arrays.stream(z).allMatch(axis -> axis.lengthSquared() == 0)) {
+    Vector3d firstBend = firstBend();
+    if (firstBend == null) {
       straight();
     } else {
-      fillIn();
+      fillIn(firstBend);
     }
   }
 
@@ -94,6 +96,16 @@ final class SpineFrames {
     return normal.lengthSquared() <= straightness ? new Vector3d() : normal.normalize();
   }
 
+  /** The first Z axis that is defined; null if the spine is straight. */
+  private @Nullable Vector3d firstBend() {
+    for (Vector3d axis : z) {
+      if (axis.lengthSquared() > 0) {
+        return axis;
+      }
+    }
+    return null;
+  }
+
   /** The whole spine is collinear: the planes are turned as its direction is from the y axis. */
   private void straight() {
     Quaterniond turn = new Quaterniond().rotationTo(new Vector3d(0, 1, 0), y[0]);
@@ -106,8 +118,8 @@ final class SpineFrames {
   }
 
   /** Undefined Z axes are those of the point before; axes that flip are turned back. */
-  private void fillIn() {
-    Vector3d before = Arrays.stream(z).filter(axis -> axis.lengthSquared() > 0).findFirst().get();
+  private void fillIn(Vector3d firstBend) {
+    Vector3d before = firstBend;
     for (int i = 0; i < count; i++) {
       Vector3d axis = z[i].lengthSquared() == 0 ? new Vector3d(before) : z[i];
       if (axis.dot(before) < 0) {

@@ -1,6 +1,5 @@
 package org.selectiverenderer.x3d.geometry;
 
-import java.util.Locale;
 import org.selectiverenderer.x3d.NodeView;
 
 /**
@@ -58,7 +57,7 @@ record TextLayout(
       return otherwise;
     }
     for (Justify justify : Justify.values()) {
-      if (justify.name().equals(value.toUpperCase(Locale.ROOT))) {
+      if (justify.name().equals(value)) {
         return justify;
       }
     }

@@ -38,9 +38,7 @@ final class TextShape {
   }
 
   private static FontStyle style(Job job, NodeView fontStyle) {
-    Object given =
-        fontStyle.type().field("style").isPresent() ? fontStyle.value("style") : FontStyle.PLAIN;
-    String name = String.valueOf(given);
+    String name = fontStyle.string("style");
     return FontStyle.of(name)
         .orElseGet(
             () -> {

@@ -49,7 +49,7 @@ class FuzzTest extends GeometryTest {
   }
 
   private NodeView random(String type) {
-    ParsedNode node = (ParsedNode) node(type);
+    ParsedNode node = node(type);
     for (FieldDefinition field : node.type().fields()) {
       if (random.nextInt(8) == 0) {
         continue;

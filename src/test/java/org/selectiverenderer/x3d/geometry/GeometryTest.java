@@ -3,20 +3,29 @@ package org.selectiverenderer.x3d.geometry;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.NodeType;
 import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.TestNodes;
 
 /** What the tests of the geometry nodes share. */
 abstract class GeometryTest {
-  private static final TestNodes NODES = new TestNodes();
+  private static final NodeCatalogue CATALOGUE = NodeCatalogue.load();
 
   final Tessellator tessellator = new Tessellator();
   final Problems problems = new Problems();
 
-  static NodeView node(String type, Object... fields) {
-    return NODES.node(type, fields);
+  /** A node; fields alternate names and values. */
+  static ParsedNode node(String typeName, Object... fields) {
+    NodeType type = CATALOGUE.get(typeName);
+    ParsedNode node = new ParsedNode(type, null, new Location("test.x3d", 1, 1));
+    for (int i = 0; i < fields.length; i += 2) {
+      node.put(type.indexOf((String) fields[i]), fields[i + 1]);
+    }
+    return node;
   }
 
   static NodeView coordinate(float... point) {

@@ -151,6 +151,13 @@ class TextShapeTest extends GeometryTest {
   }
 
   @Test
+  void fontStyleChoosesTheFont() {
+    NodeView bold = style("family", strings("Arial", "SANS"), "style", "BOLD");
+    assertThat(Measures.area(text(bold, "Hamburg")))
+        .isEqualTo(Measures.area(mesher.mesh("Hamburg", FontFamily.SANS, FontStyle.BOLD, 1)));
+  }
+
+  @Test
   void missingCharactersShowAsBoxesAndControlCharactersAsSpaces() {
     Mesh box = mesh("Text", "string", strings("\u4e2d\ud83d\ude00"));
     assertThat(box.polygons()).isPositive();

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.render.context;
 
+import com.jogamp.nativewindow.NativeWindowException;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLAutoDrawable;
 import com.jogamp.opengl.GLCapabilities;
@@ -7,6 +8,7 @@ import com.jogamp.opengl.GLContext;
 import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
+import java.awt.AWTError;
 
 /**
  * A GL context without a window, current on the thread that opened it until that thread closes it.
@@ -42,8 +44,11 @@ public final class OffscreenContext implements AutoCloseable {
         drawable.destroy();
         throw new GlUnavailableException("the display gives no OpenGL 3.3 context");
       }
+      // Opening it cleared a frame buffer that a context without a surface does not have.
+      context.getGL().glGetError();
       return new OffscreenContext(drawable, context);
-    } catch (GLException | LinkageError e) {
+    } catch (GLException | NativeWindowException | LinkageError | AWTError e) {
+      // JOGL asks AWT for the display's state unless Java runs headless.
       throw new GlUnavailableException(
           "OpenGL 3.3 cannot be used on this display: " + e.getMessage(), e);
     }

@@ -76,7 +76,7 @@ public final class ShapeProgram {
    * @param numbers twenty per light, as the fragment shader says
    */
   public void lights(GL3 gl, float[] numbers) {
-    if (currentLights != numbers) {
+    if (numbers.length > 0 && currentLights != numbers) {
       currentLights = numbers;
       gl.glUniform4fv(lights, numbers.length / 4, numbers, 0);
     }

@@ -11,8 +11,12 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  * by several threads.
  */
 public final class MeshPacker {
-  /** Triangles per cluster; see {@link org.selectiverenderer.runtime.render.SceneRenderer}. */
-  public static final int CLUSTER_TRIANGLES = Integer.getInteger("cl", 128);
+  /**
+   * Triangles per cluster. A terrain of 784,000 triangles around the viewer took 27 ms of the
+   * render thread per frame as a whole, 17 ms in clusters of 128, 512 or 2,048 (llvmpipe, 4 cores);
+   * smaller ones draw fewer triangles in more pieces.
+   */
+  static final int CLUSTER_TRIANGLES = 512;
 
   private static final int SHORT_INDEX_VERTICES = 1 << 16;
 

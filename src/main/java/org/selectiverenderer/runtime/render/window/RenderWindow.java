@@ -1,17 +1,18 @@
 package org.selectiverenderer.runtime.render.window;
 
 import com.jogamp.nativewindow.NativeWindowException;
-import com.jogamp.newt.NewtFactory;
 import com.jogamp.newt.event.KeyAdapter;
 import com.jogamp.newt.event.KeyEvent;
 import com.jogamp.newt.event.WindowAdapter;
 import com.jogamp.newt.event.WindowEvent;
 import com.jogamp.newt.opengl.GLWindow;
+import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLAutoDrawable;
 import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
+import java.awt.AWTError;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
@@ -34,6 +35,7 @@ public final class RenderWindow {
   private final AtomicBoolean fullScreenWanted = new AtomicBoolean();
   private @Nullable Throwable failure;
   private long drawn;
+  private volatile boolean stopping;
 
   public RenderWindow(WindowOptions options, FrameSource source, InputListener listener) {
     this.options = options;
@@ -79,16 +81,27 @@ public final class RenderWindow {
 
   private void loop() {
     try {
-      GLWindow window = open();
+      GLWindow window = openOrExplain();
       try {
         frames(window);
       } finally {
+        stopping = true;
+        // This last call frees what the source has, here and not on NEWT's thread.
+        window.setExclusiveContextThread(null);
+        window.display();
         window.destroy();
       }
-    } catch (GLException | NativeWindowException | LinkageError e) {
-      fail(new GlUnavailableException("no window with OpenGL 3.3 opens: " + e.getMessage(), e));
     } catch (RuntimeException | Error e) {
       fail(e);
+    }
+  }
+
+  private GLWindow openOrExplain() {
+    try {
+      return open();
+    } catch (RuntimeException | LinkageError | AWTError e) {
+      // JOGL asks AWT for the display's state unless Java runs headless.
+      throw new GlUnavailableException("no window with OpenGL 3.3 opens: " + e.getMessage(), e);
     }
   }
 
@@ -121,7 +134,7 @@ public final class RenderWindow {
   }
 
   private GLWindow open(GLCapabilities wanted) {
-    GLWindow window = GLWindow.create(NewtFactory.createScreen(null, 0), wanted);
+    GLWindow window = GLWindow.create(wanted);
     window.setTitle(options.title());
     window.setSize(options.width(), options.height());
     window.setDefaultCloseOperation(
@@ -146,6 +159,8 @@ public final class RenderWindow {
           }
         });
     window.addGLEventListener(new Drawing(window));
+    // Else NEWT's own thread would draw too, whenever the window system asks for a repaint.
+    window.setExclusiveContextThread(Thread.currentThread());
     fullScreenWanted.set(options.fullScreen());
     try {
       window.setFullscreen(options.fullScreen());
@@ -167,6 +182,7 @@ public final class RenderWindow {
       if (window.isFullscreen() != fullScreenWanted.get()) {
         boolean now = window.setFullscreen(fullScreenWanted.get());
         fullScreenWanted.set(now);
+        window.requestFocus(false);
       }
       long before = drawn;
       window.display();
@@ -177,7 +193,7 @@ public final class RenderWindow {
     }
   }
 
-  /** Called by NEWT from {@code display()} and {@code destroy()}, so on the render thread. */
+  /** Called by NEWT from {@code display()} and {@code destroy()}. */
   private final class Drawing implements GLEventListener {
     private final GLWindow window;
     private boolean started;
@@ -194,22 +210,37 @@ public final class RenderWindow {
 
     @Override
     public void display(GLAutoDrawable drawable) {
-      if (failure != null) {
-        return;
+      GL3 gl = drawable.getGL().getGL3();
+      if (stopping) {
+        stop(gl);
+      } else if (failure == null) {
+        try {
+          frame(gl, drawable.getSurfaceWidth(), drawable.getSurfaceHeight());
+        } catch (RuntimeException | Error e) {
+          fail(e);
+        }
       }
-      try {
-        if (!started) {
-          started = true;
-          source.start(drawable.getGL().getGL3());
+    }
+
+    private void frame(GL3 gl, int width, int height) {
+      if (!started) {
+        started = true;
+        source.start(gl);
+      }
+      if (width > 0 && height > 0) {
+        source.draw(gl, new FrameSize(width, height, scale()));
+        drawn++;
+      }
+    }
+
+    private void stop(GL3 gl) {
+      if (started) {
+        started = false;
+        try {
+          source.stop(gl);
+        } catch (RuntimeException | Error e) {
+          fail(e);
         }
-        int width = drawable.getSurfaceWidth();
-        int height = drawable.getSurfaceHeight();
-        if (width > 0 && height > 0) {
-          source.draw(drawable.getGL().getGL3(), new FrameSize(width, height, scale()));
-          drawn++;
-        }
-      } catch (RuntimeException | Error e) {
-        fail(e);
       }
     }
 
@@ -224,14 +255,8 @@ public final class RenderWindow {
 
     @Override
     public void dispose(GLAutoDrawable drawable) {
-      if (started) {
-        started = false;
-        try {
-          source.stop(drawable.getGL().getGL3());
-        } catch (RuntimeException | Error e) {
-          fail(e);
-        }
-      }
+      // Where the window went away before the last frame could be; the render thread waits.
+      stop(drawable.getGL().getGL3());
     }
   }
 }

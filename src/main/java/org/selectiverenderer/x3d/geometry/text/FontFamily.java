@@ -1,7 +1,5 @@
 package org.selectiverenderer.x3d.geometry.text;
 
-import java.util.Locale;
-
 /** The font families that every browser has (X3D 4.0, 15.2.2.2). */
 public enum FontFamily {
   SERIF("Serif", "Italic"),
@@ -37,6 +35,6 @@ public enum FontFamily {
           case ITALIC -> "-" + slanted;
           case BOLDITALIC -> "-Bold" + slanted;
         };
-    return String.format(Locale.ROOT, "DejaVu%s%s.ttf", fileName, suffix);
+    return "DejaVu" + fileName + suffix + ".ttf";
   }
 }

@@ -26,7 +26,9 @@ final class OutlineFiller {
       (area(contour) <= 0 ? outer : holes).add(contour);
     }
     List<List<float[]>> groups = new ArrayList<>();
-    outer.forEach(contour -> groups.add(new ArrayList<>(List.of(contour))));
+    for (float[] contour : outer) {
+      groups.add(new ArrayList<>(List.of(contour)));
+    }
     for (float[] hole : holes) {
       List<float[]> around = null;
       for (List<float[]> group : groups) {
@@ -46,7 +48,12 @@ final class OutlineFiller {
   }
 
   private static Glyph triangulate(List<List<float[]>> groups, float advance, float scale) {
-    int values = groups.stream().flatMap(List::stream).mapToInt(contour -> contour.length).sum();
+    int values = 0;
+    for (List<float[]> group : groups) {
+      for (float[] contour : group) {
+        values += contour.length;
+      }
+    }
     float[] points = new float[values];
     List<Integer> indices = new ArrayList<>();
     int used = 0;
@@ -60,9 +67,14 @@ final class OutlineFiller {
         System.arraycopy(group.get(i), 0, points, used, group.get(i).length);
         used += group.get(i).length;
       }
-      indices.addAll(clip(points, first, used / 2, holes));
+      for (int index : clip(points, first, used / 2, holes)) {
+        indices.add(first + index);
+      }
     }
-    int[] triangles = indices.stream().mapToInt(Integer::intValue).toArray();
+    int[] triangles = new int[indices.size()];
+    for (int i = 0; i < triangles.length; i++) {
+      triangles[i] = indices.get(i);
+    }
     for (int i = 0; i < triangles.length; i += 3) {
       if (turnsRight(points, triangles[i], triangles[i + 1], triangles[i + 2])) {
         int kept = triangles[i + 1];
@@ -104,7 +116,7 @@ final class OutlineFiller {
         break;
       }
     }
-    return best.stream().map(index -> first + index).toList();
+    return best;
   }
 
   /** By how much the triangles' area differs from the one to fill, as a part of that. */

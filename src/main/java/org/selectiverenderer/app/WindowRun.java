@@ -1,0 +1,169 @@
+package org.selectiverenderer.app;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.navigation.Controls;
+import org.selectiverenderer.runtime.navigation.NavigationCommand;
+import org.selectiverenderer.runtime.navigation.PathMotion;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.WorldHost;
+import org.selectiverenderer.runtime.render.WorldWindow;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.render.window.WindowOptions;
+
+/**
+ * Runs a scene in a window. The window opens while the scene is being read. Its render thread steps
+ * the world: by the clock on the wall while the user walks, by the frames of the path when one is
+ * played, so that its time line is that of a simulation.
+ */
+public final class WindowRun implements WorldHost {
+  private final RunSettings settings;
+  private final Controls controls;
+  private final WindowInput windowInput;
+  private final OverlayText overlayText = new OverlayText();
+  private final FigureKeeper keeper = new FigureKeeper();
+  private final SceneOpening opening;
+  private @Nullable Walkthrough walk;
+  private @Nullable Walking walking;
+  private @Nullable IOException failure;
+  private long begun;
+  private long pathFrame;
+  private boolean overlay;
+  private boolean finished;
+
+  private WindowRun(RunSettings settings, RunListener listener) {
+    this.settings = settings;
+    controls = new Controls(settings.mouse());
+    windowInput = new WindowInput(controls);
+    opening = new SceneOpening(settings, listener);
+  }
+
+  /**
+   * Shows the scene until the user or the settings end it.
+   *
+   * @throws IOException with a one-line message when the scene cannot be read
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static RunResult run(RunSettings settings, RunListener listener)
+      throws IOException, InterruptedException {
+    WindowRun run = new WindowRun(settings, listener);
+    WorldWindow window =
+        new WorldWindow(
+            new WindowOptions(
+                settings.scene().getFileName() + " - Selective Renderer",
+                settings.width(),
+                settings.height(),
+                settings.samples().orElseGet(AntiAliasing::forMotion),
+                false),
+            run);
+    try {
+      window.run();
+      return run.result(window);
+    } finally {
+      run.close();
+    }
+  }
+
+  private void close() throws IOException {
+    if (walk != null) {
+      walk.close();
+    }
+    opening.close();
+  }
+
+  private RunResult result(WorldWindow window) throws IOException {
+    if (failure != null) {
+      throw failure;
+    }
+    if (walk == null) {
+      walk = opening.await(); // Closed by the user before the scene was there.
+    } else {
+      walk.end();
+    }
+    GlInfo gl = window.info().orElse(new GlInfo("", "", ""));
+    return new RunResult(keeper.figures(gl), walk.problems().any(), window.lastPicture());
+  }
+
+  @Override
+  public void input(InputEvent event) {
+    windowInput.accept(event);
+  }
+
+  @Override
+  public Optional<World> step() {
+    List<NavigationCommand> commands = controls.takeCommands();
+    finished |= commands.contains(NavigationCommand.LEAVE);
+    if (walk == null && !open()) {
+      return Optional.empty();
+    }
+    for (NavigationCommand command : commands) {
+      overlay ^= command == NavigationCommand.TOGGLE_OVERLAY;
+      walking.command(command);
+    }
+    if (begun == 0) {
+      begun = System.nanoTime();
+    }
+    advance((System.nanoTime() - begun) * 1e-9);
+    return Optional.of(walk.world());
+  }
+
+  /** Takes the scene over once it is read. */
+  private boolean open() {
+    if (!opening.done()) {
+      return false;
+    }
+    try {
+      walk = opening.await();
+      walking = new Walking(walk.world(), controls);
+      keeper.loaded();
+      return true;
+    } catch (IOException e) {
+      failure = e;
+      finished = true;
+      return false;
+    }
+  }
+
+  private void advance(double elapsed) {
+    settings.duration().ifPresent(seconds -> finished |= elapsed >= seconds);
+    if (settings.path().isEmpty()) {
+      walk.step(elapsed, walking);
+      return;
+    }
+    PathClock clock =
+        new PathClock(
+            settings.path().get().start(), settings.path().get().end(), RunSettings.PATH_RATE);
+    PathMotion motion = new PathMotion(settings.path().get(), 0);
+    while (pathFrame < clock.frames() && clock.time(pathFrame) - clock.start() <= elapsed) {
+      walk.step(clock.time(pathFrame++), motion);
+    }
+    finished |= pathFrame == clock.frames() && settings.duration().isEmpty();
+  }
+
+  @Override
+  public boolean finished() {
+    return finished;
+  }
+
+  @Override
+  public List<String> overlay() {
+    return overlay
+        ? overlayText.lines(walk, settings.path().isPresent() ? "" : walking.describe())
+        : List.of();
+  }
+
+  @Override
+  public void drawn(Drawn drawn) {
+    overlayText.frame(drawn);
+    if (walk.frames() <= 1) {
+      keeper.firstFrame(walk.polygons(), drawn);
+    } else {
+      keeper.frame(walk.polygons(), drawn);
+    }
+  }
+}

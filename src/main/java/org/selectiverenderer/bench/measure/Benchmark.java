@@ -1,0 +1,80 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.bench.HeavyScene;
+import org.selectiverenderer.bench.ManySwitchesScene;
+
+/**
+ * Measures this machine. Everything is written to a folder of its own and deleted afterwards.
+ *
+ * @param mainClass of the command line, started anew for each run of a scene
+ * @param runs of each scene, of which the median counts
+ * @param progress hears what is being measured
+ */
+public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
+  private static final int SWITCHES = 100_000;
+  private static final int AFFECTED = 10;
+
+  /**
+   * Measures all.
+   *
+   * @throws IOException when a scene cannot be written or a run fails
+   * @throws InterruptedException when the waiting thread is interrupted
+   */
+  public ObjectNode run() throws IOException, InterruptedException {
+    Path folder = Files.createTempDirectory("selective-renderer-bench");
+    try {
+      return measure(folder);
+    } finally {
+      delete(folder);
+    }
+  }
+
+  private ObjectNode measure(Path folder) throws IOException, InterruptedException {
+    ObjectNode report = new ObjectMapper().createObjectNode();
+    Machine.describe(report.putObject("machine"));
+    ObjectNode gl = report.putObject("gl");
+    progress.accept("writing scenes");
+    BenchScene heavy = HeavyScene.write(folder.resolve("heavy"), 1);
+    BenchScene light = HeavyScene.write(folder.resolve("light"), 1.0 / 6);
+    BenchScene many = ManySwitchesScene.write(folder.resolve("many"), SWITCHES, AFFECTED);
+    progress.accept("reading");
+    Reading.measure(folder.resolve("heavy"), report.putObject("read"));
+    ChildRun child = new ChildRun(mainClass, runs);
+    progress.accept("heavy scene: 784,000 triangles");
+    ChildRun.Result result = child.run(heavy);
+    gl.setAll((ObjectNode) result.gl());
+    put(report.putObject("heavy"), heavy, result);
+    progress.accept("light scene: a sixth of it");
+    put(report.putObject("light"), light, child.run(light));
+    progress.accept("activation among 100,000 switches");
+    Activating.measure(many, AFFECTED, report.putObject("activation"));
+    return report;
+  }
+
+  private static void put(ObjectNode node, BenchScene scene, ChildRun.Result result) {
+    node.put("triangles", scene.triangles());
+    node.put("load_ms", result.loadMs());
+    node.put("process_to_first_frame_ms", result.startMs());
+    node.put("fps", result.fps());
+    node.put("frame_p50_ms", result.p50());
+    node.put("frame_p99_ms", result.p99());
+    node.put("rss_mb", result.rss());
+  }
+
+  private static void delete(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+}

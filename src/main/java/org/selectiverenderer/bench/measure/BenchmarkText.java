@@ -1,0 +1,94 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.Locale;
+
+/** The figures for people, beside the peers'. */
+public final class BenchmarkText {
+  private static final String ROW = "%-42s %11s %9s %11s %11s %9s %11s%n";
+
+  private BenchmarkText() {}
+
+  /** Several lines, the last one ended. */
+  public static String of(JsonNode report) {
+    StringBuilder text = new StringBuilder();
+    line(
+        text,
+        "machine     %s, %s processors",
+        at(report, "/machine/processor"),
+        at(report, "/machine/processors"));
+    line(text, "java        %s", at(report, "/machine/java"));
+    line(text, "OpenGL      %s, %s", at(report, "/gl/renderer"), at(report, "/gl/version"));
+    line(
+        text,
+        "reading     %s MB/s over all processors (%s MB/s cold)",
+        at(report, "/read/mb_per_s"),
+        at(report, "/read/cold_mb_per_s"));
+    line(
+        text,
+        "activation  %s us for a frame in which %s of %s switches change (%s us for one without)",
+        at(report, "/activation/us"),
+        at(report, "/activation/affected"),
+        at(report, "/activation/switches"),
+        at(report, "/activation/idle_frame_us"));
+    text.append(System.lineSeparator());
+    row(
+        text,
+        "1024x768, no anti-aliasing",
+        "heavy: s",
+        "frames/s",
+        "MB",
+        "light: s",
+        "frames/s",
+        "MB");
+    row(
+        text,
+        "this program (from the start of reading)",
+        seconds(report, "/heavy/load_ms"),
+        at(report, "/heavy/fps"),
+        at(report, "/heavy/rss_mb"),
+        seconds(report, "/light/load_ms"),
+        at(report, "/light/fps"),
+        at(report, "/light/rss_mb"));
+    row(
+        text,
+        "this program (from process start)",
+        seconds(report, "/heavy/process_to_first_frame_ms"),
+        "",
+        "",
+        seconds(report, "/light/process_to_first_frame_ms"),
+        "",
+        "");
+    for (Peers.Peer peer : Peers.ALL) {
+      row(
+          text,
+          peer.name(),
+          peer.heavyLoad(),
+          peer.heavyFps(),
+          peer.heavyMemory(),
+          peer.lightLoad(),
+          peer.lightFps(),
+          peer.lightMemory());
+    }
+    line(
+        text,
+        "The peers were measured on another machine of 4 cores with software OpenGL: compare with care.");
+    return text.toString();
+  }
+
+  private static String seconds(JsonNode report, String key) {
+    return String.format(Locale.ROOT, "%.2f", report.at(key).asDouble() / 1000);
+  }
+
+  private static String at(JsonNode report, String key) {
+    return report.at(key).asText();
+  }
+
+  private static void line(StringBuilder text, String format, Object... arguments) {
+    text.append(String.format(Locale.ROOT, format, arguments)).append(System.lineSeparator());
+  }
+
+  private static void row(StringBuilder text, Object... cells) {
+    text.append(String.format(Locale.ROOT, ROW, cells));
+  }
+}

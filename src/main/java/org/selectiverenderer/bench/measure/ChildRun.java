@@ -1,0 +1,78 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.bench.BenchScene;
+
+/**
+ * Runs a scene offscreen in a process of its own, with the Java, class path and flags of this one,
+ * and reads its figures.
+ *
+ * @param mainClass of the command line
+ */
+record ChildRun(String mainClass, int runs) {
+  /** Width and height of the picture: that of the peers' figures. */
+  private static final String SIZE = "1024x768";
+
+  /** Medians over the runs. */
+  record Result(
+      double loadMs, double startMs, double fps, double p50, double p99, double rss, JsonNode gl) {}
+
+  Result run(BenchScene scene) throws IOException, InterruptedException {
+    List<JsonNode> all = new ArrayList<>();
+    for (int i = 0; i < runs; i++) {
+      all.add(once(scene));
+    }
+    return new Result(
+        median(all, "/first_frame_ms"),
+        median(all, "/process_to_first_frame_ms"),
+        median(all, "/fps"),
+        median(all, "/frame_ms/p50"),
+        median(all, "/frame_ms/p99"),
+        median(all, "/peak_rss_mb"),
+        all.get(0).get("gl"));
+  }
+
+  private static double median(List<JsonNode> all, String key) {
+    return Figures.median(all.stream().mapToDouble(node -> node.at(key).asDouble()).toArray());
+  }
+
+  private JsonNode once(BenchScene scene) throws IOException, InterruptedException {
+    Path stats = Files.createTempFile("selective-renderer-bench", ".json");
+    Path log = Files.createTempFile("selective-renderer-bench", ".log");
+    try {
+      Process process =
+          new ProcessBuilder(command(scene, stats))
+              .redirectErrorStream(true)
+              .redirectOutput(log.toFile())
+              .start();
+      if (process.waitFor() != 0) {
+        throw new IOException(
+            "running %s failed: %s"
+                .formatted(scene.scene(), Files.readString(log, StandardCharsets.UTF_8).strip()));
+      }
+      return new ObjectMapper().readTree(stats.toFile());
+    } finally {
+      Files.deleteIfExists(stats);
+      Files.deleteIfExists(log);
+    }
+  }
+
+  private List<String> command(BenchScene scene, Path stats) {
+    List<String> command = new ArrayList<>();
+    command.add(ProcessHandle.current().info().command().orElse("java"));
+    command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
+    command.addAll(List.of("run", scene.scene().toString()));
+    command.addAll(List.of("--offscreen", "--size", SIZE, "--samples", "0"));
+    command.addAll(List.of("--path", scene.path().toString(), "--stats", stats.toString()));
+    return command;
+  }
+}

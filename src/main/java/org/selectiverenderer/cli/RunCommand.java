@@ -1,0 +1,168 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.OffscreenRun;
+import org.selectiverenderer.app.RunResult;
+import org.selectiverenderer.app.RunSettings;
+import org.selectiverenderer.app.WindowRun;
+import org.selectiverenderer.runtime.navigation.CameraPath;
+import org.selectiverenderer.runtime.navigation.CameraPathReader;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.runtime.render.context.GlAvailability;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.x3d.Problems;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "run",
+    description = {
+      "Shows a scene and renders it selectively.",
+      "Walk: hold the left mouse button (right: backward) and move the mouse to steer, or use the"
+          + " arrow keys or W A S D. Page Up and Page Down go from viewpoint to viewpoint, Home back"
+          + " to the present one. F1 shows figures, F2 changes the way of moving, F3 switches"
+          + " collisions, F11 fills the screen, Escape ends."
+    },
+    footer = {
+      "  ./selective-renderer run scenes/trashcan.x3d",
+      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png"
+    })
+final class RunCommand extends CliCommand {
+  private enum Mouse {
+    walk,
+    experiment,
+    off
+  }
+
+  @Parameters(paramLabel = "SCENE", description = "the X3D scene (.x3d, .x3dz)")
+  private Path scene = Path.of("");
+
+  @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  @Option(
+      names = "--mouse",
+      defaultValue = "walk",
+      description =
+          "what the buttons do: walk (left forward, right backward), experiment (the other way"
+              + " round), off (default: ${DEFAULT-VALUE})")
+  private Mouse mouse = Mouse.walk;
+
+  @Option(names = "--duration", paramLabel = "S", description = "ends the run after S seconds")
+  private @Nullable Double duration;
+
+  @Option(
+      names = "--path",
+      paramLabel = "P.csv",
+      description = "the viewer follows a recorded path: t,x,y,z[,yaw,pitch,roll]")
+  private @Nullable Path path;
+
+  @Option(
+      names = "--offscreen",
+      description =
+          "without a window, as fast as frames can be drawn; needs a display all the same")
+  private boolean offscreen;
+
+  @Option(
+      names = "--size",
+      defaultValue = "1024x768",
+      converter = PixelSize.Converter.class,
+      paramLabel = "WxH",
+      description = "of the picture (default: ${DEFAULT-VALUE})")
+  private PixelSize size = new PixelSize(1024, 768);
+
+  @Option(
+      names = "--samples",
+      paramLabel = "N",
+      description =
+          "per pixel against jagged edges, 0 for none (default: 4, but none for moving pictures"
+              + " where there is no graphics card)")
+  private @Nullable Integer samples;
+
+  @Option(
+      names = "--screenshot",
+      paramLabel = "F.png",
+      description = "writes the last picture to a file")
+  private @Nullable Path screenshot;
+
+  @Option(
+      names = "--timeline",
+      paramLabel = "F.jsonl",
+      description = "writes what happened, one JSON object a line, as simulate does")
+  private @Nullable Path timeline;
+
+  @Option(names = "--stats", paramLabel = "F.json", description = "writes the figures of the run")
+  private @Nullable Path stats;
+
+  RunCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    check();
+    Problems pathProblems = new Problems(console()::problem);
+    Optional<CameraPath> walked =
+        path == null ? Optional.empty() : CameraPathReader.read(path, pathProblems);
+    if (path != null && walked.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    RunSettings settings =
+        new RunSettings(
+            scene,
+            condition.settings(),
+            walked,
+            duration == null ? OptionalDouble.empty() : OptionalDouble.of(duration),
+            size.width(),
+            size.height(),
+            samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
+            MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)));
+    RunResult result = show(settings);
+    if (screenshot != null && result.screenshot().isPresent()) {
+      result.screenshot().get().writePng(screenshot);
+    }
+    if (stats != null) {
+      Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
+    }
+    return result.problems() || pathProblems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  private void check() {
+    if (duration != null && !(duration > 0)) {
+      throw CommandFailure.usage("--duration is a number of seconds above 0");
+    }
+    if (samples != null && (samples < 0 || samples > 16)) {
+      throw CommandFailure.usage("--samples is a number from 0 to 16");
+    }
+    GlAvailability.check().ifPresent(this::noDisplay);
+  }
+
+  private RunResult show(RunSettings settings) throws IOException {
+    try (RunOutput output = RunOutput.open(console(), timeline)) {
+      return offscreen ? new OffscreenRun(settings).run(output) : WindowRun.run(settings, output);
+    } catch (GlUnavailableException e) {
+      noDisplay(e.getMessage());
+      throw e;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw CommandFailure.environment("interrupted");
+    }
+  }
+
+  private void noDisplay(String reason) {
+    String advice =
+        offscreen
+            ? "simulate walks a path through a scene without a display"
+            : "simulate walks a path through a scene without a display, and run --offscreen draws"
+                + " without a window where there is a display such as Xvfb";
+    throw CommandFailure.environment(reason + "; " + advice);
+  }
+}

@@ -1,0 +1,90 @@
+package org.selectiverenderer.runtime.nodes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.geometry.Tessellator;
+
+class NodeFactoryTest {
+  private final NodeFactory factory = new NodeFactory();
+
+  @Test
+  void aNodeOfEveryTypeCanBeMade() {
+    for (NodeType type : Nodes.CATALOGUE.all()) {
+      assertThat(factory.make(type, null, Location.of("test")).type()).isSameAs(type);
+    }
+  }
+
+  @Test
+  void whatIsTessellatedCountsAsActedOnAndNoOtherGeometryDoes() {
+    Tessellator tessellator = new Tessellator();
+    for (NodeType type : Nodes.CATALOGUE.all()) {
+      if (type.is("X3DGeometryNode")) {
+        assertThat(factory.actsOn(type)).as(type.name()).isEqualTo(tessellator.handles(type));
+      }
+    }
+  }
+
+  /** A change of what the runtime does with node types is to be seen here. */
+  @Test
+  void theTypesThatAreOnlyKept() {
+    assertThat(kept())
+        .isEqualTo(
+            """
+            Core: ProtoInstance
+            CubeMapTexturing: all
+            DIS: all
+            EnvironmentalEffects: Fog FogCoordinate LocalFog
+            Followers: all
+            Geospatial: all
+            HAnim: all
+            Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
+            SplineScalarInterpolator SquadOrientationInterpolator
+            KeyDeviceSensor: all
+            Layering: all
+            Layout: all
+            NURBS: all
+            Networking: LoadSensor
+            ParticleSystems: all
+            Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
+            PointingDeviceSensor: CylinderSensor PlaneSensor SphereSensor
+            Rendering: ClipPlane
+            RigidBodyPhysics: all
+            Scripting: all
+            Shaders: all
+            Shape: AcousticProperties FillProperties LineProperties PointProperties
+            Sound: all
+            TextureProjection: all
+            Texturing: MovieTexture MultiTextureCoordinate MultiTextureTransform \
+            TextureCoordinateGenerator TextureProperties
+            Texturing3D: all
+            VolumeRendering: all
+            """);
+  }
+
+  private String kept() {
+    Map<String, List<NodeType>> components =
+        Nodes.CATALOGUE.all().stream()
+            .collect(Collectors.groupingBy(NodeType::component, TreeMap::new, Collectors.toList()));
+    StringBuilder text = new StringBuilder();
+    components.forEach(
+        (component, types) -> {
+          List<NodeType> kept = types.stream().filter(type -> !factory.actsOn(type)).toList();
+          if (kept.size() == types.size()) {
+            text.append(component).append(": all\n");
+          } else if (!kept.isEmpty()) {
+            text.append(component)
+                .append(
+                    kept.stream().map(NodeType::name).collect(Collectors.joining(" ", ": ", "\n")));
+          }
+        });
+    return text.toString();
+  }
+}
