@@ -11,6 +11,8 @@ final class LibraryProperties {
       Map.of(
           // JOML without sun.misc.Unsafe, of which newer Java versions warn.
           "joml.nounsafe", "true",
+          // Windows are JOGL's own: without this JOGL starts AWT's toolkit beside them.
+          "java.awt.headless", "true",
           // No probing for Groovy closures in every command.
           "picocli.disable.closures", "true");
 

@@ -57,10 +57,10 @@ public final class OffscreenView implements AutoCloseable {
   public Drawn draw(World world) {
     GL3 gl = context.gl();
     target.bind(gl);
+    awaitPrevious(gl);
     Drawn drawn = painter.paint(gl, world, target.width(), target.height());
     long frame = gl.glFenceSync(GL3.GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.glFlush();
-    awaitPrevious(gl);
     previousFrame = frame;
     return drawn;
   }

@@ -198,7 +198,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
     binding.execute(
         () -> {
           current = embedded;
-          world.replace(new LoadedScene(shown, loader.assets()));
+          world.replace(new LoadedScene(shown, loader));
         });
   }
 

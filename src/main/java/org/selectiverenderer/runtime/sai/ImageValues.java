@@ -23,7 +23,7 @@ final class ImageValues {
     }
     if ((long) width * height > pixels.length) {
       throw new InvalidFieldValueException(
-          "%d x %d pixels are announced, %d are given".formatted(width, height, pixels.length));
+          "%s x %s pixels are announced, %s are given".formatted(width, height, pixels.length));
     }
     int[] value = new int[3 + width * height];
     value[0] = width;
@@ -147,7 +147,7 @@ final class ImageValues {
     }
     if ((long) x + width > image[0] || (long) y + height > image[1]) {
       throw new InvalidFieldValueException(
-          "a part of %d x %d at %d, %d exceeds an image of %d x %d"
+          "a part of %s x %s at %s, %s exceeds an image of %s x %s"
               .formatted(width, height, x, y, image[0], image[1]));
     }
   }

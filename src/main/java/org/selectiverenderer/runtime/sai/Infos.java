@@ -63,7 +63,7 @@ final class Infos {
     int highest = levels.getOrDefault(name, 0);
     if (level < 1 || level > highest) {
       throw new NotSupportedException(
-          "component %s is supported up to level %d".formatted(name, highest));
+          "component %s is supported up to level %s".formatted(name, highest));
     }
     return new Component(name, level);
   }
@@ -104,7 +104,7 @@ final class Infos {
 
     @Override
     public String toX3DString() {
-      return "<component name=\"%s\" level=\"%d\"/>".formatted(name, level);
+      return "<component name=\"%s\" level=\"%s\"/>".formatted(name, level);
     }
   }
 

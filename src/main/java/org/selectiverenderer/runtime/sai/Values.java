@@ -81,13 +81,13 @@ final class Values {
     if (!type.multiple()) {
       if (given < type.components()) {
         throw new InvalidFieldValueException(
-            "%s needs %d components, not %d".formatted(type, type.components(), given));
+            "%s needs %s components, not %s".formatted(type, type.components(), given));
       }
       return copy(flat, type.components());
     }
     if (given % type.components() != 0) {
       throw new InvalidFieldValueException(
-          "%d numbers are no whole tuples of %s".formatted(given, type));
+          "%s numbers are no whole tuples of %s".formatted(given, type));
     }
     return flat;
   }
@@ -146,7 +146,7 @@ final class Values {
     for (int i = 0; i < rows.length; i++) {
       if (rows[i] == null || Array.getLength(rows[i]) < width) {
         throw new InvalidFieldValueException(
-            "row %d is no tuple of %s, which has %d components".formatted(i, type, width));
+            "row %s is no tuple of %s, which has %s components".formatted(i, type, width));
       }
       System.arraycopy(rows[i], 0, all, i * width, width);
     }
@@ -215,7 +215,7 @@ final class Values {
     Object tuple = flat(type, argument);
     if (Array.getLength(tuple) < type.components()) {
       throw new InvalidFieldValueException(
-          "a value of %s has %d components, not %d"
+          "a value of %s has %s components, not %s"
               .formatted(type, type.components(), Array.getLength(tuple)));
     }
     return tuple;
@@ -261,7 +261,7 @@ final class Values {
   private static void check(FieldType type, Object value, int index, boolean endAllowed) {
     int size = size(type, value);
     if (index < 0 || index > size || (index == size && !endAllowed)) {
-      throw new ArrayIndexOutOfBoundsException("index %d of %d values".formatted(index, size));
+      throw new ArrayIndexOutOfBoundsException("index %s of %s values".formatted(index, size));
     }
   }
 
@@ -282,7 +282,7 @@ final class Values {
   private static void checkAnnounced(FieldType type, int announced, int given) {
     if (announced < 0 || announced > given) {
       throw new InvalidFieldValueException(
-          "%d values of %s are announced, %d are given".formatted(announced, type, given));
+          "%s values of %s are announced, %s are given".formatted(announced, type, given));
     }
   }
 }

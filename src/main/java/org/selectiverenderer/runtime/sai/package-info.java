@@ -12,8 +12,7 @@
  * step. In a bracket of {@code beginUpdate} and {@code endUpdate} the thread's own writes wait for
  * its end; reading gives the old value until then. Reads never wait: during a step elsewhere they
  * give the value of the moment. What listeners throw is reported as a problem and passed over.
- * Events of writes between two frames carry the time of the frame that ended, and are delivered in
- * the next.
+ * Events of writes between two frames belong to the next one, which delivers them.
  */
 @NullMarked
 package org.selectiverenderer.runtime.sai;

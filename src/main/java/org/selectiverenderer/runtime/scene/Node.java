@@ -141,8 +141,8 @@ public class Node implements NodeView {
     }
   }
 
-  /** Makes observers look at a field again, without an event. */
-  protected final void tellObservers(int field) {
+  /** Makes observers look at a field again, without an event: what it leads to has changed. */
+  public final void tellObservers(int field) {
     for (int i = 0; i < observerCount; i++) {
       observers[i].changed(this, field);
     }

@@ -32,7 +32,7 @@ final class SaiFixture implements AutoCloseable {
     loader = new SceneLoader(catalogue, new NodeFactory(), ReadLimits.standard(), problems);
     Node root = loader.factory().make(catalogue.get("Group"), null, Location.of("(empty)"));
     Scene empty = new Scene(root, "", "4.0", "Full", Map.of(), 1);
-    world = new World(new LoadedScene(empty, loader.assets()), problems);
+    world = new World(new LoadedScene(empty, loader), problems);
     browser = new EmbeddedBrowser(world, loader, printed::add, Map.of("Antialiased", true));
   }
 
