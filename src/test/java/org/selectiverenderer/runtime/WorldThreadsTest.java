@@ -63,20 +63,20 @@ class WorldThreadsTest {
   }
 
   @Test
-  void betweenStepsATaskRunsAtOnceUnlessOthersWait() {
+  void betweenStepsATaskRunsAtOnceAndWhatIsPostedWaits() {
     try (WorldFixture fixture = new WorldFixture("<Group/>")) {
       fixture.world.execute(() -> fixture.log.add("a"));
       assertThat(fixture.log).containsExactly("a");
       fixture.world.post(() -> fixture.log.add("b"));
       fixture.world.execute(() -> fixture.log.add("c"));
-      assertThat(fixture.log).containsExactly("a");
+      assertThat(fixture.log).containsExactly("a", "c");
       fixture.step(0);
-      assertThat(fixture.log).containsExactly("a", "b", "c");
+      assertThat(fixture.log).containsExactly("a", "c", "b");
     }
   }
 
   @Test
-  void aTaskOfAnotherThreadWaitsForTheNextStepWhileOneIsUnderWay() throws InterruptedException {
+  void aTaskThatTheStepItselfWaitsForIsLeftToTheNextStep() throws InterruptedException {
     try (WorldFixture fixture = new WorldFixture("<Group/>")) {
       CountDownLatch handedOver = new CountDownLatch(1);
       fixture.world.post(
