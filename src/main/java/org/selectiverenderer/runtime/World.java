@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
@@ -19,9 +20,11 @@ import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.nodes.BindStacks;
 import org.selectiverenderer.runtime.nodes.FrameNode;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /**
@@ -44,6 +47,7 @@ public final class World {
   private final Cascade cascade;
   private final Viewer viewer = new Viewer();
   private final ConcurrentLinkedQueue<Runnable> posted = new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<Runnable> deferred = new ConcurrentLinkedQueue<>();
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private Scene scene;
   private InstanceTree instances;
@@ -55,7 +59,10 @@ public final class World {
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
   private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
-  private final ReentrantLock lock = new ReentrantLock();
+
+  /** Fair, since the stepping thread would else take it again before one that waits gets it. */
+  private final ReentrantLock lock = new ReentrantLock(true);
+
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
   private volatile boolean running = true;
@@ -164,21 +171,39 @@ public final class World {
   }
 
   /**
-   * Runs a task that changes the scene: at once when no step is under way or this is the stepping
-   * thread, else at the beginning of the next step. Tasks of one thread keep their order.
-   * Thread-safe.
+   * Runs a task that changes the scene, so that it is done when this returns: at once when no step
+   * is under way or this is the stepping thread, else when the step has ended. Should that take
+   * longer than a second, since a listener waits for this very thread, the task is left to the
+   * beginning of the next step. Tasks run in the order in which they came. Thread-safe.
    */
   public void execute(Runnable task) {
     if (lock.isHeldByCurrentThread()) {
       task.run();
-    } else if (!posted.isEmpty() || !lock.tryLock()) {
-      posted.add(task);
-    } else {
+    } else if (lockWithinASecond()) {
       try {
+        runDeferred();
         task.run();
       } finally {
         lock.unlock();
       }
+    } else {
+      deferred.add(task);
+    }
+  }
+
+  private boolean lockWithinASecond() {
+    try {
+      return lock.tryLock() || lock.tryLock(1, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  /** Tasks whose callers are gone: what they throw can only be reported. */
+  private void runDeferred() {
+    for (Runnable task = deferred.poll(); task != null; task = deferred.poll()) {
+      ApplicationCode.call(problems, Location.of(scene.url()), "a change of the scene", task);
     }
   }
 
@@ -229,6 +254,7 @@ public final class World {
     double dt = Double.isNaN(time) ? 0 : Math.max(0, now - time);
     time = now;
     cascade.at(now);
+    runDeferred();
     runPosted();
     settle();
     if (!running) {

@@ -117,13 +117,22 @@ public final class SceneLoader implements AutoCloseable {
    * @throws IOException with a one-line message when the file itself cannot be read
    */
   public LoadedScene load(Path file) throws IOException {
+    return load(file, problems);
+  }
+
+  /**
+   * As {@link #load(Path)}.
+   *
+   * @param hears hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(Path file, Problems hears) throws IOException {
     if (Files.isDirectory(file)) {
       throw new IOException(file + " is a folder, not a scene");
     }
     Path parent = file.getParent();
     Path folder = parent == null ? Path.of("") : parent;
     try (InputStream in = Files.newInputStream(file)) {
-      return load(file.toString(), in, Files.size(file), file.toRealPath(), folder);
+      return load(file.toString(), in, Files.size(file), file.toRealPath(), folder, hears);
     }
   }
 
@@ -134,17 +143,28 @@ public final class SceneLoader implements AutoCloseable {
    * @param folder against which its urls are resolved
    */
   public LoadedScene load(String name, InputStream in, Path folder) throws IOException {
-    return load(name, in, 0, folder, folder);
+    return load(name, in, folder, problems);
   }
 
-  private LoadedScene load(String name, InputStream in, long size, Path path, Path folder)
+  /**
+   * As {@link #load(String, InputStream, Path)}.
+   *
+   * @param hears hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(String name, InputStream in, Path folder, Problems hears)
+      throws IOException {
+    return load(name, in, 0, folder, folder, hears);
+  }
+
+  private LoadedScene load(
+      String name, InputStream in, long size, Path path, Path folder, Problems hears)
       throws IOException {
     ContentRoot root = new ContentRoot(folder);
     TaskGroup tasks = new TaskGroup(threads);
     FileContent content =
         new FileLoader(reader, tessellator, tasks, root).first(name, in, size, path, folder);
     TaskGroup.await(tasks.end());
-    return new LoadedScene(build(content, root, List.of(), problems), this);
+    return new LoadedScene(build(content, root, List.of(), hears), this);
   }
 
   private Scene build(FileContent content, ContentRoot root, List<Path> above, Problems hears) {

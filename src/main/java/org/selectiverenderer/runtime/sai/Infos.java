@@ -37,8 +37,12 @@ final class Infos {
     return PROFILES.stream().map(this::profile).toArray(ProfileInfo[]::new);
   }
 
+  boolean knows(String profile) {
+    return PROFILES.contains(profile);
+  }
+
   ProfileInfo profile(String name) {
-    if (!PROFILES.contains(name)) {
+    if (!knows(name)) {
       throw new NotSupportedException("there is no profile " + name);
     }
     return new Profile(name, components());
@@ -62,6 +66,19 @@ final class Infos {
           "component %s is supported up to level %s".formatted(name, highest));
     }
     return new Component(name, level);
+  }
+
+  /** Which optional parts of the SAI there are (ISO/IEC 19775-2, 6.2.4). */
+  static Map<String, Object> browserProperties() {
+    return Map.of(
+        "ABSTRACT_NODES", true,
+        "CONCRETE_NODES", true,
+        "EXTERNAL_INTERACTIONS", true,
+        "PROTOTYPE_CREATE", false,
+        "DOM_IMPORT", true,
+        "XML_ENCODING", true,
+        "CLASSIC_VRML_ENCODING", false,
+        "BINARY_ENCODING", false);
   }
 
   private record Component(String name, int level) implements ComponentInfo {
