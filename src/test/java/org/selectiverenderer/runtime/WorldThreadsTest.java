@@ -63,15 +63,15 @@ class WorldThreadsTest {
   }
 
   @Test
-  void betweenStepsATaskRunsAtOnceUnlessOthersWait() {
+  void betweenStepsATaskRunsAtOnceAndWhatIsPostedWaits() {
     try (WorldFixture fixture = new WorldFixture("<Group/>")) {
       fixture.world.execute(() -> fixture.log.add("a"));
       assertThat(fixture.log).containsExactly("a");
       fixture.world.post(() -> fixture.log.add("b"));
       fixture.world.execute(() -> fixture.log.add("c"));
-      assertThat(fixture.log).containsExactly("a");
+      assertThat(fixture.log).containsExactly("a", "c");
       fixture.step(0);
-      assertThat(fixture.log).containsExactly("a", "b", "c");
+      assertThat(fixture.log).containsExactly("a", "c", "b");
     }
   }
 
