@@ -16,6 +16,7 @@ import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.web3d.x3d.sai.BrowserFactory;
 import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.X3DComponent;
 
 /**
@@ -42,7 +43,7 @@ public final class SaiRunner implements AutoCloseable {
    */
   public static SaiRunner open(
       String url, SelectiveController.Settings settings, Consumer<String> out) {
-    SaiRunner runner = new SaiRunner(BrowserFactory.createX3DComponent(new HashMap<>()), out);
+    SaiRunner runner = new SaiRunner(component(), out);
     try {
       ExternalBrowser browser = runner.browser();
       out.accept("browser: " + browser.getName() + " " + browser.getVersion());
@@ -52,6 +53,15 @@ public final class SaiRunner implements AutoCloseable {
     } catch (RuntimeException | Error e) {
       runner.close();
       throw e;
+    }
+  }
+
+  private static X3DComponent component() {
+    try {
+      return BrowserFactory.createX3DComponent(new HashMap<>());
+    } catch (NullPointerException e) { // what Xj3D does when it finds no factory
+      throw new NotSupportedException(
+          "no browser was found; the system property x3d.sai.factory.class names its factory");
     }
   }
 
