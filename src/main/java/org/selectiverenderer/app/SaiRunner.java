@@ -24,6 +24,7 @@ import org.web3d.x3d.sai.X3DComponent;
  * its jars first on the class path. Names nothing but the SAI and the controller.
  */
 public final class SaiRunner implements AutoCloseable {
+  private final double begun = System.currentTimeMillis() / 1000.0;
   private final X3DComponent component;
   private final TimelineText text = new TimelineText();
   private final Consumer<String> out;
@@ -69,17 +70,23 @@ public final class SaiRunner implements AutoCloseable {
     return component.getBrowser();
   }
 
+  /** X3D counts seconds from 1970, the time line from the start. */
+  private double since(double time) {
+    return Math.max(0, time - begun);
+  }
+
   private void tell(ControlEvent event) {
     if (event instanceof ControlEvent.Start start) {
       out.accept(text.line(new TimelineEvent.Start(0, start.switches())));
     } else if (event instanceof ControlEvent.Enter e) {
-      out.accept(text.line(new TimelineEvent.Enter(e.time(), e.sensor(), e.schemas())));
+      out.accept(text.line(new TimelineEvent.Enter(since(e.time()), e.sensor(), e.schemas())));
     } else if (event instanceof ControlEvent.Exit e) {
-      out.accept(text.line(new TimelineEvent.Exit(e.time(), e.sensor(), e.schemas())));
+      out.accept(text.line(new TimelineEvent.Exit(since(e.time()), e.sensor(), e.schemas())));
     } else if (event instanceof ControlEvent.SwitchChange s) {
       out.accept(
           text.line(
-              new TimelineEvent.Switched(s.time(), s.switchName(), s.from(), s.to(), s.schema())));
+              new TimelineEvent.Switched(
+                  since(s.time()), s.switchName(), s.from(), s.to(), s.schema())));
     }
   }
 

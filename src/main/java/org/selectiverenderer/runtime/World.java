@@ -65,6 +65,7 @@ public final class World {
 
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
+  private double epoch = EPOCH;
   private volatile boolean running = true;
 
   public World(LoadedScene loaded, Problems problems) {
@@ -160,7 +161,24 @@ public final class World {
     pointed.add(pointer);
   }
 
-  /** The time of the last step in seconds; NaN before the first. */
+  /**
+   * The SFTime at which the world's time is 0. X3D counts time from 1970 (X3D 4.0, 4.4.8.3), so
+   * that a startTime of 0 is long past. This one is fixed, so that the same walk gives the same
+   * events.
+   */
+  public static final double EPOCH = 1L << 30;
+
+  /**
+   * Counts from another time, for programs that set times by the clock on the wall. Before the
+   * first step.
+   *
+   * @param seconds since 1970 at the world's time 0
+   */
+  public void epoch(double seconds) {
+    epoch = seconds;
+  }
+
+  /** The time of the last step in seconds of the world's own time; NaN before the first. */
   public double time() {
     return time;
   }
@@ -253,7 +271,7 @@ public final class World {
   private void frame(double now, ViewerMotion motion) {
     double dt = Double.isNaN(time) ? 0 : Math.max(0, now - time);
     time = now;
-    cascade.at(now);
+    cascade.at(epoch + now);
     runDeferred();
     runPosted();
     settle();
@@ -266,7 +284,7 @@ public final class World {
     instances.view(viewer.position(), up, cascade);
     instances.update();
     pointing.frame(drain(pointed), viewer, cascade);
-    WorldFrame frame = new WorldFrame(now, viewer, instances);
+    WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
     for (FrameNode node : frameNodes()) {
       node.frame(frame, cascade);
     }
@@ -316,9 +334,12 @@ public final class World {
 
   /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */
   public void goTo(Node viewpoint) {
-    bindables.bind(viewpoint, cascade);
-    cascade.run();
-    follower.jump();
+    hold(
+        () -> {
+          bindables.bind(viewpoint, cascade);
+          cascade.run();
+          follower.jump();
+        });
   }
 
   /** All viewpoints of the scene in document order. */

@@ -39,6 +39,7 @@ final class WorldFixture implements AutoCloseable {
    */
   WorldFixture(Path folder, String nodes) {
     world = new World(load(folder, nodes), problems);
+    world.epoch(0); // So that tests may name the times of their frames.
   }
 
   LoadedScene load(Path folder, String nodes) {

@@ -33,6 +33,7 @@ final class SaiFixture implements AutoCloseable {
     Node root = loader.factory().make(catalogue.get("Group"), null, Location.of("(empty)"));
     Scene empty = new Scene(root, "", "4.0", "Full", Map.of(), 1);
     world = new World(new LoadedScene(empty, loader), problems);
+    world.epoch(0); // So that tests may name the times of their frames.
     browser = new EmbeddedBrowser(world, loader, printed::add, Map.of("Antialiased", true));
   }
 
