@@ -127,6 +127,11 @@ final class SceneControl implements Area.Listener {
     }
   }
 
+  /** A ROUTE, an application or another script has set the choice; it stays until the next step. */
+  private void choiceChanged(VersionedObject object) {
+    activation.noteShown(object, object.shown());
+  }
+
   private void changed(List<X3DNode> found, List<X3DNode> lost, double time) {
     now = time;
     names.add(found);
@@ -139,7 +144,8 @@ final class SceneControl implements Area.Listener {
         area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
         foundAreas.add(area);
       } else if (node instanceof Switch versions) {
-        VersionedObject object = new VersionedObject(versions, names.of(node), this::objectChanged);
+        VersionedObject object =
+            new VersionedObject(versions, names.of(node), this::objectChanged, this::choiceChanged);
         objects.put(node, object);
         foundObjects.add(object);
       }

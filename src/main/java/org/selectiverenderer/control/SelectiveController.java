@@ -18,8 +18,9 @@ import org.web3d.x3d.sai.ExternalBrowser;
  * since the SAI does not show it.
  *
  * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
- * take effect later than it is made, and writes only what differs. A write is made within the call
- * of the listener, so that it belongs to the same time stamp as the entry.
+ * take effect later than it is made, and writes only what differs. What others write (a ROUTE, an
+ * application) is taken into the record and stays until an area has another say. A write is made
+ * within the call of the listener, so that it belongs to the same time stamp as the entry.
  *
  * <p>All work is done on the thread of the browser, which is also the one to call the methods here.
  */

@@ -64,6 +64,48 @@ class ChangingSceneTest {
   }
 
   @Test
+  void aChoiceThatSomebodyElseSetIsKnownToTheNextActivation() {
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+      scene.walkTo(AT_DESK);
+      ((Switch) scene.node("TrashCan")).setWhichChoice(1);
+      scene.walkTo(AT_DESK);
+      assertThat(scene.controller.choices()).isEqualTo(Map.of("TrashCan", 1));
+      scene.walkTo(OUTSIDE);
+      scene.news();
+      scene.walkTo(AT_DESK);
+      assertThat(scene.choice("TrashCan")).isZero();
+      ((Switch) scene.node("TrashCan")).setWhichChoice(-1);
+      scene.news();
+      scene.walkTo(OUTSIDE);
+
+      assertThat(scene.choice("TrashCan")).isEqualTo(1);
+      assertThat(scene.news()).contains(new SwitchChange(5, "TrashCan", -1, 1, "OfficeSchema"));
+    }
+  }
+
+  @Test
+  void aRouteThatSetsTheChoiceIsOverruledByTheNextActivation() {
+    String hack =
+        "<Transform translation='9 0 0'><ProximitySensor DEF='Hack' size='2 2 2'/></Transform>"
+            + "<IntegerTrigger DEF='T' integerKey='0'/>"
+            + "<ROUTE fromNode='Hack' fromField='isActive' toNode='T' toField='set_boolean'/>"
+            + "<ROUTE fromNode='T' fromField='triggerValue' toNode='TrashCan'"
+            + " toField='whichChoice'/>";
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN + hack)) {
+      scene.walkTo(AT_DESK);
+      scene.walkTo(OUTSIDE);
+      scene.walkTo(9);
+      assertThat(scene.controller.choices()).isEqualTo(Map.of("TrashCan", 0));
+      scene.walkTo(AT_DESK);
+      scene.news();
+      scene.walkTo(OUTSIDE);
+
+      assertThat(scene.choice("TrashCan")).isEqualTo(1);
+      assertThat(scene.news()).contains(new SwitchChange(5, "TrashCan", 0, 1, "OfficeSchema"));
+    }
+  }
+
+  @Test
   void aSwitchThatIsTakenAwayIsLeftAlone() {
     try (var scene =
         RunningScene.under(
