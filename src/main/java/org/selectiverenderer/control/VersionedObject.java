@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -16,7 +17,7 @@ import org.web3d.x3d.sai.grouping.Switch;
 /** A Switch and what its metadata says of its children: the versions of an object. */
 final class VersionedObject {
   private final Switch node;
-  private final String name;
+  private final Supplier<String> name;
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
   private final X3DField whichChoice;
@@ -38,7 +39,7 @@ final class VersionedObject {
    */
   VersionedObject(
       Switch node,
-      String name,
+      Supplier<String> name,
       ObjDoubleConsumer<VersionedObject> onChange,
       Consumer<VersionedObject> onForeignChoice) {
     this.node = node;
@@ -80,13 +81,13 @@ final class VersionedObject {
         new SchemaReader(
             problem ->
                 add(
-                    new ControlProblem(
-                        name, ((SaiMetadata) problem.metadata()).node(), problem.message())));
+                    ControlProblem.warning(
+                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
     schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
   }
 
   String name() {
-    return name;
+    return name.get();
   }
 
   /** Empty if the metadata has nothing of the vocabulary: the Switch is not ours. */
@@ -99,21 +100,28 @@ final class VersionedObject {
     return shown;
   }
 
-  /** Sets {@code whichChoice}, unless it is set already. */
-  void show(int choice) {
+  /**
+   * Sets {@code whichChoice}, unless it is set already.
+   *
+   * @return why it could not be set
+   */
+  Optional<ControlProblem> show(int choice) {
     if (choice == shown) {
-      return;
+      return Optional.empty();
     }
     shown = choice;
     List<Integer> before = pending;
     pending = Stream.concat(before.stream(), Stream.of(choice)).toList();
     try {
       node.setWhichChoice(choice);
+      return Optional.empty();
     } catch (X3DException e) { // one Switch that is gone does not hold up the others
       pending = before;
-      add(
-          new ControlProblem(
-              name, node, "whichChoice cannot be set to " + choice + ": " + e.getMessage()));
+      ControlProblem problem =
+          ControlProblem.warning(
+              name(), node, "whichChoice cannot be set to " + choice + ": " + e.getMessage());
+      add(problem);
+      return Optional.of(problem);
     }
   }
 
@@ -122,6 +130,10 @@ final class VersionedObject {
       problems = new ArrayList<>(); // few objects have any
     }
     problems.add(problem);
+  }
+
+  Switch node() {
+    return node;
   }
 
   List<ControlProblem> problems() {
