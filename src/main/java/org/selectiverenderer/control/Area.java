@@ -87,8 +87,8 @@ final class Area {
 
   /** Leaves the sensor without a listener. */
   void close() {
-    enterTime.removeX3DEventListener(onEnter);
-    exitTime.removeX3DEventListener(onExit);
+    Release.remove(enterTime, onEnter);
+    Release.remove(exitTime, onExit);
     watch.close();
   }
 }

@@ -142,8 +142,8 @@ final class VersionedObject {
 
   /** Leaves the Switch without a listener. */
   void close() {
-    children.removeX3DEventListener(onChildren);
-    whichChoice.removeX3DEventListener(onChoice);
+    Release.remove(children, onChildren);
+    Release.remove(whichChoice, onChoice);
     watch.close();
   }
 }

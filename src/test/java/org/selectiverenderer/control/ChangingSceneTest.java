@@ -204,15 +204,52 @@ class ChangingSceneTest {
   }
 
   @Test
-  void nodesAddedAtTheTopAreFoundByLookingAgain() {
+  void nodesAddedAtTheTopAreFoundAndThoseRemovedAreLeftAlone() {
     try (var scene = RunningScene.under(Condition.SELECTIVE, DESK)) {
       scene.walkTo(AT_DESK);
       Switch added = newObject(scene, "DeskSchema");
       scene.scene().addRootNode(added);
       scene.walkTo(AT_DESK);
-      scene.controller.rescan();
-
       assertThat(added.getWhichChoice()).isZero();
+
+      scene.scene().removeRootNode(added);
+      scene.walkTo(AT_DESK);
+      assertThat(scene.controller.choices()).isEmpty();
+    }
+  }
+
+  @Test
+  void problemsThatComeLaterAreReportedOnce() {
+    String wrong =
+        DESK
+            + "<Switch DEF='Lamp'><Group/><Group/><MetadataString containerField='metadata'"
+            + " name='schemaBelonginess' value='\"DeskSchema\"'/></Switch>";
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+      scene.walkTo(OUTSIDE);
+      assertThat(scene.problems).isEmpty();
+      scene.node("TrashCan").setMetadata(string(scene, "schemaBelonginess", "DeskSchema"));
+      scene.walkTo(OUTSIDE);
+      assertThat(scene.problems).extracting(ControlProblem::nodeName).containsExactly("TrashCan");
+      scene.browser.replaceWorld(scene.browser.createX3DFromString(RunningScene.file(wrong)));
+      scene.walkTo(OUTSIDE);
+
+      assertThat(scene.problems)
+          .extracting(ControlProblem::nodeName)
+          .containsExactly("TrashCan", "Lamp");
+    }
+  }
+
+  @Test
+  void aWriteThatFailsIsReported() {
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+      scene.walkTo(OUTSIDE);
+      scene.node("TrashCan").dispose();
+      scene.walkTo(AT_DESK);
+
+      assertThat(scene.problems)
+          .singleElement()
+          .asString()
+          .startsWith("TrashCan: whichChoice cannot be set to 0: ");
     }
   }
 
@@ -230,6 +267,10 @@ class ChangingSceneTest {
       scene.walkTo(AT_DESK);
 
       assertThat(scene.choice("Lamp")).isZero();
+      Switch added = newObject(scene, "DeskSchema");
+      scene.scene().addRootNode(added);
+      scene.walkTo(AT_DESK);
+      assertThat(added.getWhichChoice()).isZero();
       assertThat(before.getWhichChoice()).isEqualTo(1);
     }
   }
