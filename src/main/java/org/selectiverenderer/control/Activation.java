@@ -85,6 +85,17 @@ public final class Activation<A, S> {
     return follow(Set.of(state), List.of()).stream().findFirst();
   }
 
+  /**
+   * Takes note that a switch shows another choice than this object last said: somebody else, such
+   * as a ROUTE, made it so. Nothing changes but what later steps compare with.
+   */
+  public void noteShown(S key, int choice) {
+    SwitchState<S> state = switches.get(key);
+    if (state != null) {
+      show(state, choice);
+    }
+  }
+
   /** Forgets a switch. */
   public void removeSwitch(S key) {
     SwitchState<S> state = switches.remove(key);

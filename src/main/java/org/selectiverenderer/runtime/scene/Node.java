@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.scene;
 import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.FieldAccess;
 import org.selectiverenderer.x3d.FieldDefinition;
@@ -196,11 +197,14 @@ public class Node implements NodeView {
     listeners = remove(listeners, ofField(field, listener));
   }
 
-  /** The first listener of a field, or null. */
-  public final @Nullable FieldListener listener(int field) {
+  /** The first listener of a field that is of a kind and as wanted, or null. */
+  public final <L extends ListenerOfField> @Nullable L listener(
+      int field, Class<L> kind, Predicate<? super L> wanted) {
     for (ListenerOfField listener : listeners) {
-      if (listener.field() == field) {
-        return listener;
+      if (listener.field() == field
+          && kind.isInstance(listener)
+          && wanted.test(kind.cast(listener))) {
+        return kind.cast(listener);
       }
     }
     return null;
