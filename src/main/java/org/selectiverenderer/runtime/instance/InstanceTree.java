@@ -26,8 +26,11 @@ import org.selectiverenderer.runtime.scene.Node;
  * <p>All versions of an object are in the tree, shown or not, so that switching makes nothing new.
  */
 public final class InstanceTree {
-  /** Nesting beyond which a scene is cut off. */
-  static final int MAX_DEPTH = 1000;
+  /**
+   * Nesting beyond which a scene is cut off: what loading lets through, 1000 nodes, and the groups
+   * that hold the scenes of Inlines.
+   */
+  static final int MAX_DEPTH = 1300;
 
   /** Instances above which groups stay empty: nested USEs multiply without bound. */
   private static final long MAX_INSTANCES = 8_000_000;
