@@ -29,6 +29,15 @@ public record X3dFile(
     List<Import> imports,
     List<Export> exports) {
 
+  /** The length factor that the units state: metres per unit (X3D 4.0, 4.3.6). */
+  public double unitLength() {
+    return units.stream()
+        .filter(unit -> unit.category().equals("length"))
+        .mapToDouble(Unit::conversionFactor)
+        .findFirst()
+        .orElse(1);
+  }
+
   public record Meta(String name, String content) {}
 
   public record Unit(String category, String name, double conversionFactor) {}

@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problems;
@@ -91,7 +92,7 @@ final class FileLoader {
 
   private Optional<FileReference> inline(
       ParsedNode inline, Path folder, Path nameFolder, Problems problems) {
-    return first(inline, folder, problems)
+    return root.first(inline, folder, problems)
         .map(
             path -> {
               CompletableFuture<Optional<FileContent>> file =
@@ -111,7 +112,7 @@ final class FileLoader {
 
   private Optional<FileContent> read(
       Path path, Path nameFolder, Location requestedBy, Problems requester) {
-    String name = displayName(path, nameFolder);
+    String name = ContentRoot.displayName(path, nameFolder);
     Problems problems = new Problems();
     try (InputStream in = Files.newInputStream(path)) {
       FileContent content = new FileContent(path, reader.read(name, in, problems), problems);
@@ -125,50 +126,12 @@ final class FileLoader {
     }
   }
 
-  /** A file as messages name it: relative to the scene's folder when that is shorter. */
-  static String displayName(Path path, Path nameFolder) {
-    Path base = nameFolder.toAbsolutePath().normalize();
-    try {
-      base = base.toRealPath();
-    } catch (IOException e) {
-      return path.toString();
-    }
-    if (!java.util.Objects.equals(base.getRoot(), path.getRoot())) {
-      return path.toString();
-    }
-    String relative = nameFolder.resolve(base.relativize(path)).normalize().toString();
-    return relative.isEmpty() ? path.toString() : relative;
-  }
-
-  /** The first of a node's urls that names a file to be read; says why when none does. */
-  private Optional<Path> first(ParsedNode node, Path folder, Problems problems) {
-    String[] urls = node.strings("url");
-    String reason = null;
-    for (String url : urls) {
-      ContentRoot.Target target = root.resolve(url, folder);
-      if (target instanceof ContentRoot.Target.File file) {
-        return Optional.of(file.path());
-      }
-      if (reason == null && target instanceof ContentRoot.Target.Refused refused) {
-        reason = "%s %s".formatted(url, refused.reason());
-      }
-    }
-    problems.error(
-        node.location(),
-        "%s %s; the %s is left out"
-            .formatted(
-                node.type().name(),
-                reason == null ? "has no url" : "url " + reason,
-                node.type().name().equals("Inline") ? "Inline" : "texture"));
-    return Optional.empty();
-  }
-
   private Optional<Texture.Image> image(ParsedNode node, Path folder, Problems problems) {
     try {
       return switch (node.type().name()) {
         case "PixelTexture" -> Optional.of(ImageDecoder.pixels(node.ints("image")));
         case "ImageTexture" -> {
-          Optional<Path> file = first(node, folder, problems);
+          Optional<Path> file = root.first(node, folder, problems);
           yield file.isEmpty() ? Optional.empty() : Optional.of(ImageDecoder.read(file.get()));
         }
         default -> Optional.empty();

@@ -78,7 +78,7 @@ final class SceneBuilder {
               file.version(),
               file.profile(),
               file.components(),
-              Scene.unitLength(file));
+              file.unitLength());
     }
 
     Scene build() {

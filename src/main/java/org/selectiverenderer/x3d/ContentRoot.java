@@ -1,4 +1,4 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d;
 
 import java.io.IOException;
 import java.net.URI;
@@ -8,18 +8,20 @@ import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
  * Which files a scene may name: those in its own folder and below, and those in the folder {@value
  * #INLINE_FOLDER} beside its folder, where this project keeps the versions of objects. Never the
- * network.
+ * network. Immutable.
  */
-final class ContentRoot {
-  static final String INLINE_FOLDER = "inlineNodes";
+public final class ContentRoot {
+  public static final String INLINE_FOLDER = "inlineNodes";
 
   /** Why a url is not opened, or the file that it names. */
-  sealed interface Target {
+  public sealed interface Target {
     record File(Path path) implements Target {}
 
     /**
@@ -34,7 +36,7 @@ final class ContentRoot {
   /**
    * @param sceneFolder the folder of the scene that the user named
    */
-  ContentRoot(Path sceneFolder) {
+  public ContentRoot(Path sceneFolder) {
     folder = real(sceneFolder);
     Path above = folder.getParent();
     inlineFolder = real((above == null ? folder : above).resolve(INLINE_FOLDER));
@@ -44,7 +46,7 @@ final class ContentRoot {
    * @param url as the file gives it, relative to {@code base} or absolute
    * @param base the folder of the file that names it
    */
-  Target resolve(String url, Path base) {
+  public Target resolve(String url, Path base) {
     String trimmed = url.strip();
     int fragment = trimmed.indexOf('#');
     String location = fragment < 0 ? trimmed : trimmed.substring(0, fragment);
@@ -67,6 +69,54 @@ final class ContentRoot {
       return new Target.Refused("is missing" + similar(path));
     }
     return new Target.File(real);
+  }
+
+  /**
+   * The first of a node's urls that names a file to be read.
+   *
+   * @param node an Inline or a texture
+   * @param folder of the file that the node stands in
+   * @param problems hears why none does
+   */
+  public Optional<Path> first(NodeView node, Path folder, Problems problems) {
+    String reason = null;
+    for (String url : node.strings("url")) {
+      Target target = resolve(url, folder);
+      if (target instanceof Target.File file) {
+        return Optional.of(file.path());
+      }
+      if (reason == null && target instanceof Target.Refused refused) {
+        reason = "%s %s".formatted(url, refused.reason());
+      }
+    }
+    problems.error(
+        node.location(),
+        "%s %s; the %s is left out"
+            .formatted(
+                node.type().name(),
+                reason == null ? "has no url" : "url " + reason,
+                node.type().name().equals("Inline") ? "Inline" : "texture"));
+    return Optional.empty();
+  }
+
+  /**
+   * A file as messages name it: relative to a folder, usually the scene's as the user gave it, when
+   * that is shorter.
+   *
+   * @param path real
+   */
+  public static String displayName(Path path, Path folder) {
+    Path base = folder.toAbsolutePath().normalize();
+    try {
+      base = base.toRealPath();
+    } catch (IOException e) {
+      return path.toString();
+    }
+    if (!Objects.equals(base.getRoot(), path.getRoot())) {
+      return path.toString();
+    }
+    String relative = folder.resolve(base.relativize(path)).normalize().toString();
+    return relative.isEmpty() ? path.toString() : relative;
   }
 
   private static Path absolute(String location) {
