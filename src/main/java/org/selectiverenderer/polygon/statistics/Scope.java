@@ -1,8 +1,8 @@
 package org.selectiverenderer.polygon.statistics;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.IdentityHashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
@@ -10,13 +10,13 @@ import java.util.Set;
  * A part of the scene to be counted.
  *
  * @param objects the enriched Switches in it, each once, in document order
- * @param sensors the items of all areas that stand in it
+ * @param sensors the items of all areas that stand in it, in document order
  */
 record Scope(String name, Item item, List<Item> objects, Set<Item> sensors) {
   static Scope of(String name, Item item) {
     List<Item> objects = new ArrayList<>();
-    Set<Item> sensors = Collections.newSetFromMap(new IdentityHashMap<>());
-    collect(item, objects, sensors, Collections.newSetFromMap(new IdentityHashMap<>()));
+    Set<Item> sensors = new LinkedHashSet<>();
+    collect(item, objects, sensors, new HashSet<>());
     return new Scope(name, item, List.copyOf(objects), sensors);
   }
 

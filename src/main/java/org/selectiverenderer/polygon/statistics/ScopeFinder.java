@@ -1,13 +1,10 @@
 package org.selectiverenderer.polygon.statistics;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.IdentityHashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Stream;
-import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Spelling;
 
@@ -44,7 +41,7 @@ final class ScopeFinder {
    */
   List<Scope> outermost() {
     List<Item> groups = new ArrayList<>();
-    outermost(items.root(), groups, Collections.newSetFromMap(new IdentityHashMap<>()));
+    outermost(items.root(), groups, new HashSet<>());
     List<Scope> scopes = groups.stream().map(group -> Scope.of(group.name, group)).toList();
     boolean ofOneObject =
         scopes.size() > 1 && scopes.stream().allMatch(scope -> scope.objects().size() == 1);
@@ -93,18 +90,18 @@ final class ScopeFinder {
         .orElseGet(() -> some(groups));
   }
 
-  /** The groups most likely meant: those that hold objects in versions. */
+  /** The groups most likely meant: those that hold several objects in versions. */
   private String some(List<String> groups) {
     List<String> first =
-        groups.stream().filter(group -> holdsObjects(named.get(group))).limit(5).toList();
-    return first.isEmpty()
-        ? ""
-        : "; groups that hold objects in versions are " + String.join(", ", first);
+        groups.stream()
+            .filter(
+                group -> items.of(named.get(group)).filter(ScopeFinder::holdsSeveral).isPresent())
+            .limit(5)
+            .toList();
+    return first.isEmpty() ? "" : "; there are " + String.join(", ", first);
   }
 
-  private boolean holdsObjects(NodeView node) {
-    return Stream.of(node)
-        .flatMap(group -> items.of((ParsedNode) group).stream())
-        .anyMatch(item -> item.varies && item.versions.isEmpty());
+  private static boolean holdsSeveral(Item item) {
+    return item.varies && Scope.of(item.name, item).objects().size() > 1;
   }
 }

@@ -48,7 +48,10 @@ public final class StatisticsText {
       List<String> row = new ArrayList<>(List.of(object.switchName()));
       for (int i = 0; i < object.versions().size(); i++) {
         row.add(number(object.versions().get(i)));
-        row.add(percent(object.percent(i), object.versions().get(object.original())));
+        row.add(
+            i == object.original()
+                ? ""
+                : percent(object.percent(i), object.versions().get(object.original())));
       }
       rows.add(row);
     }
@@ -90,6 +93,9 @@ public final class StatisticsText {
     for (List<String> row : rows) {
       StringBuilder line = new StringBuilder("  ");
       for (int i = 0; i < row.size(); i++) {
+        if (widths[i] == 0) {
+          continue; // no gap for a column that is empty
+        }
         String pad = " ".repeat(widths[i] - row.get(i).length());
         line.append(i == 0 ? row.get(i) + pad : "  " + pad + row.get(i));
       }
