@@ -63,7 +63,10 @@ public final class ChartFile {
 
   private static byte[] svg(ChartPage page, SceneStatistics statistics) {
     SvgCanvas canvas =
-        new SvgCanvas(ChartPage.WIDTH, (int) page.height(), "Polygons of " + statistics.scene());
+        new SvgCanvas(
+            ChartPage.WIDTH,
+            (int) page.height(),
+            "Polygons of " + Path.of(statistics.scene()).getFileName());
     page.draw(canvas);
     return canvas.finish().getBytes(StandardCharsets.UTF_8);
   }

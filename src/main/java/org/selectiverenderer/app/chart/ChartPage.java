@@ -63,7 +63,7 @@ final class ChartPage {
       labels = Math.max(labels, Math.min(LONGEST_LABEL, label.width(bar.label())));
       figures = Math.max(figures, label.width(bar.figure()));
     }
-    double left = MARGIN + labels + 12;
+    double left = Math.rint(MARGIN + labels + 12); // lines on whole pixels are sharp
     double right = WIDTH - MARGIN - Math.max(figures + 10, 40);
     double scale = (right - left) / chart.reach();
     double barsTop = top + HEAD;
@@ -87,7 +87,7 @@ final class ChartPage {
       Chart chart, Canvas canvas, double left, double scale, double top, double bottom) {
     double step = chart.step();
     for (int i = 0; i * step <= chart.reach() * (1 + 1e-9); i++) {
-      double x = left + i * step * scale;
+      double x = Math.rint(left + i * step * scale);
       canvas.rectangle(x, top, 1, bottom - top + 5, Colour.GRID);
       String number = number(i * step) + chart.unit();
       canvas.text(number, x - small.width(number) / 2, bottom + 22, small, Colour.FAINT_INK);
