@@ -86,11 +86,16 @@ final class ChartPage {
   private void axis(
       Chart chart, Canvas canvas, double left, double scale, double top, double bottom) {
     double step = chart.step();
+    double free = Double.NEGATIVE_INFINITY; // right of the last number
     for (int i = 0; i * step <= chart.reach() * (1 + 1e-9); i++) {
       double x = Math.rint(left + i * step * scale);
       canvas.rectangle(x, top, 1, bottom - top + 5, Colour.GRID);
       String number = number(i * step) + chart.unit();
-      canvas.text(number, x - small.width(number) / 2, bottom + 22, small, Colour.FAINT_INK);
+      double half = small.width(number) / 2;
+      if (x - half > free) {
+        canvas.text(number, x - half, bottom + 22, small, Colour.FAINT_INK);
+        free = x + half + 12;
+      }
     }
   }
 
