@@ -11,6 +11,7 @@ final class CommandCatalogue {
         new RunCommand(console),
         new SimulateCommand(console),
         new PolygonsCommand(console),
-        new BenchCommand(console));
+        new BenchCommand(console),
+        new SaiCommand(console, System.in));
   }
 }

@@ -46,7 +46,7 @@ class PolygonsCommandTest {
         "<X3D profile='Immersive' version='4.0'><Scene><Inline url='\"no.x3d\"'/></Scene></X3D>");
 
     assertThat(execute("polygons", scene.toString())).isEqualTo(1);
-    assertThat(text(err)).contains("scene.x3d:1:", "no.x3d is missing").doesNotContain("\tat ");
+    assertThat(text(err)).contains("scene.x3d:1:", "no.x3d' is missing").doesNotContain("\tat ");
     assertThat(text(out)).contains("0 polygons");
   }
 

@@ -17,6 +17,7 @@ import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.UrlChoice;
 import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Tessellator;
 
@@ -36,7 +37,7 @@ final class SceneFiles {
   private SceneFiles(Path nameFolder, ExecutorService executor) {
     this.nameFolder = nameFolder;
     this.executor = executor;
-    this.root = new ContentRoot(nameFolder.toAbsolutePath());
+    this.root = new ContentRoot(nameFolder);
   }
 
   /**
@@ -84,13 +85,21 @@ final class SceneFiles {
     }
     if (Structure.isInline(node)) {
       if (node.bool("load")) {
-        root.first(node, folder, file.problems())
-            .ifPresent(path -> file.inlines().put(node, content(path, node, file)));
+        inline(node, file, folder);
       }
     } else if (Structure.isShape(node)) {
       Structure.geometry(node).filter(seen::add).ifPresent(geometry -> measure(geometry, file));
     } else {
       Structure.children(node).forEach(child -> follow(child, file, folder, seen));
+    }
+  }
+
+  private void inline(ParsedNode inline, SceneFile file, Path folder) {
+    UrlChoice choice = UrlChoice.of(inline, root, folder, "the Inline is left out");
+    if (choice instanceof UrlChoice.File found) {
+      file.inlines().put(inline, content(found.path(), inline, file));
+    } else {
+      file.problems().add(((UrlChoice.None) choice).problem());
     }
   }
 
@@ -118,7 +127,7 @@ final class SceneFiles {
   }
 
   private Optional<SceneFile> inlined(Path path, Location requestedBy, Problems requester) {
-    String name = ContentRoot.displayName(path, nameFolder);
+    String name = root.display(path);
     Problems problems = new Problems();
     try (var in = java.nio.file.Files.newInputStream(path)) {
       SceneFile file = new SceneFile(path, reader.read(name, in, problems), problems);

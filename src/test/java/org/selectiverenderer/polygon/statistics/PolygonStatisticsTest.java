@@ -195,7 +195,7 @@ class PolygonStatisticsTest {
     assertThat(problems.any()).isTrue();
     assertThat(problems.list().get(0).toString())
         .contains("scene.x3d:4:")
-        .endsWith("Inline url nowhere.x3d is missing; the Inline is left out");
+        .endsWith("Inline url 'nowhere.x3d' is missing; the Inline is left out");
   }
 
   @Test
