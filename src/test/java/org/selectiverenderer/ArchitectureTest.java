@@ -85,6 +85,10 @@ class ArchitectureTest {
       onlyUsesOfOurs("schema", "schema", "x3d");
 
   @ArchTest
+  static final ArchRule polygonStatisticsUseFilesAndTheVocabularyOnly =
+      onlyUsesOfOurs("polygon.statistics", "polygon.statistics", "x3d", "schema");
+
+  @ArchTest
   static final ArchRule theRuntimeKnowsNeitherControllerNorCommandLine =
       noClasses()
           .that()

@@ -10,6 +10,7 @@ final class CommandCatalogue {
     return List.of(
         new RunCommand(console),
         new SimulateCommand(console),
+        new PolygonsCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.loading;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.selectiverenderer.x3d.ContentRoot;
 
 /**
  * Where the urls of a node lead: what is known of its file after it was read.

@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.FieldType;
 import org.selectiverenderer.x3d.Location;
@@ -90,7 +91,7 @@ final class SceneBuilder {
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<Path> including = new ArrayList<>(above);
       including.add(content.path());
-      origin = new Origin(root, content.folder(), List.copyOf(including), Scene.unitLength(file));
+      origin = new Origin(root, content.folder(), List.copyOf(including), file.unitLength());
       Node top = factory.make(groupType, null, Location.of(file.source()));
       store.origin(top, origin);
       scene =

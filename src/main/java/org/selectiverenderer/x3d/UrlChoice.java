@@ -1,12 +1,10 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d;
 
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problem;
 
 /** The file that a node's {@code url} means: the first of its urls that can be read. */
-sealed interface UrlChoice {
+public sealed interface UrlChoice {
   /** Characters of a url that a message shows. */
   int SHOWN = 80;
 

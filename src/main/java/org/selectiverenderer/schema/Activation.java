@@ -1,4 +1,4 @@
-package org.selectiverenderer.control;
+package org.selectiverenderer.schema;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -10,8 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.schema.SwitchSchemas;
 
 /**
  * Which choice each Switch shows, given the areas that the viewer is in. The loops of Figs 48 and

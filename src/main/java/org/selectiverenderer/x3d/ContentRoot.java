@@ -1,4 +1,4 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d;
 
 import java.io.IOException;
 import java.net.URI;
@@ -20,8 +20,8 @@ import java.util.stream.Stream;
  *
  * <p>Messages name a file relative to the scene's folder as the user wrote it.
  */
-final class ContentRoot {
-  static final String INLINE_FOLDER = "inlineNodes";
+public final class ContentRoot {
+  public static final String INLINE_FOLDER = "inlineNodes";
 
   /** At least two letters before the colon: a single one is a drive of Windows. */
   private static final Pattern SCHEME = Pattern.compile("[a-zA-Z][a-zA-Z0-9+.-]+:");
@@ -40,7 +40,7 @@ final class ContentRoot {
       "is on the network or of a scheme that is not read: only files are";
 
   /** Why a url is not opened, or the file that it names. */
-  sealed interface Target {
+  public sealed interface Target {
     record File(Path path) implements Target {}
 
     /**
@@ -56,7 +56,7 @@ final class ContentRoot {
   /**
    * @param sceneFolder the folder of the scene that the user opened, as the user names it
    */
-  ContentRoot(Path sceneFolder) {
+  public ContentRoot(Path sceneFolder) {
     named = sceneFolder;
     folder = real(sceneFolder);
     Path above = folder.getParent();
@@ -68,7 +68,7 @@ final class ContentRoot {
    * @param url as the file gives it, relative to {@code base} or absolute
    * @param base the folder of the file that names it
    */
-  Target resolve(String url, Path base) {
+  public Target resolve(String url, Path base) {
     String trimmed = url.strip();
     if (trimmed.length() > MAX_URL) {
       return new Target.Refused("is longer than a file name can be");
@@ -173,7 +173,7 @@ final class ContentRoot {
   }
 
   /** A file as messages name it. */
-  String display(Path real) {
+  public String display(Path real) {
     if (!Objects.equals(folder.getRoot(), real.getRoot())) {
       return real.toString();
     }
