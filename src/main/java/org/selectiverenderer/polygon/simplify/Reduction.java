@@ -1,7 +1,8 @@
 package org.selectiverenderer.polygon.simplify;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.polygon.simplify.EdgeCollapse.Outcome;
 
 /**
  * Finds the reduction with a wanted number of polygons. Collapsing edges may stop early, where the
@@ -14,7 +15,11 @@ final class Reduction {
   /** How many polygons clusters get for each one wanted, to be reduced with care from there. */
   private static final int CLUSTERED = 3;
 
+  /** Up to so many polygons all styles are tried and compared. */
+  private static final int COMPARED = 60_000;
+
   private final JoinedMesh original;
+  private final Likeness likeness;
   private final double scale;
 
   /**
@@ -22,44 +27,68 @@ final class Reduction {
    */
   Reduction(JoinedMesh original) {
     this.original = original;
+    this.likeness = new Likeness(original);
     this.scale = scale(original.extent());
   }
 
-  /** The outcome nearest to that number of polygons; never without any. */
-  Outcome to(int polygons) {
-    Outcome best = new Outcome(original, 0);
+  /** The mesh nearest to that number of polygons, and of those the most like; never empty. */
+  JoinedMesh to(int polygons) {
+    if (Simplified.near(original.polygons(), polygons)) {
+      return original;
+    }
+    boolean compare = original.polygons() <= COMPARED;
+    List<JoinedMesh> found = new ArrayList<>();
+    JoinedMesh best = original;
     for (Freedom freedom : Freedom.values()) {
-      if (Simplified.near(best.mesh().polygons(), polygons)) {
+      if (!found.isEmpty() && (!compare || freedom == Freedom.ANY_SURFACE)) {
         break;
       }
-      Outcome start =
-          freedom == Freedom.ANY_SURFACE ? clustered(polygons) : new Outcome(original, 0);
-      best = nearer(best, approach(start, polygons, freedom), polygons);
+      JoinedMesh start = freedom == Freedom.ANY_SURFACE ? clustered(polygons) : original;
+      for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
+        JoinedMesh mesh = approach(start, polygons, freedom, style);
+        best = nearer(best, mesh, polygons);
+        if (mesh.polygons() > 0 && Simplified.near(mesh.polygons(), polygons)) {
+          found.add(mesh);
+        }
+      }
+    }
+    return found.isEmpty() ? best : mostLike(found);
+  }
+
+  private JoinedMesh mostLike(List<JoinedMesh> meshes) {
+    JoinedMesh best = meshes.get(0);
+    double least = Double.POSITIVE_INFINITY;
+    for (JoinedMesh mesh : meshes.size() == 1 ? List.<JoinedMesh>of() : meshes) {
+      double difference = likeness.difference(mesh);
+      if (difference < least) {
+        least = difference;
+        best = mesh;
+      }
     }
     return best;
   }
 
-  private Outcome clustered(int polygons) {
-    int count = Math.min(CLUSTERED * polygons, original.polygons());
-    return clean(EdgeCollapse.cluster(original, count), 0);
+  private JoinedMesh clustered(int polygons) {
+    return clean(
+        EdgeCollapse.cluster(original, Math.min(CLUSTERED * polygons, original.polygons())));
   }
 
   /** Asks for more and more, then for what lies between, as long as too few are left. */
-  private Outcome approach(Outcome start, int polygons, Freedom freedom) {
-    Outcome best = null;
-    Outcome above = start;
+  private JoinedMesh approach(JoinedMesh start, int polygons, Freedom freedom, Style style) {
+    JoinedMesh best = null;
+    JoinedMesh above = start;
     int tooFew = 0;
-    int enough = start.mesh().polygons();
+    int enough = start.polygons();
     int ask = polygons;
     for (int i = 0; i < TRIES && ask > tooFew && ask < enough; i++) {
-      Outcome outcome = collapse(start, ask, freedom);
-      int count = outcome.mesh().polygons();
-      best = nearer(best, outcome, polygons);
+      JoinedMesh mesh = collapse(start, ask, freedom, style);
+      int count = mesh.polygons();
+      best = nearer(best, mesh, polygons);
       if (Simplified.near(count, polygons)) {
-        return best;
+        return mesh;
       }
       if (count > polygons) {
-        above = outcome;
+        above = mesh;
         enough = ask;
         if (ask == polygons) {
           break; // The structure allows no fewer.
@@ -67,32 +96,29 @@ final class Reduction {
       } else {
         tooFew = ask;
       }
-      ask =
-          above == start
-              ? Math.min((tooFew + enough) / 2, tooFew + Math.max(2, polygons - count))
-              : (tooFew + enough) / 2;
+      int between = (tooFew + enough) / 2;
+      ask = above == start ? Math.min(between, tooFew + Math.max(2, polygons - count)) : between;
     }
-    if (above != start && above.mesh().polygons() > polygons && tooFew > 0) {
+    if (above != start && above.polygons() > polygons && tooFew > 0) {
       // From another start the steps fall elsewhere.
-      best = nearer(best, collapse(above, polygons, freedom), polygons);
+      best = nearer(best, collapse(above, polygons, freedom, style), polygons);
     }
     return best == null ? start : best;
   }
 
-  private Outcome collapse(Outcome start, int polygons, Freedom freedom) {
-    return clean(
-        EdgeCollapse.run(start.mesh(), polygons, EdgeCollapse.ANY_ERROR, freedom), start.error());
+  private JoinedMesh collapse(JoinedMesh start, int polygons, Freedom freedom, Style style) {
+    return clean(EdgeCollapse.run(start, polygons, EdgeCollapse.ANY_ERROR, freedom, style));
   }
 
-  /** The largest reduction with at most that error, as a share of the extent. */
-  Outcome within(double error) {
-    Outcome outcome = clean(EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS), 0);
-    return outcome.mesh().polygons() > 0 ? outcome : to(1);
+  /** The largest reduction with about that error, as a share of the extent. */
+  JoinedMesh within(double error) {
+    JoinedMesh mesh =
+        clean(EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS, Style.BALANCED));
+    return mesh.polygons() > 0 ? mesh : to(1);
   }
 
-  private Outcome clean(Outcome outcome, double before) {
-    JoinedMesh rounded = outcome.mesh().rounded(scale);
-    return new Outcome(Areas.dropEmpty(rounded).compact(), outcome.error() + before);
+  private JoinedMesh clean(JoinedMesh mesh) {
+    return Areas.dropEmpty(mesh.rounded(scale)).compact();
   }
 
   /**
@@ -103,12 +129,12 @@ final class Reduction {
     return extent > 0 ? Math.pow(10, 4 - Math.floor(Math.log10(extent))) : 1;
   }
 
-  private static Outcome nearer(@Nullable Outcome a, Outcome b, int polygons) {
-    if (a == null || a.mesh().polygons() == 0) {
+  private static JoinedMesh nearer(@Nullable JoinedMesh a, JoinedMesh b, int polygons) {
+    if (a == null || a.polygons() == 0) {
       return b;
     }
-    int ofA = Math.abs(a.mesh().polygons() - polygons);
-    int ofB = Math.abs(b.mesh().polygons() - polygons);
-    return b.mesh().polygons() > 0 && ofB < ofA ? b : a;
+    int ofA = Math.abs(a.polygons() - polygons);
+    int ofB = Math.abs(b.polygons() - polygons);
+    return b.polygons() > 0 && ofB < ofA ? b : a;
   }
 }

@@ -3,7 +3,6 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.selectiverenderer.polygon.simplify.EdgeCollapse.Outcome;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
@@ -17,6 +16,7 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  */
 public final class Simplifier {
   private static final int VERTEX_TRIES = 8;
+  private static final int ERROR_TRIES = 8;
 
   /**
    * Reduces a model.
@@ -34,13 +34,12 @@ public final class Simplifier {
     Reduction reduction = new Reduction(original);
     if (goal instanceof Goal.Polygons polygons) {
       check(polygons.count(), original.polygons(), "polygons");
-      Outcome outcome = reduction.to(polygons.count());
+      JoinedMesh reduced = reduction.to(polygons.count());
       return result(
-          parts, original, outcome, Simplified.near(outcome.mesh().polygons(), polygons.count()));
+          parts, original, reduced, Simplified.near(reduced.polygons(), polygons.count()));
     }
     if (goal instanceof Goal.LargestError largest) {
-      Outcome outcome = reduction.within(largest.error());
-      return result(parts, original, outcome, outcome.error() <= largest.error());
+      return within(parts, original, reduction, largest.error());
     }
     int has = Seams.positions(original);
     int wanted =
@@ -61,7 +60,7 @@ public final class Simplifier {
   /** A collapse takes a vertex and, where the surface is closed, two polygons. */
   private static Simplified toVertices(
       List<Mesh> parts, JoinedMesh original, Reduction reduction, int has, int wanted) {
-    Outcome best = new Outcome(original, 0);
+    JoinedMesh best = original;
     int nearest = has;
     int polygons = original.polygons();
     int vertices = has;
@@ -71,19 +70,32 @@ public final class Simplifier {
         break;
       }
       polygons = ask;
-      Outcome outcome = reduction.to(Math.min(ask, original.polygons()));
-      vertices = Seams.positions(outcome.mesh());
+      JoinedMesh reduced = reduction.to(Math.min(ask, original.polygons()));
+      vertices = Seams.positions(reduced);
       if (Math.abs(vertices - wanted) < Math.abs(nearest - wanted)) {
-        best = outcome;
+        best = reduced;
         nearest = vertices;
       }
     }
     return result(parts, original, best, Simplified.near(nearest, wanted));
   }
 
+  /** The collapse's own estimate is no bound, so what comes out is measured. */
+  private static Simplified within(
+      List<Mesh> parts, JoinedMesh original, Reduction reduction, double largest) {
+    double allowed = largest;
+    for (int i = 0; i < ERROR_TRIES; i++) {
+      Simplified result = result(parts, original, reduction.within(allowed), true);
+      if (result.error() <= largest) {
+        return result;
+      }
+      allowed *= Math.max(0.3, 0.9 * largest / result.error());
+    }
+    return result(parts, original, original, true);
+  }
+
   private static Simplified result(
-      List<Mesh> parts, JoinedMesh original, Outcome outcome, boolean met) {
-    JoinedMesh reduced = outcome.mesh();
+      List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
     int[][] triangles = byPart(reduced, parts.size());
     float[] bounds = Mesh.boundsOf(positions(original), original.indices());
     CornerNormals corners = new CornerNormals(original);
@@ -93,7 +105,11 @@ public final class Simplifier {
           new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p], bounds));
     }
     return new Simplified(
-        List.copyOf(meshes), Seams.positions(reduced), reduced.polygons(), outcome.error(), met);
+        List.copyOf(meshes),
+        Seams.positions(reduced),
+        reduced.polygons(),
+        reduced == original ? 0 : new Likeness(original).error(reduced),
+        met);
   }
 
   private static float[] positions(JoinedMesh mesh) {
