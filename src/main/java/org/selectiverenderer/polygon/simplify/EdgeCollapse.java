@@ -39,7 +39,7 @@ final class EdgeCollapse {
     boolean keepSeams = freedom == Freedom.KEEP_SEAMS;
     int options =
         meshopt_SimplifyPermissive
-            | (keepSeams ? 0 : meshopt_SimplifyPrune)
+            | (freedom == Freedom.ANY_PIECE ? meshopt_SimplifyPrune : 0)
             | (style.regular ? meshopt_SimplifyRegularizeLight : 0);
     float[] weighed = weights(style.normalWeight);
     int count = mesh.vertexCount();

@@ -97,12 +97,10 @@ public final class Simplifier {
   private static Simplified result(
       List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
     int[][] triangles = byPart(reduced, parts.size());
-    float[] bounds = Mesh.boundsOf(positions(original), original.indices());
     CornerNormals corners = new CornerNormals(original);
     List<Mesh> meshes = new ArrayList<>();
     for (int p = 0; p < triangles.length; p++) {
-      meshes.add(
-          new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p], bounds));
+      meshes.add(new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p]));
     }
     return new Simplified(
         List.copyOf(meshes),
@@ -110,14 +108,6 @@ public final class Simplifier {
         reduced.polygons(),
         reduced == original ? 0 : new Likeness(original).error(reduced),
         met);
-  }
-
-  private static float[] positions(JoinedMesh mesh) {
-    float[] positions = new float[3 * mesh.vertexCount()];
-    for (int v = 0; v < mesh.vertexCount(); v++) {
-      System.arraycopy(mesh.vertices(), JoinedMesh.STRIDE * v, positions, 3 * v, 3);
-    }
-    return positions;
   }
 
   /** The triangles of each part: a triangle belongs to the part of most of its vertices. */
