@@ -11,6 +11,7 @@ final class CommandCatalogue {
         new RunCommand(console),
         new SimulateCommand(console),
         new SimplifyCommand(console),
+        new VersionsCommand(console),
         new BenchCommand(console));
   }
 }
