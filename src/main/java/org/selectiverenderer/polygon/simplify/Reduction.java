@@ -85,12 +85,10 @@ final class Reduction {
     return best;
   }
 
-  /** The largest reduction with about that error, as a share of the extent. */
+  /** The largest reduction with about that error, as a share of the extent; it may be empty. */
   JoinedMesh within(double error) {
-    JoinedMesh mesh =
-        EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS, Style.BALANCED)
-            .rounded(scale, bounds);
-    return mesh.polygons() > 0 ? mesh : to(1);
+    return EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS, Style.BALANCED)
+        .rounded(scale, bounds);
   }
 
   /**

@@ -16,7 +16,11 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  */
 public final class Simplifier {
   private static final int VERTEX_TRIES = 8;
-  private static final int ERROR_TRIES = 8;
+  private static final int ERROR_TRIES = 12;
+  private static final double ALL_GONE = 0.6;
+
+  /** So near to the error allowed, no further try is worth its time. */
+  private static final double CLOSE = 0.8;
 
   /**
    * Reduces a model.
@@ -57,25 +61,24 @@ public final class Simplifier {
     }
   }
 
-  /** A collapse takes a vertex and, where the surface is closed, two polygons. */
+  /** A collapse takes a vertex and, inside a surface, two polygons. */
   private static Simplified toVertices(
       List<Mesh> parts, JoinedMesh original, Reduction reduction, int has, int wanted) {
     JoinedMesh best = original;
     int nearest = has;
-    int polygons = original.polygons();
-    int vertices = has;
+    long ask = Math.round((double) original.polygons() * wanted / has);
     for (int i = 0; i < VERTEX_TRIES && !Simplified.near(nearest, wanted); i++) {
-      int ask = Math.max(1, polygons - 2 * (vertices - wanted));
-      if (i > 0 && ask == polygons) {
-        break;
-      }
-      polygons = ask;
-      JoinedMesh reduced = reduction.to(Math.min(ask, original.polygons()));
-      vertices = Seams.positions(reduced);
+      JoinedMesh reduced = reduction.to((int) Math.max(1, Math.min(ask, original.polygons())));
+      int vertices = Seams.positions(reduced);
       if (Math.abs(vertices - wanted) < Math.abs(nearest - wanted)) {
         best = reduced;
         nearest = vertices;
       }
+      long next = ask - 2L * (vertices - wanted);
+      if (next == ask || next < 1) {
+        break;
+      }
+      ask = next;
     }
     return result(parts, original, best, Simplified.near(nearest, wanted));
   }
@@ -83,15 +86,25 @@ public final class Simplifier {
   /** The collapse's own estimate is no bound, so what comes out is measured. */
   private static Simplified within(
       List<Mesh> parts, JoinedMesh original, Reduction reduction, double largest) {
+    Simplified best = result(parts, original, original, true);
     double allowed = largest;
     for (int i = 0; i < ERROR_TRIES; i++) {
-      Simplified result = result(parts, original, reduction.within(allowed), true);
-      if (result.error() <= largest) {
-        return result;
+      JoinedMesh reduced = reduction.within(allowed);
+      if (reduced.polygons() == 0) {
+        allowed *= ALL_GONE;
+        continue;
       }
-      allowed *= Math.max(0.3, 0.9 * largest / result.error());
+      Simplified result = result(parts, original, reduced, true);
+      if (result.error() <= largest && result.polygons() < best.polygons()) {
+        best = result;
+      }
+      if (result.error() <= largest && result.error() >= CLOSE * largest) {
+        break;
+      }
+      double factor = largest / Math.max(result.error(), 1e-12);
+      allowed *= Math.max(0.3, Math.min(3, 0.95 * factor));
     }
-    return result(parts, original, original, true);
+    return best;
   }
 
   private static Simplified result(

@@ -146,6 +146,11 @@ final class SurfaceIndex {
     return found;
   }
 
+  /** The squared distance of a point from a triangle. */
+  double square(int triangle, double x, double y, double z) {
+    return PointToTriangle.square(v, indices, triangle, x, y, z);
+  }
+
   private double toBox(int node, double x, double y, double z) {
     double dx = outside(boxes[6 * node], boxes[6 * node + 3], x);
     double dy = outside(boxes[6 * node + 1], boxes[6 * node + 4], y);

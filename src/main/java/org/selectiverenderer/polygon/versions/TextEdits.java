@@ -120,11 +120,15 @@ final class TextEdits {
   List<VersionPlan.Edit> edits(String file) {
     return replacements.stream()
         .map(
-            replacement ->
-                new VersionPlan.Edit(
-                    scene.location(file, replacement.from()).line(),
-                    text.substring(replacement.from(), replacement.to()),
-                    replacement.text()))
+            replacement -> {
+              String before = text.substring(replacement.from(), replacement.to());
+              String start = text.substring(lineStart(replacement.from()), replacement.from());
+              String indent = before.isBlank() || !start.isBlank() ? "" : start;
+              return new VersionPlan.Edit(
+                  scene.location(file, replacement.from()).line(),
+                  indent + before,
+                  indent + replacement.text());
+            })
         .toList();
   }
 }
