@@ -74,7 +74,7 @@ final class Approach {
   }
 
   private boolean met() {
-    return Simplified.near(nearest.polygons(), polygons);
+    return nearest.polygons() > 0 && Simplified.near(nearest.polygons(), polygons);
   }
 
   private JoinedMesh collapse(JoinedMesh start, int count) {

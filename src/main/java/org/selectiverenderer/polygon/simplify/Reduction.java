@@ -12,6 +12,8 @@ final class Reduction {
   /** How many polygons clusters get for each one wanted, to be reduced with care from there. */
   private static final int CLUSTERED = 3;
 
+  private static final int LOWER_TRIES = 6;
+
   /** Up to so many polygons all styles are tried and compared. */
   private static final int COMPARED = 60_000;
 
@@ -32,7 +34,7 @@ final class Reduction {
 
   /** The mesh nearest to that number of polygons, and of those the most like; never empty. */
   JoinedMesh to(int polygons) {
-    if (Simplified.near(original.polygons(), polygons)) {
+    if (original.polygons() <= polygons) {
       return original;
     }
     boolean compare = original.polygons() <= COMPARED;
@@ -57,6 +59,23 @@ final class Reduction {
       }
     }
     return found.isEmpty() ? best : mostLike(found);
+  }
+
+  /**
+   * A mesh with that number of polygons: from the nearest reduction that has no more, edges are
+   * split. Where that cannot be, the nearest.
+   */
+  JoinedMesh exactly(int polygons) {
+    JoinedMesh nearest = to(polygons);
+    JoinedMesh reduced = nearest;
+    int ask = polygons;
+    for (int i = 0; i < LOWER_TRIES && reduced.polygons() > polygons && ask > 1; i++) {
+      ask = Math.max(1, ask - (reduced.polygons() - polygons));
+      reduced = to(ask);
+    }
+    return reduced.polygons() > polygons
+        ? nearest
+        : Approach.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
   }
 
   /**

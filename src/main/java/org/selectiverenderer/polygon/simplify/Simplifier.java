@@ -39,8 +39,16 @@ public final class Simplifier {
     if (goal instanceof Goal.Polygons polygons) {
       check(polygons.count(), original.polygons(), "polygons");
       JoinedMesh reduced = reduction.to(polygons.count());
+      if (!Simplified.near(reduced.polygons(), polygons.count())) {
+        reduced = reduction.exactly(polygons.count());
+      }
       return result(
           parts, original, reduced, Simplified.near(reduced.polygons(), polygons.count()));
+    }
+    if (goal instanceof Goal.Exactly exactly) {
+      check(exactly.count(), original.polygons(), "polygons");
+      JoinedMesh reduced = reduction.exactly(exactly.count());
+      return result(parts, original, reduced, reduced.polygons() == exactly.count());
     }
     if (goal instanceof Goal.LargestError largest) {
       return within(parts, original, reduction, largest.error());
