@@ -72,7 +72,8 @@ final class ForeignReader {
     List<ModelPart> parts = new ArrayList<>();
     for (int i = 0; i < scene.mNumMeshes(); i++) {
       AIMesh mesh = AIMesh.create(scene.mMeshes().get(i));
-      if (mesh.mPrimitiveTypes() != aiPrimitiveType_TRIANGLE) {
+      // A further flag is set for triangles that were larger faces.
+      if ((mesh.mPrimitiveTypes() & aiPrimitiveType_TRIANGLE) == 0) {
         continue;
       }
       NodeView appearance =

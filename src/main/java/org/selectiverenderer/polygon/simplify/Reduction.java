@@ -2,6 +2,7 @@ package org.selectiverenderer.polygon.simplify;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
@@ -9,8 +10,8 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  * of several styles the one that looks most like the original.
  */
 final class Reduction {
-  /** How many polygons clusters get for each one wanted, to be reduced with care from there. */
-  private static final int CLUSTERED = 3;
+  /** How many polygons clusters get for each one wanted: the more, the more careful the rest. */
+  private static final double[] CLUSTERED = {3, 1.5, 1};
 
   private static final int LOWER_TRIES = 6;
 
@@ -45,16 +46,17 @@ final class Reduction {
       if (!found.isEmpty() && (!compare || freedom.compareTo(Freedom.ANY_PIECE) > 0)) {
         break;
       }
-      JoinedMesh start = start(freedom, fewest, polygons);
-      best = Approach.nearer(best, start, polygons);
-      for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
-        JoinedMesh mesh = new Approach(polygons, scale, bounds, freedom, style).from(start);
-        best = Approach.nearer(best, mesh, polygons);
-        if (mesh.polygons() >= polygons && mesh.polygons() < fewest.polygons()) {
-          fewest = mesh;
-        }
-        if (mesh.polygons() > 0 && Simplified.near(mesh.polygons(), polygons)) {
-          found.add(mesh);
+      for (JoinedMesh start : starts(freedom, fewest, polygons)) {
+        best = Approach.nearer(best, start, polygons);
+        for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
+          JoinedMesh mesh = new Approach(polygons, scale, bounds, freedom, style).from(start);
+          best = Approach.nearer(best, mesh, polygons);
+          if (mesh.polygons() >= polygons && mesh.polygons() < fewest.polygons()) {
+            fewest = mesh;
+          }
+          if (mesh.polygons() > 0 && Simplified.near(mesh.polygons(), polygons)) {
+            found.add(mesh);
+          }
         }
       }
     }
@@ -79,16 +81,24 @@ final class Reduction {
   }
 
   /**
+   * Where to start from.
+   *
    * @param fewest the mesh with fewest polygons, but enough of them, so far
    */
-  private JoinedMesh start(Freedom freedom, JoinedMesh fewest, int polygons) {
+  private List<JoinedMesh> starts(Freedom freedom, JoinedMesh fewest, int polygons) {
     return switch (freedom) {
-      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> original;
-      case FEWER_PIECES -> Pieces.withoutSmallest(fewest, polygons);
+      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> List.of(original);
+      case FEWER_PIECES -> List.of(Pieces.withoutSmallest(fewest, polygons));
       case ANY_SURFACE ->
-          EdgeCollapse.cluster(original, Math.min(CLUSTERED * polygons, original.polygons()))
-              .rounded(scale, bounds);
+          DoubleStream.of(CLUSTERED)
+              .mapToObj(share -> clustered((int) Math.ceil(share * polygons)))
+              .toList();
     };
+  }
+
+  private JoinedMesh clustered(int polygons) {
+    return EdgeCollapse.cluster(original, Math.min(polygons, original.polygons()))
+        .rounded(scale, bounds);
   }
 
   private JoinedMesh mostLike(List<JoinedMesh> meshes) {
