@@ -16,7 +16,10 @@ final class Reduction {
   private static final int LOWER_TRIES = 6;
 
   /** Up to so many polygons all styles are tried and compared. */
-  private static final int COMPARED = 60_000;
+  private static final int COMPARED = 25_000;
+
+  /** A larger model is brought to so many times the polygons wanted first: those go unseen. */
+  private static final int AHEAD = 4;
 
   private final JoinedMesh original;
   private final Likeness likeness;
@@ -38,7 +41,8 @@ final class Reduction {
     if (original.polygons() <= polygons) {
       return original;
     }
-    boolean compare = original.polygons() <= COMPARED;
+    JoinedMesh base = base(polygons);
+    boolean compare = base.polygons() <= COMPARED;
     List<JoinedMesh> found = new ArrayList<>();
     JoinedMesh best = original;
     JoinedMesh fewest = original;
@@ -46,7 +50,7 @@ final class Reduction {
       if (!found.isEmpty() && (!compare || freedom.compareTo(Freedom.ANY_PIECE) > 0)) {
         break;
       }
-      for (JoinedMesh start : starts(freedom, fewest, polygons)) {
+      for (JoinedMesh start : starts(freedom, base, fewest, polygons)) {
         best = Approach.nearer(best, start, polygons);
         for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
           JoinedMesh mesh = new Approach(polygons, scale, bounds, freedom, style).from(start);
@@ -80,14 +84,31 @@ final class Reduction {
         : Approach.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
   }
 
+  private JoinedMesh base(int polygons) {
+    boolean ahead = original.polygons() > COMPARED && (long) AHEAD * polygons <= COMPARED;
+    if (!ahead) {
+      return original;
+    }
+    JoinedMesh base =
+        EdgeCollapse.run(
+                original,
+                AHEAD * polygons,
+                EdgeCollapse.ANY_ERROR,
+                Freedom.KEEP_SEAMS,
+                Style.BALANCED)
+            .rounded(scale, bounds);
+    return base.polygons() > polygons ? base : original;
+  }
+
   /**
    * Where to start from.
    *
    * @param fewest the mesh with fewest polygons, but enough of them, so far
    */
-  private List<JoinedMesh> starts(Freedom freedom, JoinedMesh fewest, int polygons) {
+  private List<JoinedMesh> starts(
+      Freedom freedom, JoinedMesh base, JoinedMesh fewest, int polygons) {
     return switch (freedom) {
-      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> List.of(original);
+      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> List.of(base);
       case FEWER_PIECES -> List.of(Pieces.withoutSmallest(fewest, polygons));
       case ANY_SURFACE ->
           DoubleStream.of(CLUSTERED)
