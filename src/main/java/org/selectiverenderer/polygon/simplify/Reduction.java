@@ -15,10 +15,14 @@ final class Reduction {
 
   private static final int LOWER_TRIES = 6;
 
+  private static final int POSITION_TRIES = 9;
+
   /** Up to so many polygons all styles are tried and compared. */
   private static final int COMPARED = 25_000;
 
-  /** A larger model is brought to so many times the polygons wanted first: those go unseen. */
+  /** A model larger than this is brought to so many times the polygons wanted first. */
+  private static final int LARGE = 5_000;
+
   private static final int AHEAD = 4;
 
   private final JoinedMesh original;
@@ -85,8 +89,8 @@ final class Reduction {
   }
 
   private JoinedMesh base(int polygons) {
-    boolean ahead = original.polygons() > COMPARED && (long) AHEAD * polygons <= COMPARED;
-    if (!ahead) {
+    long ahead = (long) AHEAD * polygons;
+    if (original.polygons() <= LARGE || ahead >= Math.min(original.polygons(), COMPARED)) {
       return original;
     }
     JoinedMesh base =
@@ -98,6 +102,42 @@ final class Reduction {
                 Style.BALANCED)
             .rounded(scale, bounds);
     return base.polygons() > polygons ? base : original;
+  }
+
+  /**
+   * A mesh with about that number of positions: of the counts of polygons that have been tried, the
+   * one between them is tried next; what is missing in the end comes from splitting edges.
+   *
+   * @param has the positions of the original
+   */
+  JoinedMesh toPositions(int wanted, int has) {
+    int few = 0;
+    int many = original.polygons();
+    double ofFew = 0;
+    double ofMany = has;
+    JoinedMesh below = null;
+    for (int i = 0; i < POSITION_TRIES && many - few > 1; i++) {
+      // By proportion at first; every third time the middle, which never gets stuck.
+      double share = i % 3 == 2 ? 0.5 : (wanted - ofFew) / (ofMany - ofFew);
+      int ask = few + (int) Math.round(share * (many - few));
+      ask = Math.max(few + 1, Math.min(many - 1, ask));
+      JoinedMesh mesh = to(ask);
+      int positions = Seams.positions(mesh);
+      if (Simplified.near(positions, wanted)) {
+        return mesh;
+      }
+      if (positions > wanted) {
+        many = ask;
+        ofMany = positions;
+      } else {
+        few = ask;
+        ofFew = positions;
+        below = mesh;
+      }
+    }
+    return below == null
+        ? to(many)
+        : EdgeSplits.withMore(wanted - Seams.positions(below), below, scale);
   }
 
   /**
