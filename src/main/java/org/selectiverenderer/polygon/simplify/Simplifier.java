@@ -97,9 +97,11 @@ public final class Simplifier {
       List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
     int[][] triangles = byPart(reduced, parts.size());
     CornerNormals corners = new CornerNormals(original);
+    int[] own = new int[reduced.vertexCount()];
+    Arrays.fill(own, -1);
     List<Mesh> meshes = new ArrayList<>();
     for (int p = 0; p < triangles.length; p++) {
-      meshes.add(new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p]));
+      meshes.add(new PartMaker(parts.get(p), original, reduced, corners, own).mesh(triangles[p]));
     }
     return new Simplified(
         List.copyOf(meshes),
