@@ -89,6 +89,19 @@ class ArchitectureTest {
       onlyUsesOfOurs("polygon.statistics", "polygon.statistics", "x3d", "schema");
 
   @ArchTest
+  static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
+      onlyUsesOfOurs("polygon", "polygon", "x3d", "schema");
+
+  @ArchTest
+  static final ArchRule nativeLibrariesOfModelsLiveInThePolygonCountProcess =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(of("polygon"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.lwjgl..");
+
+  @ArchTest
   static final ArchRule theRuntimeKnowsNeitherControllerNorCommandLine =
       noClasses()
           .that()

@@ -10,6 +10,8 @@ final class CommandCatalogue {
     return List.of(
         new RunCommand(console),
         new SimulateCommand(console),
+        new SimplifyCommand(console),
+        new VersionsCommand(console),
         new PolygonsCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));

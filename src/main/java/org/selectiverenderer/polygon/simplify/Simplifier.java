@@ -1,0 +1,132 @@
+package org.selectiverenderer.polygon.simplify;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * Reduces the polygons of models. All parts of a model are reduced together, so that its error is
+ * spread evenly: a part whose form can do without gives more polygons than one that cannot. Edges
+ * where materials, colours or texture coordinates change are kept as long as the goal can be met
+ * with them.
+ *
+ * <p>Immutable; several threads may use one, each on its own model. The same model and goal give
+ * the same result every time.
+ */
+public final class Simplifier {
+  private static final int ERROR_TRIES = 12;
+  private static final double ALL_GONE = 0.6;
+
+  /** So near to the error allowed, no further try is worth its time. */
+  private static final double CLOSE = 0.8;
+
+  /**
+   * Reduces a model.
+   *
+   * @param parts its triangles; all in one coordinate frame
+   * @throws IllegalArgumentException if a part is not made of triangles, an index is out of range
+   *     or a number not finite, there is no triangle with an area, or the goal is no less than what
+   *     the model has
+   */
+  public Simplified simplify(List<Mesh> parts, Goal goal) {
+    JoinedMesh original = JoinedMesh.of(parts).compact().asOriginal();
+    if (original.polygons() == 0) {
+      throw new IllegalArgumentException("the model has no polygons");
+    }
+    Reduction reduction = new Reduction(original);
+    if (goal instanceof Goal.Polygons polygons) {
+      check(polygons.count(), original.polygons(), "polygons");
+      JoinedMesh reduced = reduction.to(polygons.count());
+      if (!Simplified.near(reduced.polygons(), polygons.count())) {
+        reduced = reduction.exactly(polygons.count());
+      }
+      return result(
+          parts, original, reduced, Simplified.near(reduced.polygons(), polygons.count()));
+    }
+    if (goal instanceof Goal.Exactly exactly) {
+      check(exactly.count(), original.polygons(), "polygons");
+      JoinedMesh reduced = reduction.exactly(exactly.count());
+      return result(parts, original, reduced, reduced.polygons() == exactly.count());
+    }
+    if (goal instanceof Goal.LargestError largest) {
+      return within(parts, original, reduction, largest.error());
+    }
+    int has = Seams.positions(original);
+    int wanted =
+        goal instanceof Goal.Vertices vertices
+            ? vertices.count()
+            : (int) Math.round(has * ((Goal.VertexPercent) goal).percent() / 100);
+    check(wanted, has, "vertices");
+    JoinedMesh reduced = has <= wanted ? original : reduction.toPositions(Math.max(1, wanted), has);
+    return result(parts, original, reduced, Simplified.near(Seams.positions(reduced), wanted));
+  }
+
+  private static void check(int wanted, int has, String what) {
+    if (wanted > has) {
+      throw new IllegalArgumentException(
+          "the model has only %d %s, fewer than %d".formatted(has, what, wanted));
+    }
+  }
+
+  /** The collapse's own estimate is no bound, so what comes out is measured. */
+  private static Simplified within(
+      List<Mesh> parts, JoinedMesh original, Reduction reduction, double largest) {
+    Simplified best = result(parts, original, original, true);
+    double allowed = largest;
+    for (int i = 0; i < ERROR_TRIES; i++) {
+      JoinedMesh reduced = reduction.within(allowed);
+      if (reduced.polygons() == 0) {
+        allowed *= ALL_GONE;
+        continue;
+      }
+      Simplified result = result(parts, original, reduced, true);
+      if (result.error() <= largest && result.polygons() < best.polygons()) {
+        best = result;
+      }
+      if (result.error() <= largest && result.error() >= CLOSE * largest) {
+        break;
+      }
+      double factor = largest / Math.max(result.error(), 1e-12);
+      allowed *= Math.max(0.3, Math.min(3, 0.95 * factor));
+    }
+    return best;
+  }
+
+  private static Simplified result(
+      List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
+    int[][] triangles = byPart(reduced, parts.size());
+    CornerNormals corners = new CornerNormals(original);
+    int[] own = new int[reduced.vertexCount()];
+    Arrays.fill(own, -1);
+    List<Mesh> meshes = new ArrayList<>();
+    for (int p = 0; p < triangles.length; p++) {
+      meshes.add(new PartMaker(parts.get(p), original, reduced, corners, own).mesh(triangles[p]));
+    }
+    return new Simplified(
+        List.copyOf(meshes),
+        Seams.positions(reduced),
+        reduced.polygons(),
+        reduced == original ? 0 : new Likeness(original).error(reduced),
+        met);
+  }
+
+  /** The triangles of each part: a triangle belongs to the part of most of its vertices. */
+  private static int[][] byPart(JoinedMesh mesh, int parts) {
+    int[] counts = new int[parts];
+    int[] partOf = new int[mesh.polygons()];
+    for (int t = 0; t < partOf.length; t++) {
+      int a = mesh.part(mesh.indices()[3 * t]);
+      int b = mesh.part(mesh.indices()[3 * t + 1]);
+      int c = mesh.part(mesh.indices()[3 * t + 2]);
+      partOf[t] = b == c ? b : a;
+      counts[partOf[t]]++;
+    }
+    int[][] triangles = new int[parts][];
+    Arrays.setAll(triangles, part -> new int[counts[part]]);
+    for (int t = partOf.length - 1; t >= 0; t--) {
+      triangles[partOf[t]][--counts[partOf[t]]] = t;
+    }
+    return triangles;
+  }
+}
