@@ -1,4 +1,4 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -10,10 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.X3dReader;
 
 class ContentRootTest {
   @TempDir private Path folder;
