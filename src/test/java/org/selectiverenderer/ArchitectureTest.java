@@ -6,6 +6,7 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
 import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
@@ -40,6 +41,7 @@ class ArchitectureTest {
    */
   private static final Set<String> TOP_LEVEL =
       Set.of(
+          "apartment",
           "app",
           "bench",
           "cli",
@@ -48,6 +50,7 @@ class ArchitectureTest {
           "enricher",
           "experiment",
           "hmd",
+          "modelling",
           "polygon",
           "runtime",
           "schema",
@@ -129,12 +132,32 @@ class ArchitectureTest {
               of("validation"),
               of("statistics"),
               of("polygon"),
+              of("modelling"),
+              of("apartment"),
               of("schema"),
               of("document"),
               of("x3d"))
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("java.awt..", "javax.swing..", "com.jogamp..", "jogamp..");
+
+  @ArchTest
+  static final ArchRule theModellingToolkitUsesGeometryOnly =
+      onlyUsesOfOurs("modelling", "modelling", "x3d.geometry");
+
+  /** Generated files have the same bytes everywhere, which Math's functions do not promise. */
+  @ArchTest
+  static final ArchRule modelsAreMadeWithStrictMathematics =
+      noClasses()
+          .that()
+          .resideInAnyPackage(of("modelling"), of("apartment"))
+          .should()
+          .callMethodWhere(
+              target(owner(assignableTo(Math.class)))
+                  .and(
+                      target(
+                          nameMatching(
+                              "a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
 
   @ArchTest
   static final ArchRule thePackagesHaveNoCycles =

@@ -1,0 +1,21 @@
+package org.selectiverenderer.apartment.kitchen;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.selectiverenderer.modelling.Model;
+
+/** The recipes of the kitchen by object name, as in the thesis's tables (Figs 67, 69, 71). */
+public final class KitchenObjects {
+
+  private KitchenObjects() {}
+
+  /**
+   * Every object of the kitchen. Models of listed objects have at most the polygons of the tables'
+   * version 1; the generator adds what is missing.
+   */
+  public static Map<String, Supplier<Model>> all() {
+    Map<String, Supplier<Model>> recipes = new TreeMap<>();
+    return recipes;
+  }
+}

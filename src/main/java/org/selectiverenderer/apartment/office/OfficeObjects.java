@@ -1,0 +1,22 @@
+package org.selectiverenderer.apartment.office;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.selectiverenderer.modelling.Model;
+
+/** The recipes of the office by object name, as in the thesis's tables (Figs 67, 69, 71). */
+public final class OfficeObjects {
+
+  private OfficeObjects() {}
+
+  /**
+   * Every object of the office. Models of listed objects have at most the polygons of the tables'
+   * version 1; the generator adds what is missing.
+   */
+  public static Map<String, Supplier<Model>> all() {
+    Map<String, Supplier<Model>> recipes = new TreeMap<>();
+    recipes.put("trashCan", TrashCan::model);
+    return recipes;
+  }
+}
