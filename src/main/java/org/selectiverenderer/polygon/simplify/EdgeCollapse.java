@@ -1,0 +1,134 @@
+package org.selectiverenderer.polygon.simplify;
+
+import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyPermissive;
+import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyPrune;
+import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyVertex_Protect;
+import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_simplifySloppy;
+import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_simplifyWithUpdate;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import org.lwjgl.system.MemoryUtil;
+
+/**
+ * Reduction by meshoptimizer: edges collapse in order of the error that they cause (Garland and
+ * Heckbert 1997, with attributes after Hoppe 1999), and the vertices that are left move to where
+ * they lie best.
+ */
+final class EdgeCollapse {
+  /** What a full turn of the normal weighs against a shift by the model's extent. */
+  private static final float NORMAL = 0.05f;
+
+  private static final float COLOR = 0.2f;
+  private static final float TEX_COORD = 0.1f;
+  private static final float[] WEIGHTS = {
+    NORMAL, NORMAL, NORMAL, COLOR, COLOR, COLOR, COLOR, TEX_COORD, TEX_COORD
+  };
+
+  /** No limit; the largest float would overflow when squared. */
+  static final float ANY_ERROR = 1e9f;
+
+  private static final int VERTEX_BYTES = Float.BYTES * JoinedMesh.STRIDE;
+
+  /**
+   * What came out.
+   *
+   * @param error as a share of the mesh's largest extent
+   */
+  record Outcome(JoinedMesh mesh, double error) {}
+
+  private EdgeCollapse() {}
+
+  /**
+   * Collapses edges until so many polygons are left, or none can go without a larger error. The
+   * outcome may have fewer polygons than asked for.
+   *
+   * @param largestError as a share of the mesh's largest extent
+   */
+  static Outcome run(JoinedMesh mesh, int polygons, float largestError, Freedom freedom) {
+    boolean keepSeams = freedom == Freedom.KEEP_SEAMS;
+    int options = meshopt_SimplifyPermissive | (keepSeams ? 0 : meshopt_SimplifyPrune);
+    int count = mesh.vertexCount();
+    // The attributes begin after the first position, so the last vertex needs room to spare.
+    FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length + JoinedMesh.NORMAL);
+    IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
+    ByteBuffer locks = MemoryUtil.memCalloc(count);
+    FloatBuffer weights = MemoryUtil.memAllocFloat(WEIGHTS.length);
+    FloatBuffer error = MemoryUtil.memCallocFloat(1);
+    try {
+      vertices.put(0, mesh.vertices());
+      indices.put(0, mesh.indices());
+      weights.put(0, WEIGHTS);
+      if (keepSeams) {
+        protect(Seams.visible(mesh), locks);
+      }
+      int left =
+          (int)
+              meshopt_simplifyWithUpdate(
+                  indices,
+                  vertices,
+                  count,
+                  VERTEX_BYTES,
+                  vertices.slice(JoinedMesh.NORMAL, mesh.vertices().length),
+                  VERTEX_BYTES,
+                  weights,
+                  locks,
+                  3L * polygons,
+                  largestError,
+                  options,
+                  error);
+      float[] moved = new float[mesh.vertices().length];
+      int[] remaining = new int[left];
+      vertices.get(0, moved);
+      indices.get(0, remaining);
+      return new Outcome(mesh.with(moved, remaining), error.get(0));
+    } finally {
+      MemoryUtil.memFree(vertices);
+      MemoryUtil.memFree(indices);
+      MemoryUtil.memFree(locks);
+      MemoryUtil.memFree(weights);
+      MemoryUtil.memFree(error);
+    }
+  }
+
+  private static void protect(boolean[] seams, ByteBuffer locks) {
+    for (int vertex = 0; vertex < seams.length; vertex++) {
+      if (seams[vertex]) {
+        locks.put(vertex, (byte) meshopt_SimplifyVertex_Protect);
+      }
+    }
+  }
+
+  /** Joins vertices that are near each other, whatever they belong to, on a grid. */
+  static Outcome cluster(JoinedMesh mesh, int polygons) {
+    FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length);
+    IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
+    IntBuffer joined = MemoryUtil.memAllocInt(mesh.indices().length);
+    FloatBuffer error = MemoryUtil.memCallocFloat(1);
+    try {
+      vertices.put(0, mesh.vertices());
+      indices.put(0, mesh.indices());
+      int left =
+          (int)
+              meshopt_simplifySloppy(
+                  joined,
+                  indices,
+                  vertices,
+                  mesh.vertexCount(),
+                  VERTEX_BYTES,
+                  null,
+                  3L * polygons,
+                  ANY_ERROR,
+                  error);
+      int[] remaining = new int[left];
+      joined.get(0, remaining);
+      return new Outcome(mesh.with(mesh.vertices(), remaining), error.get(0));
+    } finally {
+      MemoryUtil.memFree(vertices);
+      MemoryUtil.memFree(indices);
+      MemoryUtil.memFree(joined);
+      MemoryUtil.memFree(error);
+    }
+  }
+}

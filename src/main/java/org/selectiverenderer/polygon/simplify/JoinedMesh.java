@@ -1,0 +1,164 @@
+package org.selectiverenderer.polygon.simplify;
+
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * The parts of a model as one array of vertices and one of triangles, so that they are reduced
+ * together.
+ *
+ * @param vertices {@link #STRIDE} floats per vertex: x, y, z; normal; r, g, b, a; s, t; the part's
+ *     number. What a part does not have is 0.
+ * @param indices three vertices per triangle
+ * @param origins the number that each vertex had in the original model
+ */
+record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
+  static final int STRIDE = 13;
+  static final int NORMAL = 3;
+  static final int COLOR = 6;
+  static final int TEX_COORD = 10;
+  static final int PART = 12;
+
+  /**
+   * @throws IllegalArgumentException if a part is no triangles, or an index or a number is none
+   *     that native code may be given
+   */
+  static JoinedMesh of(List<Mesh> parts) {
+    int vertexCount = 0;
+    int indexCount = 0;
+    for (Mesh part : parts) {
+      check(part);
+      vertexCount += part.vertexCount();
+      indexCount += part.indices().length;
+    }
+    float[] vertices = new float[STRIDE * vertexCount];
+    int[] indices = new int[indexCount];
+    int firstVertex = 0;
+    int firstIndex = 0;
+    for (int p = 0; p < parts.size(); p++) {
+      Mesh part = parts.get(p);
+      put(vertices, firstVertex, 0, part.positions(), 3);
+      put(vertices, firstVertex, NORMAL, part.normals(), 3);
+      put(vertices, firstVertex, COLOR, part.colors(), 4);
+      put(vertices, firstVertex, TEX_COORD, part.texCoords(), 2);
+      for (int v = firstVertex; v < firstVertex + part.vertexCount(); v++) {
+        vertices[STRIDE * v + PART] = p;
+      }
+      for (int index : part.indices()) {
+        indices[firstIndex++] = firstVertex + index;
+      }
+      firstVertex += part.vertexCount();
+    }
+    return new JoinedMesh(vertices, indices, numbers(vertexCount));
+  }
+
+  private static void check(Mesh part) {
+    if (part.primitive() != Mesh.Primitive.TRIANGLES || part.indices().length % 3 != 0) {
+      throw new IllegalArgumentException("only triangles can be reduced");
+    }
+    for (int index : part.indices()) {
+      if (index < 0 || index >= part.vertexCount()) {
+        throw new IllegalArgumentException("a triangle has vertex " + index + ", which is none");
+      }
+    }
+    for (float[] values :
+        new float[][] {part.positions(), part.normals(), part.colors(), part.texCoords()}) {
+      for (int i = 0; values != null && i < values.length; i++) {
+        if (!(Math.abs(values[i]) < Float.POSITIVE_INFINITY)) {
+          throw new IllegalArgumentException("a vertex has a value that is no finite number");
+        }
+      }
+    }
+  }
+
+  private static void put(
+      float[] vertices, int firstVertex, int offset, float @Nullable [] values, int size) {
+    if (values == null) {
+      return;
+    }
+    int to = STRIDE * firstVertex + offset;
+    for (int from = 0; from < values.length; to += STRIDE) {
+      for (int i = 0; i < size; i++) {
+        vertices[to + i] = values[from++] + 0.0f; // Minus zero becomes zero: bits are compared.
+      }
+    }
+  }
+
+  int vertexCount() {
+    return vertices.length / STRIDE;
+  }
+
+  int polygons() {
+    return indices.length / 3;
+  }
+
+  int part(int vertex) {
+    return (int) vertices[STRIDE * vertex + PART];
+  }
+
+  /** The largest side of the box round the triangles; 0 without triangles. */
+  double extent() {
+    double largest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      float least = Float.POSITIVE_INFINITY;
+      float most = Float.NEGATIVE_INFINITY;
+      for (int index : indices) {
+        float value = vertices[STRIDE * index + axis];
+        least = Math.min(least, value);
+        most = Math.max(most, value);
+      }
+      largest = Math.max(largest, (double) most - least);
+    }
+    return largest;
+  }
+
+  /** The same mesh as an original: each vertex is its own origin. */
+  JoinedMesh asOriginal() {
+    return new JoinedMesh(vertices, indices, numbers(vertexCount()));
+  }
+
+  private static int[] numbers(int count) {
+    int[] numbers = new int[count];
+    Arrays.setAll(numbers, number -> number);
+    return numbers;
+  }
+
+  /** The same mesh with positions on a grid of so many steps per unit of length. */
+  JoinedMesh rounded(double scale) {
+    float[] rounded = vertices.clone();
+    for (int i = 0; i < rounded.length; i += STRIDE) {
+      for (int axis = i; axis < i + 3; axis++) {
+        rounded[axis] = (float) (Math.rint(vertices[axis] * scale) / scale) + 0.0f;
+      }
+    }
+    return new JoinedMesh(rounded, indices, origins);
+  }
+
+  /** These triangles of vertices that may have moved. */
+  JoinedMesh with(float[] moved, int[] triangles) {
+    return new JoinedMesh(moved, triangles, origins);
+  }
+
+  /** The same triangles, without vertices that none of them uses. */
+  JoinedMesh compact() {
+    int[] renamed = new int[vertexCount()];
+    Arrays.fill(renamed, -1);
+    float[] kept = new float[vertices.length];
+    int[] keptOrigins = new int[renamed.length];
+    int[] renamedIndices = new int[indices.length];
+    int count = 0;
+    for (int i = 0; i < indices.length; i++) {
+      int vertex = indices[i];
+      if (renamed[vertex] < 0) {
+        System.arraycopy(vertices, STRIDE * vertex, kept, STRIDE * count, STRIDE);
+        keptOrigins[count] = origins[vertex];
+        renamed[vertex] = count++;
+      }
+      renamedIndices[i] = renamed[vertex];
+    }
+    return new JoinedMesh(
+        Arrays.copyOf(kept, STRIDE * count), renamedIndices, Arrays.copyOf(keptOrigins, count));
+  }
+}

@@ -1,0 +1,109 @@
+package org.selectiverenderer.polygon.simplify;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/** Makes the mesh of one part from the triangles of the reduced model that belong to it. */
+final class PartMaker {
+  private final Mesh part;
+  private final JoinedMesh original;
+  private final JoinedMesh reduced;
+  private final CornerNormals corners;
+  private final double[] face = new double[3];
+  private final Map<Long, Integer> known = new HashMap<>();
+
+  private float[] positions = new float[48];
+  private float[] normals = new float[48];
+  private float[] colors = new float[64];
+  private float[] texCoords = new float[32];
+  private int vertexCount;
+
+  PartMaker(Mesh part, JoinedMesh original, JoinedMesh reduced, CornerNormals corners) {
+    this.part = part;
+    this.original = original;
+    this.reduced = reduced;
+    this.corners = corners;
+  }
+
+  /**
+   * @param triangles numbers of the part's triangles
+   * @param bounds what no vertex may leave
+   */
+  Mesh mesh(int[] triangles, float[] bounds) {
+    int[] indices = new int[3 * triangles.length];
+    int count = 0;
+    for (int triangle : triangles) {
+      Areas.normal(reduced.vertices(), reduced.indices(), triangle, face);
+      for (int i = 3 * triangle; i < 3 * triangle + 3; i++) {
+        indices[count++] = vertex(reduced.indices()[i], triangle);
+      }
+    }
+    float[] inside = Arrays.copyOf(positions, 3 * vertexCount);
+    for (int i = 0; i < inside.length; i++) {
+      inside[i] = Math.max(bounds[i % 3], Math.min(bounds[i % 3 + 3], inside[i]));
+    }
+    return new Mesh(
+        Mesh.Primitive.TRIANGLES,
+        inside,
+        trimmed(normals, part.normals(), 3),
+        trimmed(colors, part.colors(), 4),
+        trimmed(texCoords, part.texCoords(), 2),
+        indices,
+        part.solid(),
+        Mesh.boundsOf(inside, indices));
+  }
+
+  private float @Nullable [] trimmed(float[] values, float @Nullable [] had, int size) {
+    return had == null ? null : Arrays.copyOf(values, size * vertexCount);
+  }
+
+  private int vertex(int vertex, int triangle) {
+    int source = part.normals() == null ? 0 : corners.source(reduced, vertex, face);
+    // The normal of a plane is the triangle's own.
+    long key = (long) vertex << 32 | (source < 0 ? 0x80000000L | triangle : source);
+    return known.computeIfAbsent(key, unused -> add(vertex, source));
+  }
+
+  private int add(int vertex, int source) {
+    if (3 * vertexCount == positions.length) {
+      positions = Arrays.copyOf(positions, 2 * positions.length);
+      normals = Arrays.copyOf(normals, 2 * normals.length);
+      colors = Arrays.copyOf(colors, 2 * colors.length);
+      texCoords = Arrays.copyOf(texCoords, 2 * texCoords.length);
+    }
+    float[] v = reduced.vertices();
+    int from = JoinedMesh.STRIDE * vertex;
+    System.arraycopy(v, from, positions, 3 * vertexCount, 3);
+    System.arraycopy(v, from + JoinedMesh.TEX_COORD, texCoords, 2 * vertexCount, 2);
+    for (int i = 0; i < 4; i++) {
+      float color = v[from + JoinedMesh.COLOR + i];
+      colors[4 * vertexCount + i] = Math.max(0, Math.min(1, color));
+    }
+    boolean own = source == reduced.origins()[vertex];
+    for (int i = 0; i < 3; i++) {
+      normals[3 * vertexCount + i] =
+          source < 0
+              ? (float) face[i]
+              : own
+                  ? v[from + JoinedMesh.NORMAL + i]
+                  : original.vertices()[JoinedMesh.STRIDE * source + JoinedMesh.NORMAL + i];
+    }
+    normalise(3 * vertexCount);
+    return vertexCount++;
+  }
+
+  private void normalise(int at) {
+    double x = normals[at];
+    double y = normals[at + 1];
+    double z = normals[at + 2];
+    double length = Math.sqrt(x * x + y * y + z * z);
+    if (length > 0) {
+      normals[at] = (float) (x / length);
+      normals[at + 1] = (float) (y / length);
+      normals[at + 2] = (float) (z / length);
+    }
+  }
+}

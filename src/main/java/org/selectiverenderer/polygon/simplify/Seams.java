@@ -1,0 +1,95 @@
+package org.selectiverenderer.polygon.simplify;
+
+import java.util.Arrays;
+
+/** Vertices that share a position. */
+final class Seams {
+  private Seams() {}
+
+  /**
+   * Numbers the positions.
+   *
+   * @param byPart whether equal positions in two parts count as two
+   * @return for each vertex the first vertex in the same position
+   */
+  static int[] first(JoinedMesh mesh, boolean byPart) {
+    int count = mesh.vertexCount();
+    float[] v = mesh.vertices();
+    int[] first = new int[count];
+    int[] table = new int[Integer.highestOneBit(Math.max(8, count)) * 4];
+    int mask = table.length - 1;
+    for (int vertex = 0; vertex < count; vertex++) {
+      int slot = hash(v, JoinedMesh.STRIDE * vertex) & mask;
+      while (table[slot] != 0 && !same(v, table[slot] - 1, vertex, byPart)) {
+        slot = (slot + 1) & mask;
+      }
+      if (table[slot] == 0) {
+        table[slot] = vertex + 1;
+      }
+      first[vertex] = table[slot] - 1;
+    }
+    return first;
+  }
+
+  private static int hash(float[] v, int at) {
+    int hash = 0;
+    for (int i = at; i < at + 3; i++) {
+      hash = (hash ^ Float.floatToRawIntBits(v[i])) * 0x9E3779B1;
+      hash ^= hash >>> 15;
+    }
+    return hash;
+  }
+
+  private static boolean same(float[] v, int a, int b, boolean byPart) {
+    int i = JoinedMesh.STRIDE * a;
+    int j = JoinedMesh.STRIDE * b;
+    return v[i] == v[j]
+        && v[i + 1] == v[j + 1]
+        && v[i + 2] == v[j + 2]
+        && (!byPart || v[i + JoinedMesh.PART] == v[j + JoinedMesh.PART]);
+  }
+
+  /** Distinct positions that triangles use, summed over the parts. */
+  static int positions(JoinedMesh mesh) {
+    int[] first = first(mesh, true);
+    boolean[] used = new boolean[first.length];
+    int count = 0;
+    for (int index : mesh.indices()) {
+      if (!used[first[index]]) {
+        used[first[index]] = true;
+        count++;
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Marks the vertices where part, colour or texture coordinate jumps: those that share a position
+   * with one that differs in more than the normal.
+   */
+  static boolean[] visible(JoinedMesh mesh) {
+    int[] first = first(mesh, false);
+    boolean[] seam = new boolean[first.length];
+    for (int vertex = 0; vertex < first.length; vertex++) {
+      if (jumps(mesh.vertices(), first[vertex], vertex)) {
+        seam[first[vertex]] = true;
+      }
+    }
+    for (int vertex = 0; vertex < first.length; vertex++) {
+      seam[vertex] = seam[first[vertex]];
+    }
+    return seam;
+  }
+
+  private static boolean jumps(float[] v, int a, int b) {
+    int from = JoinedMesh.STRIDE * a;
+    int other = JoinedMesh.STRIDE * b;
+    return !Arrays.equals(
+        v,
+        from + JoinedMesh.COLOR,
+        from + JoinedMesh.STRIDE,
+        v,
+        other + JoinedMesh.COLOR,
+        other + JoinedMesh.STRIDE);
+  }
+}
