@@ -8,6 +8,9 @@ final class CommandCatalogue {
 
   static List<CliCommand> commands(Console console) {
     return List.of(
-        new RunCommand(console), new SimulateCommand(console), new BenchCommand(console));
+        new RunCommand(console),
+        new SimulateCommand(console),
+        new ApartmentCommand(console),
+        new BenchCommand(console));
   }
 }

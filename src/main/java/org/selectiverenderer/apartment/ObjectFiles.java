@@ -1,0 +1,52 @@
+package org.selectiverenderer.apartment;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.versions.ObjectFile;
+import org.selectiverenderer.apartment.versions.VersionMaker;
+import org.selectiverenderer.modelling.Model;
+
+/** Makes the files of objects from their recipes, several at a time. */
+final class ObjectFiles {
+  private final Map<String, Supplier<Model>> recipes;
+  private final PolygonCounts counts;
+  private final VersionMaker maker = new VersionMaker();
+
+  ObjectFiles(Map<String, Supplier<Model>> recipes, PolygonCounts counts) {
+    this.recipes = recipes;
+    this.counts = counts;
+  }
+
+  /**
+   * Two files for each listed object, one for each other; in the order of the names.
+   *
+   * @throws IllegalArgumentException if a recipe has more polygons than version 1 may have, or
+   *     cannot be reduced to those of version 2
+   */
+  List<ObjectFile> of(Collection<String> names) {
+    return names.parallelStream().map(this::versions).flatMap(List::stream).toList();
+  }
+
+  private List<ObjectFile> versions(String name) {
+    Model recipe = recipe(name);
+    return counts
+        .of(name)
+        .map(
+            count -> {
+              ObjectFile original = maker.original(recipe, count.original());
+              return List.of(original, maker.reduced(original, count.reduced()));
+            })
+        .orElseGet(() -> List.of(maker.single(recipe)));
+  }
+
+  private Model recipe(String name) {
+    Supplier<Model> recipe = recipes.get(name);
+    if (recipe == null) {
+      throw new IllegalArgumentException("there is no recipe named " + name);
+    }
+    return recipe.get().named(name);
+  }
+}

@@ -1,0 +1,54 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.apartment.ApartmentGenerator;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "apartment",
+    description = {
+      "Writes the apartment of the thesis: its scenes, its objects in two versions, its path.",
+      "The same bytes every time."
+    },
+    footer = {
+      "  ./selective-renderer apartment",
+      "  ./selective-renderer apartment /tmp/a --only trashCan"
+    })
+final class ApartmentCommand extends CliCommand {
+  @Parameters(
+      paramLabel = "DIR",
+      arity = "0..1",
+      defaultValue = ".",
+      description = "gets scenes/ and inlineNodes/ (default: the current folder)")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--only",
+      split = ",",
+      paramLabel = "OBJECT",
+      description = "writes these objects' files and no scenes")
+  private List<String> only = List.of();
+
+  ApartmentCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    ApartmentGenerator generator = new ApartmentGenerator();
+    Collection<String> names = only.isEmpty() ? generator.objects() : only;
+    try {
+      Map<String, Integer> written = generator.writeObjects(folder, names);
+      written.forEach((file, polygons) -> console().message(file + ": " + polygons + " polygons"));
+      return ExitStatus.DONE;
+    } catch (IllegalArgumentException e) {
+      throw CommandFailure.usage(String.valueOf(e.getMessage()));
+    }
+  }
+}
