@@ -41,8 +41,8 @@ public final class Frames {
             List.of(KITCHEN_TO_LOUNGE, KITCHEN_TO_OFFICE, ENTRANCE, window),
             Finish.wall(0.9, 0.84, 0.66));
     List<TriangleMesh> tiles = Floors.tiles(Room.KITCHEN, 11, 16);
-    frame.add("lightTiles", Look.glossy(Colour.of(0.86, 0.83, 0.76)), tiles.get(0));
-    frame.add("darkTiles", Look.glossy(Colour.of(0.56, 0.36, 0.27)), tiles.get(1));
+    frame.add("lightTiles", Look.satin(Colour.of(0.82, 0.79, 0.72)), tiles.get(0));
+    frame.add("darkTiles", Look.satin(Colour.of(0.54, 0.34, 0.26)), tiles.get(1));
     frame.openDoor(KITCHEN_TO_OFFICE, false, 90);
     frame.shutDoor(ENTRANCE);
     frame.lightSwitch(Side.WEST, -2.1);

@@ -2,7 +2,6 @@ package org.selectiverenderer.apartment.plan;
 
 import org.selectiverenderer.modelling.Bounds;
 import org.selectiverenderer.modelling.Model;
-import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
@@ -27,9 +26,12 @@ public record Placed(Placement placement, Model model, double x, double y, doubl
 
   /** All of its triangles where they are. */
   public TriangleMesh mesh() {
-    return TriangleMesh.of(model.parts().stream().map(Part::mesh).toList())
-        .turnY(yaw)
-        .move(x, y, z);
+    return model.mesh().turnY(yaw).move(x, y, z);
+  }
+
+  /** Whether it stands on the floor, where it takes the light away. */
+  public boolean onFloor() {
+    return placement.place() instanceof Place.Floor || placement.place() instanceof Place.Against;
   }
 
   /** The box around it that is turned with it, before it is turned and moved. */

@@ -4,8 +4,10 @@ import java.util.List;
 import java.util.Locale;
 import org.selectiverenderer.apartment.facts.Expectancies;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.frame.SoftShadow;
 import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.modelling.Bounds;
 
 /** The text of the apartment's scene. */
 public final class ApartmentScene {
@@ -93,9 +95,9 @@ public final class ApartmentScene {
         "description",
         "Overview",
         "position",
-        "0 13.5 8.5",
+        "0 12.8 4.3",
         "orientation",
-        Values.orientation(0, -61),
+        Values.orientation(0, -72),
         "fieldOfView",
         "0.8");
   }
@@ -129,9 +131,33 @@ public final class ApartmentScene {
         Values.quoted("../inlineNodes/" + frame + ".x3d"));
     for (Placed object : placed) {
       if (object.placement().room() == room) {
+        if (object.onFloor()) {
+          shadow(xml, object);
+        }
         objects.write(xml, object, enriched);
       }
     }
+    xml.close().close();
+  }
+
+  /** As large as the box around the object. */
+  private static void shadow(XmlText xml, Placed object) {
+    Bounds box = object.box();
+    double x = (box.minX() + box.maxX()) / 2;
+    double z = (box.minZ() + box.maxZ()) / 2;
+    xml.open(
+        "Transform",
+        "translation",
+        Values.numbers(object.x(), object.y() + box.minY() + SoftShadow.LIFT, object.z()),
+        "rotation",
+        Values.yaw(object.yaw()));
+    xml.open(
+        "Transform",
+        "translation",
+        Values.numbers(x, 0, z),
+        "scale",
+        Values.numbers(box.width() / 2, 1, box.depth() / 2));
+    xml.empty("Inline", "url", Values.quoted("../inlineNodes/" + SoftShadow.FILE));
     xml.close().close();
   }
 }
