@@ -21,6 +21,7 @@ import org.selectiverenderer.apartment.scene.Tour;
 import org.selectiverenderer.apartment.versions.ObjectFile;
 import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Rounding;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
@@ -59,7 +60,8 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
 
   /** What the room's frame has to be brought to, so that the thesis's totals come out. */
   private static Model frame(Room room, int polygonsOfOthers) {
-    return ExactCount.refine(Frames.of(room), room.fixedPolygons() - polygonsOfOthers);
+    return ExactCount.refine(
+        Rounding.toGrid(Frames.of(room)), room.fixedPolygons() - polygonsOfOthers);
   }
 
   /** Polygons of the objects with one version and of the shadows, by room. */

@@ -48,8 +48,8 @@ public final class Frames {
     frame.lightSwitch(Side.WEST, -2.1);
     frame.lightSwitch(Side.EAST, 2.1);
     frame.lightSwitch(Side.SOUTH, 0.05);
-    frame.hangingLamp(-0.95, 1.15, 0.75, 40, Look.satin(Colour.of(0.72, 0.2, 0.14)));
-    frame.hangingLamp(0.4, -1.2, 0.4, 40, Look.satin(Colour.of(0.72, 0.2, 0.14)));
+    frame.hangingLamp(-0.95, 1.15, 0.75, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
+    frame.hangingLamp(0.4, -1.2, 0.4, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
     frame.radiator(Side.NORTH, -0.1, 14);
     return frame.model("kitchenFrame");
   }
@@ -73,7 +73,7 @@ public final class Frames {
         Extrusion.plate(0.008, 0.002, 1, middle).move(-6.4, 0, 1.0));
     frame.openDoor(LOUNGE_TO_KITCHEN, true, 90);
     frame.lightSwitch(Side.EAST, -2.1);
-    frame.hangingLamp(-5.46, 0.3, 0.55, 32, Look.satin(Colour.of(0.9, 0.86, 0.74)));
+    frame.hangingLamp(-5.46, 0.3, 0.55, 28, Look.satin(Colour.of(0.9, 0.86, 0.74)));
     frame.radiator(Side.SOUTH, -4.0, 12);
     return frame.model("loungeFrame");
   }

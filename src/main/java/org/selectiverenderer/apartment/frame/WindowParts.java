@@ -26,7 +26,7 @@ record WindowParts(Room room, Opening opening) {
 
   /** A catch on the middle bar. */
   TriangleMesh handle() {
-    TriangleMesh lever = Rounds.capsule(0.009, 0.11, 2, 8).move(0, -0.1, 0.09);
+    TriangleMesh lever = Rounds.capsule(0.009, 0.11, 1, 6).move(0, -0.1, 0.09);
     TriangleMesh plate = Boxes.bevelled(0.03, 0.07, 0.045, 0.005, 1).move(0, -0.04, 0.06);
     return placed(plate.append(lever));
   }
