@@ -15,6 +15,7 @@ import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Placement;
 import org.selectiverenderer.apartment.plan.Placements;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Shadows;
 import org.selectiverenderer.apartment.scene.ApartmentScene;
 import org.selectiverenderer.apartment.scene.PracticeScene;
 import org.selectiverenderer.apartment.scene.Tour;
@@ -70,10 +71,10 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
     for (Room room : Room.values()) {
       polygons.put(room, 0);
     }
+    for (Placed object : Shadows.of(placed)) {
+      polygons.merge(object.placement().room(), SoftShadow.polygons(), Integer::sum);
+    }
     for (Placed object : placed) {
-      if (object.onFloor()) {
-        polygons.merge(object.placement().room(), SoftShadow.polygons(), Integer::sum);
-      }
       if (counts.of(object.object()).isEmpty()) {
         polygons.merge(object.placement().room(), object.model().polygons(), Integer::sum);
       }

@@ -25,6 +25,7 @@ import org.selectiverenderer.apartment.plan.Footprint;
 import org.selectiverenderer.apartment.plan.Place;
 import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Shadows;
 import org.selectiverenderer.apartment.versions.ObjectFile;
 import org.selectiverenderer.modelling.Part;
 
@@ -92,8 +93,10 @@ class ApartmentTest {
       if (placed.placement().room() == room) {
         boolean listed = counts.of(placed.object()).isPresent();
         sum += polygons.get(placed.object() + (listed ? version : ".x3d"));
-        sum += placed.onFloor() ? SoftShadow.polygons() : 0;
       }
+    }
+    for (Placed placed : Shadows.of(apartment.placed())) {
+      sum += placed.placement().room() == room ? SoftShadow.polygons() : 0;
     }
     return sum;
   }

@@ -19,7 +19,7 @@ final class Fittings {
   /** A light switch with its rocker tilted, 1.1 m above the floor. */
   static TriangleMesh lightSwitch(Room room, Side side, double along) {
     TriangleMesh plate =
-        Extrusion.bevelled(0.01, 0.004, 2, Outline.roundedRectangle(0.085, 0.085, 0.01, 3));
+        Extrusion.bevelled(0.01, 0.004, 1, Outline.roundedRectangle(0.085, 0.085, 0.01, 2));
     TriangleMesh rocker = Boxes.bevelled(0.05, 0.055, 0.01, 0.003, 1).turnX(5);
     TriangleMesh whole = plate.append(rocker.move(0, -0.0275, 0.01));
     return side.place(room, whole.move(side.across(along), 1.1, 0));

@@ -46,8 +46,8 @@ final class Reducer {
   }
 
   private static Model odd(Model reduced, int missing) {
-    boolean border = reduced.parts().stream().anyMatch(part -> !part.mesh().isClosed());
-    return missing % 2 == 0 || border ? reduced : Undersides.open(reduced);
+    boolean possible = missing % 2 == 0 || ExactCount.hasBorder(reduced);
+    return possible ? reduced : Undersides.open(reduced);
   }
 
   private static Model model(Model original, Simplified simplified) {
