@@ -19,6 +19,7 @@ import org.selectiverenderer.apartment.plan.Shadows;
 import org.selectiverenderer.apartment.scene.ApartmentScene;
 import org.selectiverenderer.apartment.scene.PracticeScene;
 import org.selectiverenderer.apartment.scene.Tour;
+import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.ObjectFile;
 import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.Model;
@@ -29,25 +30,27 @@ import org.selectiverenderer.modelling.TriangleMesh;
  * All of the apartment in memory.
  *
  * @param placed the objects where they stand, as version 1
- * @param models the objects' and the rooms' files
+ * @param models the files of the objects and of the rooms
  * @param texts all files: path below the project's folder to text
  */
 record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, String> texts) {
 
   static Apartment make(ObjectFiles files, PolygonCounts counts) {
     List<Placement> placements = Placements.all();
-    List<ObjectFile> objects = files.of(placements.stream().map(Placement::object).toList());
+    List<MadeObject> objects = files.of(placements.stream().map(Placement::object).toList());
     Map<String, Model> originals = new HashMap<>();
-    objects.forEach(file -> originals.putIfAbsent(file.model().name(), file.model()));
+    objects.forEach(object -> originals.put(object.model().name(), object.model()));
     Map<Room, TriangleMesh> floors = new EnumMap<>(Room.class);
     for (Room room : Room.values()) {
       floors.put(room, Frames.of(room).mesh());
     }
     List<Placed> placed = Layout.of(placements, originals::get, floors::get);
 
-    List<ObjectFile> inlineNodes = new ArrayList<>(objects);
+    List<ObjectFile> inlineNodes = new ArrayList<>();
+    objects.forEach(object -> inlineNodes.addAll(object.files()));
     single(placed, counts)
-        .forEach((room, polygons) -> inlineNodes.add(files.single(frame(room, polygons))));
+        .forEach(
+            (room, polygons) -> inlineNodes.addAll(files.single(frame(room, polygons)).files()));
     ApartmentScene scene = new ApartmentScene(counts, Expectancies.load());
     Map<String, String> texts = new TreeMap<>();
     inlineNodes.forEach(file -> texts.put("inlineNodes/" + file.name(), file.text()));

@@ -5,11 +5,21 @@ final class FileText {
 
   private FileText() {}
 
-  /** Triangles of a Shape without an area, or with one point twice. */
-  static int linesAmongTriangles(String text, String part) {
-    int shape = text.indexOf("_" + part + "'>");
-    double[] index = numbers(attribute(text, "coordIndex='", shape));
-    double[] p = numbers(attribute(text, "point='", shape));
+  /** Triangles of all its Shapes without an area, or with one point twice. */
+  static int linesAmongTriangles(String text) {
+    int flat = 0;
+    int at = text.indexOf("coordIndex='");
+    while (at >= 0) {
+      flat +=
+          linesAmongTriangles(
+              numbers(attribute(text, "coordIndex='", at)),
+              numbers(attribute(text, " point='", at)));
+      at = text.indexOf("coordIndex='", at + 1);
+    }
+    return flat;
+  }
+
+  private static int linesAmongTriangles(double[] index, double[] p) {
     int flat = 0;
     for (int i = 0; i < index.length; i += 4) {
       int a = 3 * (int) index[i];

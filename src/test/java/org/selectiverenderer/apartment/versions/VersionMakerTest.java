@@ -1,12 +1,10 @@
 package org.selectiverenderer.apartment.versions;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.modelling.Bounds;
 import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Colour;
 import org.selectiverenderer.modelling.Look;
@@ -26,31 +24,46 @@ class VersionMakerTest {
 
   @Test
   void versionOneIsTheRecipeWithMissingPolygonsAdded() {
-    ObjectFile file = maker.original(lamp, 2000);
+    MadeObject made = maker.versions(lamp, 2000, 400);
+    ObjectFile file = made.files().get(0);
 
+    assertThat(made.model().polygons()).isEqualTo(2000);
     assertThat(file.name()).isEqualTo("deskLamp_v1.x3d");
     assertThat(file.polygons()).isEqualTo(2000);
     assertThat(file.text()).contains("Desk lamp, version 1: 2000 polygons, as modelled");
-    assertThat(file.text().split(" -1", -1)).hasSize(2001);
+    assertThat(triangles(file)).isEqualTo(2000);
   }
 
   @ParameterizedTest
   @ValueSource(ints = {400, 401, 133, 1999})
   void versionTwoHasItsCountExactlyEvenIfItIsOdd(int polygons) {
-    ObjectFile reduced = maker.reduced(maker.original(lamp, 2000), polygons);
+    ObjectFile file = maker.versions(lamp, 2000, polygons).files().get(1);
 
-    assertThat(reduced.polygons()).isEqualTo(polygons);
-    assertThat(reduced.text().split(" -1", -1)).hasSize(polygons + 1);
-    Bounds before = lamp.bounds();
-    Bounds after = reduced.model().bounds();
-    assertThat(after.height()).isCloseTo(before.height(), within(0.02));
-    assertThat(after.minY()).isCloseTo(0, within(0.005));
+    assertThat(file.name()).isEqualTo("deskLamp_v2.x3d");
+    assertThat(file.polygons()).isEqualTo(polygons);
+    assertThat(triangles(file)).isEqualTo(polygons);
+  }
+
+  @Test
+  void anObjectOfOneVersionHasNoNumber() {
+    MadeObject made = maker.single(lamp);
+
+    assertThat(made.files()).extracting(ObjectFile::name).containsExactly("deskLamp.x3d");
+    assertThat(triangles(made.files().get(0))).isEqualTo(lamp.polygons());
   }
 
   @Test
   void theSameModelGivesTheSameText() {
-    assertThat(new VersionMaker().reduced(new VersionMaker().original(lamp, 2000), 300).text())
-        .isEqualTo(maker.reduced(maker.original(lamp, 2000), 300).text());
+    assertThat(new VersionMaker().versions(lamp, 2000, 300).files())
+        .isEqualTo(maker.versions(lamp, 2000, 300).files());
+  }
+
+  private static int triangles(ObjectFile file) {
+    int sum = 0;
+    for (String shape : file.text().split("coordIndex='")) {
+      sum += shape.split("'", 2)[0].split(" -1", -1).length - 1;
+    }
+    return sum;
   }
 
   @Test
