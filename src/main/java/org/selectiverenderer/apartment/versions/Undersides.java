@@ -13,7 +13,7 @@ final class Undersides {
 
   private Undersides() {}
 
-  /** The model without its lowest triangle that faces down. */
+  /** The model without its lowest triangle that faces down; its part is seen from both sides. */
   static List<Mesh> open(List<Mesh> parts) {
     int part = 0;
     int triangle = 0;
@@ -62,7 +62,7 @@ final class Undersides {
         mesh.colors(),
         mesh.texCoords(),
         kept,
-        mesh.solid(),
+        false,
         mesh.bounds());
   }
 }
