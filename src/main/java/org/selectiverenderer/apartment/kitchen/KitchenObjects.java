@@ -16,6 +16,18 @@ public final class KitchenObjects {
    */
   public static Map<String, Supplier<Model>> all() {
     Map<String, Supplier<Model>> recipes = new TreeMap<>();
+    recipes.put("saltcellar", Saltcellar::model);
+    recipes.put("fruits", Fruits::model);
+    recipes.put("glasses", Glasses::model);
+    recipes.put("plates", Plates::model);
+    recipes.put("teapot", Teapot::model);
+    recipes.put("hamburger", Hamburger::model);
+    recipes.put("saucepan", Saucepan::model);
+    recipes.put("spoons", Spoons::model);
+    recipes.put("toaster", Toaster::model);
+    recipes.put("mixer", Mixer::model);
+    recipes.put("kitchenTable", KitchenTable::model);
+    recipes.put("kitchenFurniture", KitchenFurniture::model);
     return recipes;
   }
 }
