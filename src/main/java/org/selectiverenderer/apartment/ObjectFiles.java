@@ -30,6 +30,11 @@ final class ObjectFiles {
     return names.parallelStream().map(this::versions).flatMap(List::stream).toList();
   }
 
+  /** The file of a model that has one version. */
+  ObjectFile single(Model model) {
+    return maker.single(model);
+  }
+
   private List<ObjectFile> versions(String name) {
     Model recipe = recipe(name);
     return counts

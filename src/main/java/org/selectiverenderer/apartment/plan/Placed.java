@@ -1,0 +1,41 @@
+package org.selectiverenderer.apartment.plan;
+
+import org.selectiverenderer.modelling.Bounds;
+import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.TriangleMesh;
+
+/**
+ * An object where it stands: first turned about y by yaw degrees, then moved; y above the floor.
+ * Rounded to a tenth of a millimetre, as the scene's file has it.
+ */
+public record Placed(Placement placement, Model model, double x, double y, double z, double yaw) {
+
+  public Placed {
+    x = rounded(x);
+    y = rounded(y);
+    z = rounded(z);
+  }
+
+  private static double rounded(double value) {
+    return Math.round(value * 1e4) / 1e4;
+  }
+
+  public String object() {
+    return placement.object();
+  }
+
+  /** All of its triangles where they are. */
+  public TriangleMesh mesh() {
+    return model.mesh().turnY(yaw).move(x, y, z);
+  }
+
+  /** Whether it stands on the floor, where it takes the light away. */
+  public boolean onFloor() {
+    return placement.place() instanceof Place.Floor || placement.place() instanceof Place.Against;
+  }
+
+  /** The box around it that is turned with it, before it is turned and moved. */
+  public Bounds box() {
+    return model.bounds();
+  }
+}
