@@ -19,19 +19,22 @@ final class CupboardFronts {
 
   private CupboardFronts() {}
 
-  /** A frame round a panel that lies deeper. */
+  /**
+   * A frame with a bead round a panel that lies deeper. Its edges are sharp: a chamfer in version 2
+   * would be shaded as if the whole front were a cushion.
+   */
   static TriangleMesh door(double x0, double y0, double x1, double y1) {
     Outline edge = Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP);
     Outline opening = edge.inset(FRAME);
-    TriangleMesh frame = Extrusion.bevelled(THICKNESS, 0.003, 2, edge, opening);
-    TriangleMesh panel = Extrusion.bevelled(0.012, 0.005, 1, edge.inset(FRAME - 0.008));
-    return frame.append(panel).move((x0 + x1) / 2, (y0 + y1) / 2, 0);
+    TriangleMesh frame = Extrusion.plain(THICKNESS, edge, opening);
+    TriangleMesh panel = Extrusion.plain(0.012, edge.inset(FRAME - 0.008));
+    TriangleMesh bead = Sweep.of(Outline.circle(0.005, 8), Spine.of(opening)).move(0, 0, 0.013);
+    return TriangleMesh.of(frame, panel, bead).move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
   /** A plain front, too low for a frame. */
   static TriangleMesh drawer(double x0, double y0, double x1, double y1) {
-    return Extrusion.bevelled(
-            THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
+    return Extrusion.bevelled(THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
         .move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
@@ -40,8 +43,28 @@ final class CupboardFronts {
     double half = length / 2;
     Spine line =
         Spine.smooth(
-            3, -half, 0, 0, -half + 0.003, 0, 0.018, -half + 0.018, 0, 0.03, 0, 0, 0.034,
-            half - 0.018, 0, 0.03, half - 0.003, 0, 0.018, half, 0, 0);
+            3,
+            -half,
+            0,
+            0,
+            -half + 0.003,
+            0,
+            0.018,
+            -half + 0.018,
+            0,
+            0.03,
+            0,
+            0,
+            0.034,
+            half - 0.018,
+            0,
+            0.03,
+            half - 0.003,
+            0,
+            0.018,
+            half,
+            0,
+            0);
     return Sweep.of(Outline.superellipse(0.005, 0.0065, 2.5, 10), line).move(x, y, THICKNESS);
   }
 

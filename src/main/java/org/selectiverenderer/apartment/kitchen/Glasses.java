@@ -19,9 +19,13 @@ final class Glasses {
     TriangleMesh tumbler = tumbler();
     return Standing.centred(
         "glasses",
-        Part.of("wineGlasses", Palette.GLASS, wine.move(-0.085, 0, -0.03), wine.move(0.02, 0, -0.05)),
         Part.of(
-            "tumblers", Palette.GLASS, tumbler.move(-0.03, 0, 0.055), tumbler.move(0.085, 0, 0.04)));
+            "wineGlasses", Palette.GLASS, wine.move(-0.085, 0, -0.03), wine.move(0.02, 0, -0.05)),
+        Part.of(
+            "tumblers",
+            Palette.GLASS,
+            tumbler.move(-0.03, 0, 0.055),
+            tumbler.move(0.085, 0, 0.04)));
   }
 
   private static TriangleMesh wineGlass() {

@@ -57,7 +57,9 @@ final class Hamburger {
   private static TriangleMesh crown() {
     Curve profile =
         Curve.of(0, 0.05, 0.052, 0.05)
-            .spline(6, 0.0585, 0.0535, 0.0585, 0.062, 0.05, 0.077, 0.032, 0.089, 0.013, 0.0935, 0, 0.094);
+            .spline(
+                6, 0.0585, 0.0535, 0.0585, 0.062, 0.05, 0.077, 0.032, 0.089, 0.013, 0.0935, 0,
+                0.094);
     return Lathe.solid(profile, 54);
   }
 
@@ -71,7 +73,10 @@ final class Hamburger {
       double slope = Degrees.atan2(0.032 * radius / 0.0585, 0.0585 * rise);
       seeds =
           seeds.append(
-              seed.turnY(67 * i).turnZ(-slope).move(radius, 0.0625 + 0.032 * rise, 0).turnY(137.5 * i));
+              seed.turnY(67 * i)
+                  .turnZ(-slope)
+                  .move(radius, 0.0625 + 0.032 * rise, 0)
+                  .turnY(137.5 * i));
     }
     return seeds;
   }
@@ -79,7 +84,9 @@ final class Hamburger {
   /** Minced: its rim is rough. */
   private static TriangleMesh meat() {
     Curve profile =
-        Curve.of(0, 0.0225, 0.05, 0.0225).spline(6, 0.058, 0.026, 0.059, 0.031, 0.053, 0.0365).line(0, 0.037);
+        Curve.of(0, 0.0225, 0.05, 0.0225)
+            .spline(6, 0.058, 0.026, 0.059, 0.031, 0.053, 0.0365)
+            .line(0, 0.037);
     return Lathe.solid(profile, 96).deform(Hamburger::rough);
   }
 
@@ -92,10 +99,13 @@ final class Hamburger {
 
   /** A square slice whose corners hang over the meat. */
   private static TriangleMesh cheese() {
-    TriangleMesh slice =
-        Sheet.field(
-            0.106, 0.106, 19, 19, (x, z) -> 0.0385 - 8 * square(Math.max(0, Math.hypot(x, z) - 0.0535)) - 0.25 * Math.max(0, Math.hypot(x, z) - 0.056));
-    return Sheet.thicken(slice, 0, -0.0016, 0).turnY(32);
+    return Sheet.thicken(Sheet.field(0.106, 0.106, 19, 19, Hamburger::drooping), 0, -0.0016, 0)
+        .turnY(32);
+  }
+
+  private static double drooping(double x, double z) {
+    double radius = Standing.fromAxis(x, z);
+    return 0.0385 - 8 * square(Math.max(0, radius - 0.0535)) - 0.25 * Math.max(0, radius - 0.056);
   }
 
   private static double square(double x) {

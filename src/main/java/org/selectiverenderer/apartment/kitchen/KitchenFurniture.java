@@ -19,8 +19,8 @@ import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
  * Five units of 0.6 m along a wall, from the left: cupboard, sink, drawers, oven below the hob,
- * cupboard; above them a tiled wall, hanging cupboards, and a hood over the hob. The worktop is
- * 0.9 m high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
+ * cupboard; above them a tiled wall, hanging cupboards, and a hood over the hob. The worktop is 0.9
+ * m high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
  */
 final class KitchenFurniture {
   private static final double[] UNIT = {-1.5, -0.9, -0.3, 0.3, 0.9, 1.5};
@@ -58,8 +58,7 @@ final class KitchenFurniture {
     TriangleMesh rail = Boxes.plain(3, 0.17, 0.04).move(0, UNDER_TOP - 0.17, LOWER_Z - 0.02);
     TriangleMesh upper = Boxes.plain(1.8, HEIGHT - HANGING, 0.33).move(-0.6, HANGING, -0.135);
     TriangleMesh right = Boxes.plain(0.6, HEIGHT - HANGING, 0.33).move(1.2, HANGING, -0.135);
-    TriangleMesh sides =
-        Boxes.plain(0.02, UNDER_TOP - PLINTH, 0.56).move(-1.49, PLINTH, -0.02);
+    TriangleMesh sides = Boxes.plain(0.02, UNDER_TOP - PLINTH, 0.56).move(-1.49, PLINTH, -0.02);
     return TriangleMesh.of(lower, rail, upper, right, sides, sides.mirrorX());
   }
 
@@ -95,9 +94,9 @@ final class KitchenFurniture {
     return Extrusion.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
   }
 
-  /** Two rows of tiles, bevelled, with joints between them. */
+  /** Two rows of tiles with joints between them. */
   private static TriangleMesh tiles() {
-    TriangleMesh tile = Extrusion.bevelled(0.008, 0.003, 1, Outline.rectangle(0.196, 0.256));
+    TriangleMesh tile = Extrusion.plain(0.008, Outline.rectangle(0.196, 0.256));
     List<TriangleMesh> tiles = new ArrayList<>();
     for (int i = 0; i < 30; i++) {
       tiles.add(tile.move(-1.4 + 0.2 * (i % 15), TOP + 0.13 + 0.26 * (i / 15), -0.3));

@@ -28,6 +28,17 @@ public final class KitchenObjects {
     recipes.put("mixer", Mixer::model);
     recipes.put("kitchenTable", KitchenTable::model);
     recipes.put("kitchenFurniture", KitchenFurniture::model);
+    recipes.put("refrigerator", Refrigerator::model);
+    recipes.put("kitchenChair", KitchenChair::model);
+    recipes.put("bread", Bread::model);
+    recipes.put("fryingPan", FryingPan::model);
+    recipes.put("kitchenRoll", KitchenRoll::model);
+    recipes.put("shovel", Shovel::model);
+    recipes.put("kite", Kite::model);
+    recipes.put("baseballBat", BaseballBat::model);
+    recipes.put("bicycleWheel", BicycleWheel::model);
+    recipes.put("hairDryer", HairDryer::model);
+    recipes.put("violin", Violin::model);
     return recipes;
   }
 }

@@ -4,7 +4,6 @@ import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Colour;
 import org.selectiverenderer.modelling.Copies;
 import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Extrusion;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.Model;
@@ -12,7 +11,9 @@ import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.TriangleMesh;
 
-/** A farmhouse table for four, 1.4 m wide and 0.75 m high: oak top, painted turned legs, a drawer. */
+/**
+ * A farmhouse table for four, 1.4 m wide and 0.75 m high: oak top, painted turned legs, a drawer.
+ */
 final class KitchenTable {
   private static final double WIDTH = 1.4;
   private static final double DEPTH = 0.8;
@@ -38,8 +39,8 @@ final class KitchenTable {
   }
 
   private static TriangleMesh top() {
-    Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.04, 4);
-    return Extrusion.plate(0.032, 0.011, 3, seenFromAbove).move(0, 0.718, 0);
+    Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.04, 3);
+    return Slabs.lying(seenFromAbove, 0.032, 0.011, 3).move(0, 0.718, 0);
   }
 
   /** A square block where the apron meets it, turned below. */
@@ -54,7 +55,8 @@ final class KitchenTable {
             .line(0.036, 0.575)
             .line(0.026, 0.588)
             .line(0.026, 0.6);
-    return Lathe.solid(turned, 14).append(Boxes.bevelled(0.075, 0.125, 0.075, 0.006, 1).move(0, 0.594, 0));
+    return Lathe.solid(turned, 14)
+        .append(Boxes.bevelled(0.075, 0.125, 0.075, 0.006, 1).move(0, 0.594, 0));
   }
 
   private static TriangleMesh knob() {

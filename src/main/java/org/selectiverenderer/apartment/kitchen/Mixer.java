@@ -37,8 +37,8 @@ final class Mixer {
   private static TriangleMesh column() {
     return Sweep.of(
         Outline.superellipse(0.05, 0.045, 2.6, 72),
-        Spine.smooth(6, -0.108, 0.02, 0, -0.112, 0.08, 0, -0.112, 0.14, 0, -0.105, 0.2, 0, -0.098,
-            0.265, 0),
+        Spine.smooth(
+            6, -0.108, 0.02, 0, -0.112, 0.08, 0, -0.112, 0.14, 0, -0.105, 0.2, 0, -0.098, 0.265, 0),
         t -> 0.92 + 0.9 * (t - 0.6) * (t - 0.6));
   }
 
@@ -67,7 +67,8 @@ final class Mixer {
 
   private static TriangleMesh bowlHandle() {
     Spine bow =
-        Spine.smooth(6, 0, 0.142, 0.09, 0, 0.147, 0.118, 0, 0.125, 0.136, 0, 0.095, 0.122, 0, 0.084, 0.08);
+        Spine.smooth(
+            6, 0, 0.142, 0.09, 0, 0.147, 0.118, 0, 0.125, 0.136, 0, 0.095, 0.122, 0, 0.084, 0.08);
     return Sweep.of(Outline.superellipse(0.011, 0.004, 2.5, 24), bow).move(BOWL_X + 0.02, 0, 0);
   }
 

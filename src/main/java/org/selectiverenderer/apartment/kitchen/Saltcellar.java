@@ -38,15 +38,14 @@ final class Saltcellar {
         Curve.of(0, 0.003, 0.014, 0.0025)
             .spline(3, 0.018, 0, 0.0222, 0.0012, 0.0235, 0.005)
             .spline(5, 0.0225, 0.02, 0.0195, 0.045, 0.0172, 0.064, 0.0165, 0.071);
-    Curve inside =
-        Curve.from(0.0145, 0.071).spline(4, 0.0152, 0.064, 0.0174, 0.045, 0.0202, 0.02);
+    Curve inside = Curve.from(0.0145, 0.071).spline(4, 0.0152, 0.064, 0.0174, 0.045, 0.0202, 0.02);
     Curve bottom = Curve.from(0.0205, 0.012).spline(4, 0.017, 0.0078, 0.009, 0.007, 0, 0.0075);
     return Lathe.solid(outside.then(inside).then(bottom), 12 * FLUTES)
         .deform(p -> isOutside(p) ? fluted(p) : p);
   }
 
   private static boolean isOutside(Vector3d p) {
-    return Math.hypot(p.x, p.z) > 0.0215 - 0.07 * Math.max(0, p.y - 0.012) && p.y < 0.066;
+    return Standing.fromAxis(p.x, p.z) > 0.0215 - 0.07 * Math.max(0, p.y - 0.012) && p.y < 0.066;
   }
 
   private static Vector3d fluted(Vector3d p) {

@@ -76,15 +76,11 @@ final class SinkAndHob {
         large.move(0.14, 0, -0.11));
   }
 
-  /** A hood that narrows to its chimney, standing on y = 0, its back at z = 0. */
+  /** A flat hood below its chimney, standing on y = 0, its back at z = 0. */
   static TriangleMesh hood() {
-    double[] levels = {0.6, 0.45, 0, 0.6, 0.45, 0.05, 0.26, 0.25, 0.25, 0.26, 0.25, 0.72};
-    List<Vector3d[]> rows = new ArrayList<>();
-    for (int i = 0; i < levels.length; i += 3) {
-      double depth = levels[i + 1];
-      rows.add(row(Outline.rectangle(levels[i] - 0.006, depth).move(0, -depth / 2), levels[i + 2]));
-    }
-    return Skin.over(rows, Skin.Form.CAPPED)
-        .append(Boxes.bevelled(0.1, 0.022, 0.01, 0.004, 1).move(0, 0.014, 0.452));
+    return TriangleMesh.of(
+        Boxes.plain(0.594, 0.06, 0.46).move(0, 0, 0.23),
+        Boxes.plain(0.26, 0.66, 0.25).move(0, 0.06, 0.125),
+        Boxes.bevelled(0.1, 0.022, 0.01, 0.004, 1).move(0, 0.019, 0.461));
   }
 }

@@ -23,12 +23,16 @@ final class Toaster {
         "toaster",
         Part.of("shell", Palette.STEEL, shell()),
         Part.of("trim", Palette.BLACK, base(), slots(), lever(), dial()),
-        Part.of("toast", Look.matt(Colour.hex(0xC98F4E)), toast().move(-0.012, 0, 0.024), toast().move(-0.012, 0, -0.042)));
+        Part.of(
+            "toast",
+            Look.matt(Colour.hex(0xC98F4E)),
+            toast().move(-0.012, 0, 0.024),
+            toast().move(-0.012, 0, -0.042)));
   }
 
   private static TriangleMesh shell() {
     Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.05, 4);
-    return Extrusion.plate(0.158, 0.024, 4, seenFromAbove).move(0, 0.014, 0);
+    return Slabs.lying(seenFromAbove, 0.158, 0.024, 3).move(0, 0.014, 0);
   }
 
   private static TriangleMesh base() {
@@ -60,11 +64,14 @@ final class Toaster {
   }
 
   private static TriangleMesh lever() {
-    return Boxes.bevelled(0.03, 0.014, 0.034, 0.005, 1).move(WIDTH / 2 + 0.014, 0.112, 0)
+    return Boxes.bevelled(0.03, 0.014, 0.034, 0.005, 1)
+        .move(WIDTH / 2 + 0.014, 0.112, 0)
         .append(Boxes.plain(0.004, 0.09, 0.01).move(WIDTH / 2, 0.045, 0));
   }
 
   private static TriangleMesh dial() {
-    return Rounds.roundedCylinder(0.015, 0.014, 0.004, 1, 12).turnZ(-90).move(WIDTH / 2, 0.04, 0.042);
+    return Rounds.roundedCylinder(0.015, 0.014, 0.004, 1, 12)
+        .turnZ(-90)
+        .move(WIDTH / 2, 0.04, 0.042);
   }
 }
