@@ -39,10 +39,10 @@ final class Hamburger {
   private static TriangleMesh plate() {
     Curve profile =
         Curve.of(0, 0.003, 0.058, 0.003, 0.06, 0, 0.064, 0, 0.067, 0.003)
-            .spline(4, 0.088, 0.01, 0.108, 0.0165)
-            .arc(0.1075, 0.0178, 180, 4)
-            .spline(4, 0.088, 0.013, 0.066, 0.0068, 0.055, 0.006)
-            .line(0, 0.006);
+            .spline(4, 0.088, 0.0085, 0.108, 0.0145)
+            .arc(0.107, 0.0172, 160, 4)
+            .spline(4, 0.088, 0.0135, 0.066, 0.0078, 0.055, 0.007)
+            .line(0, 0.007);
     return Lathe.solid(profile, 60);
   }
 
