@@ -15,37 +15,42 @@ import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Placement;
 import org.selectiverenderer.apartment.plan.Placements;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Shadows;
 import org.selectiverenderer.apartment.scene.ApartmentScene;
 import org.selectiverenderer.apartment.scene.PracticeScene;
 import org.selectiverenderer.apartment.scene.Tour;
+import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.ObjectFile;
 import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Rounding;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
  * All of the apartment in memory.
  *
  * @param placed the objects where they stand, as version 1
- * @param models the objects' and the rooms' files
+ * @param models the files of the objects and of the rooms
  * @param texts all files: path below the project's folder to text
  */
 record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, String> texts) {
 
   static Apartment make(ObjectFiles files, PolygonCounts counts) {
     List<Placement> placements = Placements.all();
-    List<ObjectFile> objects = files.of(placements.stream().map(Placement::object).toList());
+    List<MadeObject> objects = files.of(placements.stream().map(Placement::object).toList());
     Map<String, Model> originals = new HashMap<>();
-    objects.forEach(file -> originals.putIfAbsent(file.model().name(), file.model()));
+    objects.forEach(object -> originals.put(object.model().name(), object.model()));
     Map<Room, TriangleMesh> floors = new EnumMap<>(Room.class);
     for (Room room : Room.values()) {
       floors.put(room, Frames.of(room).mesh());
     }
     List<Placed> placed = Layout.of(placements, originals::get, floors::get);
 
-    List<ObjectFile> inlineNodes = new ArrayList<>(objects);
+    List<ObjectFile> inlineNodes = new ArrayList<>();
+    objects.forEach(object -> inlineNodes.addAll(object.files()));
     single(placed, counts)
-        .forEach((room, polygons) -> inlineNodes.add(files.single(frame(room, polygons))));
+        .forEach(
+            (room, polygons) -> inlineNodes.addAll(files.single(frame(room, polygons)).files()));
     ApartmentScene scene = new ApartmentScene(counts, Expectancies.load());
     Map<String, String> texts = new TreeMap<>();
     inlineNodes.forEach(file -> texts.put("inlineNodes/" + file.name(), file.text()));
@@ -59,7 +64,8 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
 
   /** What the room's frame has to be brought to, so that the thesis's totals come out. */
   private static Model frame(Room room, int polygonsOfOthers) {
-    return ExactCount.refine(Frames.of(room), room.fixedPolygons() - polygonsOfOthers);
+    return ExactCount.refine(
+        Rounding.toGrid(Frames.of(room)), room.fixedPolygons() - polygonsOfOthers);
   }
 
   /** Polygons of the objects with one version and of the shadows, by room. */
@@ -68,10 +74,10 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
     for (Room room : Room.values()) {
       polygons.put(room, 0);
     }
+    for (Placed object : Shadows.of(placed)) {
+      polygons.merge(object.placement().room(), SoftShadow.polygons(), Integer::sum);
+    }
     for (Placed object : placed) {
-      if (object.onFloor()) {
-        polygons.merge(object.placement().room(), SoftShadow.polygons(), Integer::sum);
-      }
       if (counts.of(object.object()).isEmpty()) {
         polygons.merge(object.placement().room(), object.model().polygons(), Integer::sum);
       }

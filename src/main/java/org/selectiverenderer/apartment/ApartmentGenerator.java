@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.ObjectFile;
 
 /** Writes the apartment: the same bytes every time. Nothing is written before all of it is made. */
@@ -25,11 +26,13 @@ public final class ApartmentGenerator {
    */
   public Map<String, Integer> writeObjects(Path folder, Collection<String> names)
       throws IOException {
-    List<ObjectFile> made = files.of(names);
+    List<MadeObject> made = files.of(names);
     Map<String, Integer> polygons = new TreeMap<>();
-    for (ObjectFile file : made) {
-      write(folder.resolve("inlineNodes").resolve(file.name()), file.text());
-      polygons.put(file.name(), file.polygons());
+    for (MadeObject object : made) {
+      for (ObjectFile file : object.files()) {
+        write(folder.resolve("inlineNodes").resolve(file.name()), file.text());
+        polygons.put(file.name(), file.polygons());
+      }
     }
     return polygons;
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.apartment.plan;
 
+import java.util.Arrays;
 import org.selectiverenderer.modelling.Bounds;
 import org.selectiverenderer.modelling.Model;
 import org.selectiverenderer.modelling.TriangleMesh;
@@ -29,13 +30,23 @@ public record Placed(Placement placement, Model model, double x, double y, doubl
     return model.mesh().turnY(yaw).move(x, y, z);
   }
 
-  /** Whether it stands on the floor, where it takes the light away. */
-  public boolean onFloor() {
-    return placement.place() instanceof Place.Floor || placement.place() instanceof Place.Against;
-  }
-
   /** The box around it that is turned with it, before it is turned and moved. */
   public Bounds box() {
     return model.bounds();
+  }
+
+  /** The box around its points up to a height above its lowest, before it is turned and moved. */
+  public Bounds lowerBox(double height) {
+    double limit = box().minY() + height;
+    float[] all = model.mesh().positions();
+    float[] low = new float[all.length];
+    int n = 0;
+    for (int i = 0; i < all.length; i += 3) {
+      if (all[i + 1] <= limit) {
+        System.arraycopy(all, i, low, n, 3);
+        n += 3;
+      }
+    }
+    return Bounds.of(Arrays.copyOf(low, n));
   }
 }

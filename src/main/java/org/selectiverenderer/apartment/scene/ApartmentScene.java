@@ -7,12 +7,16 @@ import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.frame.SoftShadow;
 import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Shadows;
 import org.selectiverenderer.modelling.Bounds;
 
 /** The text of the apartment's scene. */
 public final class ApartmentScene {
   /** Height of a seated person's eye above the floor; participants sat (thesis Fig 83). */
   public static final double EYE = 1.2;
+
+  /** What is lower than this above an object's sole takes the floor's light, metres. */
+  private static final double LOWER_END = 0.3;
 
   private final ObjectNode objects;
 
@@ -129,20 +133,22 @@ public final class ApartmentScene {
         "Inline_" + room.title() + "Frame_Definition",
         "url",
         Values.quoted("../inlineNodes/" + frame + ".x3d"));
+    for (Placed object : Shadows.of(placed)) {
+      if (object.placement().room() == room) {
+        shadow(xml, object);
+      }
+    }
     for (Placed object : placed) {
       if (object.placement().room() == room) {
-        if (object.onFloor()) {
-          shadow(xml, object);
-        }
         objects.write(xml, object, enriched);
       }
     }
     xml.close().close();
   }
 
-  /** As large as the box around the object. */
+  /** As large as the box around the object's lower end: a plant's leaves darken nothing. */
   private static void shadow(XmlText xml, Placed object) {
-    Bounds box = object.box();
+    Bounds box = object.lowerBox(LOWER_END);
     double x = (box.minX() + box.maxX()) / 2;
     double z = (box.minZ() + box.maxZ()) / 2;
     xml.open(
