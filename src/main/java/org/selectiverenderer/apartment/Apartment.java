@@ -37,7 +37,8 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
 
   static Apartment make(ObjectFiles files, PolygonCounts counts) {
     List<Placement> placements = Placements.all();
-    List<MadeObject> objects = files.of(placements.stream().map(Placement::object).toList());
+    List<MadeObject> objects =
+        files.of(placements.stream().map(Placement::object).distinct().toList());
     Map<String, Model> originals = new HashMap<>();
     objects.forEach(object -> originals.put(object.model().name(), object.model()));
     Map<Room, TriangleMesh> floors = new EnumMap<>(Room.class);

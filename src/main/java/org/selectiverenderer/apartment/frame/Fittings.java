@@ -64,11 +64,7 @@ final class Fittings {
   /** The rim of a flat ceiling lamp. */
   static TriangleMesh panelRim(double x, double z) {
     return Extrusion.plate(
-            0.06,
-            0.008,
-            1,
-            Outline.roundedRectangle(1.24, 0.34, 0.02, 2),
-            Outline.roundedRectangle(1.18, 0.28, 0.01, 2))
+            0.06, 0.008, 1, Outline.rectangle(1.24, 0.34), Outline.rectangle(1.18, 0.28))
         .move(x, Room.HEIGHT - 0.06, z);
   }
 

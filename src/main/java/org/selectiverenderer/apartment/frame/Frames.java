@@ -46,9 +46,7 @@ public final class Frames {
     frame.lightSwitch(Side.WEST, -2.1);
     frame.lightSwitch(Side.EAST, 2.1);
     frame.lightSwitch(Side.SOUTH, 0.05);
-    frame.hangingLamp(-0.95, 1.15, 0.75, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
-    frame.hangingLamp(0.4, -1.2, 0.4, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
-    frame.radiator(Side.NORTH, -0.1, 14);
+    frame.hangingLamp(-0.95, 1.15, 0.75, 28, Look.satin(Colour.of(0.72, 0.2, 0.14)));
     return frame.model("kitchenFrame");
   }
 
@@ -80,7 +78,7 @@ public final class Frames {
     }
     frame.add("lampRims", Finish.PLASTIC, TriangleMesh.of(rims));
     frame.add("lampLights", Finish.LIGHT, TriangleMesh.of(lights));
-    frame.radiator(Side.NORTH, 6.6, 14);
+    frame.radiator(Side.NORTH, 6.6, 11);
     return frame.model("officeFrame");
   }
 }

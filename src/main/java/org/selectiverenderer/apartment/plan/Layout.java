@@ -25,8 +25,8 @@ public final class Layout {
     this.models = models;
     this.floors = floors;
     for (Placement placement : all) {
-      if (placements.put(placement.object(), placement) != null) {
-        throw new IllegalArgumentException(placement.object() + " stands in two places");
+      if (placements.put(placement.name(), placement) != null) {
+        throw new IllegalArgumentException(placement.name() + " stands in two places");
       }
     }
   }
@@ -50,10 +50,10 @@ public final class Layout {
   }
 
   private Placed place(Placement placement) {
-    Placed known = placed.get(placement.object());
+    Placed known = placed.get(placement.name());
     if (known == null) {
       known = find(placement);
-      placed.put(placement.object(), known);
+      placed.put(placement.name(), known);
     }
     return known;
   }

@@ -26,14 +26,27 @@ public final class Placements {
         row(KITCHEN, "kitchenTable", new Floor(-0.95, 1.2, 0)),
         row(KITCHEN, "toaster", new On("kitchenFurniture", -1.2, 0.06, 12, 1.0)),
         row(KITCHEN, "mixer", new On("kitchenFurniture", 1.2, 0.04, -20, 1.0)),
-        row(KITCHEN, "plates", new On("kitchenFurniture", 0.0, 0.06, 0, 1.0)),
+        row(KITCHEN, "plates", new On("kitchenFurniture", 0.16, 0.1, 0, 1.0)),
         row(KITCHEN, "saucepan", new On("kitchenFurniture", 0.45, -0.1, -30, 1.0)),
-        row(KITCHEN, "teapot", new On("kitchenTable", -0.45, 0.1, 160, 1.0)),
-        row(KITCHEN, "glasses", new On("kitchenTable", 0.05, -0.22, 0, 1.0)),
+        row(KITCHEN, "teapot", new On("kitchenTable", -0.45, 0.17, 160, 1.0)),
+        row(KITCHEN, "glasses", new On("kitchenTable", 0.1, -0.25, 0, 1.0)),
         row(KITCHEN, "hamburger", new On("kitchenTable", 0.05, 0.2, 0, 1.0)),
         row(KITCHEN, "fruits", new On("kitchenTable", 0.45, -0.08, 0, 1.0)),
-        row(KITCHEN, "saltcellar", new On("kitchenTable", -0.2, -0.12, 0, 1.0)),
-        row(KITCHEN, "spoons", new On("kitchenTable", 0.4, 0.26, 10, 1.0)));
+        row(KITCHEN, "saltcellar", new On("kitchenTable", -0.13, -0.05, 0, 1.0)),
+        row(KITCHEN, "spoons", new On("kitchenTable", 0.4, 0.26, 10, 1.0)),
+        row(KITCHEN, "refrigerator", new Against(Side.EAST, 0.95, 0.02)),
+        row(KITCHEN, "kitchenChair", new Floor(-0.55, 0.62, 8)),
+        again(KITCHEN, "kitchenChair", 2, new Floor(-1.35, 1.85, 172)),
+        again(KITCHEN, "kitchenChair", 3, new Floor(-0.5, 1.9, 195)),
+        row(KITCHEN, "fryingPan", new On("kitchenFurniture", 0.72, 0.1, 0, 1.0)),
+        row(KITCHEN, "bread", new On("kitchenFurniture", -0.13, 0.06, 90, 1.0)),
+        row(KITCHEN, "kitchenRoll", new On("kitchenFurniture", -0.98, -0.14, 0, 1.0)),
+        row(KITCHEN, "shovel", new Against(Side.WEST, -1.3, 0.005)),
+        row(KITCHEN, "kite", new Against(Side.SOUTH, -1.6, 0.005)),
+        row(KITCHEN, "bicycleWheel", new Against(Side.WEST, -0.3, 0.02)),
+        row(KITCHEN, "baseballBat", new Floor(-1.5, 0.2, 75)),
+        row(KITCHEN, "hairDryer", new On("kitchenTable", -0.42, -0.2, 0, 1.0)),
+        row(KITCHEN, "violin", new Floor(0.1, -2.6, 35)));
   }
 
   private static List<Placement> lounge() {
@@ -70,11 +83,11 @@ public final class Placements {
     return List.of(
         row(OFFICE, "desk", new Against(Side.EAST, 0.77, 0.02)),
         row(OFFICE, "computerSet", new On("desk", 0, -0.03, 0, 1.0)),
-        row(OFFICE, "deskLamp", new On("desk", 0.62, -0.15, 60, 1.0)),
-        row(OFFICE, "pencilHolderDesk", new On("desk", -0.6, -0.22, 0, 1.0)),
-        row(OFFICE, "selotape", new On("desk", -0.6, 0.22, 20, 1.0)),
-        row(OFFICE, "ruler", new On("desk", -0.62, 0.05, 4, 1.0)),
-        row(OFFICE, "cd", new On("desk", 0.64, 0.18, 80, 1.0)),
+        row(OFFICE, "deskLamp", new On("desk", 0.63, -0.19, 90, 1.0)),
+        row(OFFICE, "pencilHolderDesk", new On("desk", -0.72, 0.2, 0, 1.0)),
+        row(OFFICE, "selotape", new On("desk", -0.62, 0.09, 8, 1.0)),
+        row(OFFICE, "ruler", new On("desk", -0.62, 0.33, 3, 1.0)),
+        row(OFFICE, "cd", new On("desk", 0.62, 0.1, 0, 1.0)),
         row(OFFICE, "trashCan", new Floor(8.35, -0.35, 0)),
         row(OFFICE, "plant", new Floor(8.15, 2.55, 0)),
         row(OFFICE, "clock", new Hung(Side.EAST, 0.77, 1.6)),
@@ -82,14 +95,25 @@ public final class Placements {
         row(OFFICE, "bookcase", new Against(Side.WEST, -1.1, 0)),
         row(OFFICE, "libraryBooks", new On("bookcase", 0, 0, 0, 0.3)),
         row(OFFICE, "printer", new On("bookcase", -0.388, 0, 0, 1.0)),
-        row(OFFICE, "laptop", new On("bookcase", 0.53, 0, -12, 1.0)),
+        row(OFFICE, "laptop", new On("bookcase", 0.5, -0.006, 0, 1.0)),
         row(OFFICE, "libraryMouse", new On("bookcase", 0.2, 0.04, 10, 1.0)),
         row(OFFICE, "mug", new On("bookcase", -0.11, 0.03, 30, 1.3)),
         row(OFFICE, "telephoneLibrary", new On("bookcase", 0.45, 0.02, 0, 1.3)),
-        row(OFFICE, "libraryPencilHolder", new On("bookcase", 0.15, 0.02, 0, 1.3)));
+        row(OFFICE, "libraryPencilHolder", new On("bookcase", 0.15, 0.02, 0, 1.3)),
+        row(OFFICE, "officeChair", new Floor(7.2, 0.85, 75)),
+        row(OFFICE, "folders", new On("bookcase", -0.55, 0.01, 0, 0.6)),
+        row(OFFICE, "letterTray", new On("desk", -0.63, -0.2, 0, 1.0)),
+        row(OFFICE, "notepad", new On("desk", 0.54, 0.29, 0, 1.0)),
+        row(OFFICE, "stapler", new On("desk", 0.71, 0.28, 0, 1.0)),
+        row(OFFICE, "poster", new Hung(Side.SOUTH, 6.6, 1.2)),
+        row(OFFICE, "trumpet", new Floor(4.0, -2.85, 30)));
   }
 
   private static Placement row(Room room, String object, Place place) {
-    return new Placement(room, object, place);
+    return new Placement(room, object, 1, place);
+  }
+
+  private static Placement again(Room room, String object, int number, Place place) {
+    return new Placement(room, object, number, place);
   }
 }

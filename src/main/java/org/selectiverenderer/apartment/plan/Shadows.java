@@ -14,7 +14,7 @@ public final class Shadows {
   /** The objects on the floor, or on a carpet, that are not flat themselves. */
   public static List<Placed> of(List<Placed> placed) {
     Map<String, Placed> byName = new HashMap<>();
-    placed.forEach(object -> byName.put(object.object(), object));
+    placed.forEach(object -> byName.put(object.placement().name(), object));
     return placed.stream()
         .filter(object -> !isFlat(object) && (onFloor(object) || onCarpet(object, byName)))
         .toList();

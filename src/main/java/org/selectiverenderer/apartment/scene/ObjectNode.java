@@ -30,7 +30,8 @@ final class ObjectNode {
 
   void write(XmlText xml, Placed placed, boolean enriched) {
     String object = placed.object();
-    String title = Character.toUpperCase(object.charAt(0)) + object.substring(1);
+    String name = placed.placement().name();
+    String title = Character.toUpperCase(name.charAt(0)) + name.substring(1);
     xml.open(
         "Transform",
         "DEF",

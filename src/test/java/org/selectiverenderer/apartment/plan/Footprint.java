@@ -1,9 +1,20 @@
 package org.selectiverenderer.apartment.plan;
 
+import java.util.List;
 import org.selectiverenderer.modelling.Bounds;
 
-/** The upright box around a placed object, turned with it. */
-public record Footprint(Placed placed) {
+/** An upright box around a placed object or a piece of it, turned with it. */
+public record Footprint(Placed placed, Bounds box) {
+
+  /** Around all of the object. */
+  public Footprint(Placed placed) {
+    this(placed, placed.box());
+  }
+
+  /** Around each of its pieces that hang together. */
+  public static List<Footprint> pieces(Placed placed) {
+    return Pieces.boxes(placed.model()).stream().map(b -> new Footprint(placed, b)).toList();
+  }
 
   /** By how much two boxes reach into each other, metres; 0 or less when they are apart. */
   public double overlap(Footprint other) {
@@ -20,11 +31,11 @@ public record Footprint(Placed placed) {
   }
 
   public double bottom() {
-    return placed.y() + placed.box().minY();
+    return placed.y() + box.minY();
   }
 
   public double top() {
-    return placed.y() + placed.box().maxY();
+    return placed.y() + box.maxY();
   }
 
   /** Lowest and highest x of the world, or z. */
@@ -37,9 +48,8 @@ public record Footprint(Placed placed) {
     double dx = Math.cos(Math.toRadians(degrees));
     double dz = -Math.sin(Math.toRadians(degrees));
     double[] range = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
-    Bounds b = placed.box();
-    for (double x : new double[] {b.minX(), b.maxX()}) {
-      for (double z : new double[] {b.minZ(), b.maxZ()}) {
+    for (double x : new double[] {box.minX(), box.maxX()}) {
+      for (double z : new double[] {box.minZ(), box.maxZ()}) {
         double s = Math.sin(Math.toRadians(placed.yaw()));
         double c = Math.cos(Math.toRadians(placed.yaw()));
         double at = dx * (placed.x() + c * x + s * z) + dz * (placed.z() + c * z - s * x);

@@ -65,8 +65,8 @@ class LayoutTest {
 
   @Test
   void fromWithinAShelfTheBoardsAboveDoNotCount() {
-    Placement shelf = new Placement(Room.OFFICE, "shelf", new Floor(3, 0, 0));
-    Placement box = new Placement(Room.OFFICE, "box", new On("shelf", 0, 0, 90, 0.4));
+    Placement shelf = new Placement(Room.OFFICE, "shelf", 1, new Floor(3, 0, 0));
+    Placement box = new Placement(Room.OFFICE, "box", 1, new On("shelf", 0, 0, 90, 0.4));
     List<Placed> placed = Layout.of(List.of(box, shelf), models::get, room -> FLOOR);
 
     assertThat(placed.get(0).y()).isCloseTo(0.02, within(1e-4));
@@ -93,13 +93,13 @@ class LayoutTest {
   }
 
   private Placed place(String object, Place place) {
-    Placement row = new Placement(Room.OFFICE, object, place);
+    Placement row = new Placement(Room.OFFICE, object, 1, place);
     return Layout.of(List.of(row), models::get, room -> FLOOR).get(0);
   }
 
   private Placed place(String object, Place place, Place table) {
-    Placement below = new Placement(Room.OFFICE, "table", table);
-    Placement row = new Placement(Room.OFFICE, object, place);
+    Placement below = new Placement(Room.OFFICE, "table", 1, table);
+    Placement row = new Placement(Room.OFFICE, object, 1, place);
     return Layout.of(List.of(below, row), models::get, room -> FLOOR).get(1);
   }
 

@@ -88,7 +88,7 @@ class ScenePartsTest {
   }
 
   private static String node(String object, Room room, boolean enriched) {
-    Placement row = new Placement(room, object, new Place.Floor(1, -2, 90));
+    Placement row = new Placement(room, object, 1, new Place.Floor(1, -2, 90));
     Placed placed = new Placed(row, Model.of(object), 1, 0.5, -2, 90);
     XmlText xml = new XmlText();
     new ObjectNode(PolygonCounts.load(), Expectancies.load()).write(xml, placed, enriched);
