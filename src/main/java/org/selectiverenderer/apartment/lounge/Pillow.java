@@ -1,0 +1,75 @@
+package org.selectiverenderer.apartment.lounge;
+
+import java.util.function.Predicate;
+import org.joml.Vector3d;
+import org.selectiverenderer.modelling.Degrees;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.TriangleMesh;
+import org.selectiverenderer.modelling.Welding;
+
+/**
+ * A square pillow with a piped seam and a button drawn in on both sides. It stands and leans back,
+ * as against the back of a sofa: two sheets of 33 by 33 squares and two buttons.
+ */
+final class Pillow {
+  private static final double HALF = 0.225;
+  private static final double THICK = 0.085;
+  private static final int SQUARES = 33;
+
+  /** Where the piping ends, as a part of half the width. */
+  private static final double PIPING = 0.965;
+
+  private static final double LEAN = 17;
+
+  private Pillow() {}
+
+  static Model first() {
+    return model("sofa1Pillow", Looks.TEAL_CLOTH, Looks.CREAM_CLOTH);
+  }
+
+  static Model second() {
+    return model("sofa2Pillow", Looks.RUST_CLOTH, Looks.CREAM_CLOTH);
+  }
+
+  private static Model model(String name, Look cloth, Look trim) {
+    Predicate<Vector3d> piping = p -> Math.max(Math.abs(p.x), Math.abs(p.y)) > PIPING;
+    TriangleMesh front = Sheet.of(SQUARES, SQUARES, (u, v) -> new Vector3d(grid(u), grid(v), 1));
+    TriangleMesh flat = front.append(front.mirrorZ());
+    TriangleMesh button = Buttons.round(0.016, 0.006, 0.016, 2, 12).turnX(90).move(0, 0, 0.043);
+    Model lying =
+        Model.of(
+            name,
+            Part.of("cloth", cloth, shape(Patches.where(flat, piping.negate()))).crease(80),
+            Part.of("piping", trim, shape(Patches.where(flat, piping))).crease(80),
+            Part.of("buttons", trim, button, button.mirrorZ()).crease(60));
+    return Standing.centred(lying.map(mesh -> mesh.turnX(-LEAN)));
+  }
+
+  /** -1 to 1; the outermost squares are the piping. */
+  private static double grid(double t) {
+    double inner = (SQUARES * t - 1) / (SQUARES - 2.0);
+    return inner < 0 ? -1 : inner > 1 ? 1 : PIPING * (2 * inner - 1);
+  }
+
+  private static TriangleMesh shape(TriangleMesh flat) {
+    return Welding.weld(flat.deform(Pillow::plump));
+  }
+
+  /** From a square of -1 to 1 with a side (z = 1 or -1) to the pillow. */
+  private static Vector3d plump(Vector3d p) {
+    double fromX = 1 - p.x * p.x;
+    double fromY = 1 - p.y * p.y;
+    double belly = Degrees.power(Math.max(0, fromX * fromY), 0.55);
+    double square = (p.x * p.x + p.y * p.y) * HALF * HALF;
+    double dent = 0.55 / (1 + square / (0.045 * 0.045));
+    double rim = Math.max(Math.abs(p.x), Math.abs(p.y));
+    double seam = rim > 0.999 ? 0 : rim > PIPING - 0.001 ? 0.007 : 0;
+    double thick = Math.max(seam, THICK * belly * (1 - dent));
+    // Between the corners the sides are drawn in.
+    return new Vector3d(
+        HALF * p.x * (1 - 0.07 * fromY), HALF * p.y * (1 - 0.07 * fromX), p.z * thick);
+  }
+}
