@@ -17,7 +17,7 @@ final class AshTray {
   private AshTray() {}
 
   static Model model() {
-    Curve profile = Curve.of(0.056, 0, 0.07, 0.036, 0.054, 0.038, 0.044, 0.01);
+    Curve profile = Curve.of(0.058, 0, 0.07, 0.036, 0.054, 0.038, 0.044, 0.01);
     TriangleMesh dish = Lathe.solid(profile, 12).deform(p -> p.sub(0, depth(p.x, p.y, p.z), 0));
     Look glass = Look.glossy(Colour.of(0.5, 0.27, 0.08));
     Look ash = Look.matt(Colour.of(0.42, 0.4, 0.38));
@@ -29,7 +29,7 @@ final class AshTray {
 
   /** Cigarettes rest where the rim crosses the axes. */
   private static double depth(double x, double y, double z) {
-    return y > 0.03 && Math.abs(x * z) < 1e-9 ? 0.012 : 0;
+    return y > 0.03 && Math.abs(x * z) < 1e-9 ? 0.008 : 0;
   }
 
   private static boolean isBottom(double x, double y, double z) {

@@ -5,8 +5,10 @@ import java.util.List;
 import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Colour;
 import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.Extrusion;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.Rounds;
 import org.selectiverenderer.modelling.TriangleMesh;
@@ -75,14 +77,15 @@ final class Biblioteca {
     return (door - 2) * 0.505;
   }
 
-  /** Five doors with a raised panel each, and the box behind them. */
+  /** Five framed doors, and the box behind them. */
   private static TriangleMesh doors() {
     List<TriangleMesh> all = new ArrayList<>();
     all.add(Boxes.plain(WIDTH - 2 * BOARD, 0.37, DEPTH - 0.06).move(0, 0.08, -0.02));
     for (int door = 0; door < 5; door++) {
-      TriangleMesh leaf = Boxes.bevelled(0.495, 0.352, 0.022, 0.004, 1);
-      TriangleMesh panel = Boxes.bevelled(0.36, 0.22, 0.02, 0.008, 1).move(0, 0.066, 0.008);
-      all.add(leaf.append(panel).move(doorX(door), 0.09, DEPTH / 2 - 0.03));
+      Outline frame = Outline.rectangle(0.495, 0.352);
+      TriangleMesh rails = Extrusion.plain(0.022, frame, frame.inset(0.055)).move(0, 0.176, 0);
+      TriangleMesh panel = Boxes.plain(0.39, 0.25, 0.012).move(0, 0.051, 0.006);
+      all.add(rails.append(panel).move(doorX(door), 0.09, DEPTH / 2 - 0.04));
     }
     return TriangleMesh.of(all);
   }
@@ -92,7 +95,7 @@ final class Biblioteca {
     List<TriangleMesh> all = new ArrayList<>();
     for (int door = 0; door < 5; door++) {
       double side = door < 2 ? 0.215 : -0.215;
-      all.add(knob.move(doorX(door) + side, 0.27, DEPTH / 2 + 0.004));
+      all.add(knob.move(doorX(door) + side, 0.3, DEPTH / 2 - 0.008));
     }
     return TriangleMesh.of(all);
   }

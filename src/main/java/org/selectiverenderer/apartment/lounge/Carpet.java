@@ -12,14 +12,14 @@ import org.selectiverenderer.modelling.TriangleMesh;
 final class Carpet {
   private static final double WIDTH = 2.6;
   private static final double DEPTH = 1.8;
-  private static final double THICK = 0.01;
-  private static final double STRIPE = 0.0012;
+  private static final double THICK = 0.009;
+  private static final double STRIPE = 0.0025;
 
   private Carpet() {}
 
   static Model model() {
-    TriangleMesh lozenge = inlay(0.012, Outline.of(0.34, 0, 0, 0.5, -0.34, 0, 0, -0.5));
-    TriangleMesh eye = inlay(0.0132, Outline.of(0.15, 0, 0, 0.22, -0.15, 0, 0, -0.22));
+    TriangleMesh lozenge = inlay(0.0115, Outline.of(0.34, 0, 0, 0.5, -0.34, 0, 0, -0.5));
+    TriangleMesh eye = inlay(0.014, Outline.of(0.15, 0, 0, 0.22, -0.15, 0, 0, -0.22));
     return Model.of(
         "carpet",
         Part.of("pile", Looks.TEAL_CLOTH, Boxes.plain(WIDTH, THICK, DEPTH)),

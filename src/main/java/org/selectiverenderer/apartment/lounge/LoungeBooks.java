@@ -107,7 +107,7 @@ final class LoungeBooks {
 
   /** Four raised bands across the back. */
   private static double rib(int row) {
-    return row > 2 && row < ROWS - 2 && (row - 4) % 6 < 2 ? 0.0022 : 0;
+    return row > 2 && row < ROWS - 2 && (row - 4) % 6 < 2 ? 0.0035 : 0;
   }
 
   /** The paper: hollow at the fore edge as the back is round. */
@@ -115,7 +115,7 @@ final class LoungeBooks {
     double low = COVER * 0.9;
     double high = book.thick - low;
     double right = book.width / 2 - 0.005;
-    double left = 0.006 - book.width / 2;
+    double left = 0.0135 - book.width / 2;
     Curve block =
         Curve.from(left, low)
             .line(right, low)

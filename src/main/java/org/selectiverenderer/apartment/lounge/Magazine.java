@@ -13,7 +13,7 @@ import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
  * A magazine that lies open, 0.42 m by 0.28 m: wavy pages with a picture of a room on the left, a
- * title and two columns of text on the right, where the leaf lifts a little.
+ * title, text and a picture on the right, where the leaf lifts a little.
  *
  * <p>Each sheet is drawn flat, cut by what is printed on it, and then bent.
  */
@@ -22,14 +22,14 @@ final class Magazine {
   private static final double HALF = 0.14;
   private static final double COVER = 0.0016;
 
+  /** Two millimetres each, to which the print keeps. */
+  private static final int ROWS = 140;
+
   private Magazine() {}
 
   static Model model() {
-    TriangleMesh pages = Sheet.field(2 * PAGE, 2 * HALF, 128, 112, (x, z) -> 0);
-    TriangleMesh leaf =
-        Sheet.thicken(
-            Sheet.field(PAGE, 2 * HALF, 56, 112, (x, z) -> 1).move(PAGE / 2, 0, 0), 0, -1, 0);
-    Predicate<Vector3d> onTop = p -> p.y > 0.9;
+    TriangleMesh pages = Sheet.field(2 * PAGE, 2 * HALF, 160, ROWS, (x, z) -> 0);
+    TriangleMesh leaf = Sheet.field(PAGE, 2 * HALF, 50, ROWS, (x, z) -> 0).move(PAGE / 2, 0, 0);
     Look red = Look.satin(Colour.of(0.68, 0.16, 0.12));
     Look ink = Look.satin(Colour.of(0.4, 0.4, 0.4));
     Look wall = Look.satin(Colour.of(0.72, 0.79, 0.77));
@@ -47,9 +47,10 @@ final class Magazine {
             page("sofa", sofa, pages, MagazinePrint::isSofa),
             page("lamp", lamp, pages, MagazinePrint::isLamp),
             Part.of("edges", paper, edges(pages)),
-            leaf("leaf", paper, leaf, p -> !onTop.test(p) || !MagazinePrint.isType(p)),
-            leaf("title", red, leaf, onTop.and(MagazinePrint::isTitle)),
-            leaf("text", ink, leaf, onTop.and(MagazinePrint::isText))));
+            leaf("leaf", paper, leaf, p -> !MagazinePrint.isType(p)),
+            leaf("title", red, leaf, MagazinePrint::isTitle),
+            leaf("text", ink, leaf, MagazinePrint::isText),
+            leaf("photograph", sofa, leaf, MagazinePrint::isPhotograph)));
   }
 
   private static Part page(String name, Look look, TriangleMesh flat, Predicate<Vector3d> where) {
@@ -74,9 +75,9 @@ final class Magazine {
     double along = Math.max(0, p.x / PAGE);
     double corner = 0.5 + p.z / (2 * HALF);
     double rise = (0.012 + 0.026 * corner) * Degrees.sin(180 * Degrees.power(along, 0.8));
-    double curl = 0.012 * corner * corner * along * along * along;
+    double curl = 0.016 * corner * corner * along * along * along;
     double x = p.x - 0.012 * along * corner;
-    double y = height(p.x, p.z) + 0.0006 + rise + curl + 0.0005 * p.y;
+    double y = height(p.x, p.z) + 0.001 + rise + curl;
     return p.set(x, y, p.z);
   }
 

@@ -42,20 +42,23 @@ final class MagazinePrint {
   }
 
   static boolean isType(Vector3d p) {
-    return isTitle(p) || isText(p);
+    return isTitle(p) || isText(p) || isPhotograph(p);
   }
 
-  /** Two columns of lines; every fifth line is the short last one of a paragraph. */
+  /** Two columns of lines; the last of each paragraph is short. */
   static boolean isText(Vector3d p) {
-    int row = (int) Math.floor((p.z + 0.08) / 0.0025);
-    int line = row / 3;
-    if (row < 0 || line > 26 || row % 3 != 0) {
+    int row = (int) Math.floor((p.z + 0.08) / 0.002 + 1e-6);
+    int line = row / 5;
+    if (row < 0 || row % 5 > 1 || line > 11) {
       return false;
     }
-    double indent = line % 5 == 4 ? 0.03 : 0;
-    return line % 5 != 4 || line % 2 == 0
-        ? within(p, 0.02, 0.1 - indent, -0.08, 0.13) || within(p, 0.112, 0.19 - indent, -0.08, 0.13)
-        : within(p, 0.02, 0.1 - indent / 2, -0.08, 0.13);
+    double left = line % 6 == 5 ? 0.06 : 0.1;
+    double right = line % 6 == 3 ? 0.15 : 0.19;
+    return within(p, 0.02, left, -0.08, 0.05) || within(p, 0.112, right, -0.08, 0.05);
+  }
+
+  static boolean isPhotograph(Vector3d p) {
+    return within(p, 0.02, 0.19, 0.05, 0.122);
   }
 
   private static boolean within(Vector3d p, double x0, double x1, double z0, double z1) {

@@ -21,7 +21,8 @@ final class Painting {
 
   static Model model() {
     Outline middle = Outline.rectangle(WIDTH, HEIGHT);
-    Outline moulding = Outline.of(-0.03, 0, 0.03, 0, 0.03, 0.018, 0, 0.03, -0.03, 0.024);
+    // Its x points to the viewer, its y inwards.
+    Outline moulding = Outline.of(0, -0.03, 0.024, -0.03, 0.03, -0.012, 0.018, 0.03, 0, 0.03);
     TriangleMesh frame = Sweep.of(moulding, Spine.of(middle));
     double x = WIDTH / 2 - 0.02;
     double y = HEIGHT / 2 - 0.02;
@@ -38,13 +39,13 @@ final class Painting {
             "painting",
             Part.of("frame", Looks.BRASS, frame),
             Part.of(
-                "sky", paint(0.88, 0.72, 0.52), Boxes.plain(2 * x, 2 * y, 0.01).move(0, -y, 0.005)),
+                "sky", paint(0.95, 0.8, 0.62), Boxes.plain(2 * x, 2 * y, 0.01).move(0, -y, 0.005)),
             Part.of("sun", paint(0.9, 0.45, 0.22), Extrusion.plain(0.012, sun)),
             Part.of(
                 "sea",
-                paint(0.2, 0.42, 0.48),
+                paint(0.24, 0.5, 0.56),
                 Extrusion.plain(0.0125, Outline.of(-x, -y, x, -y, x, -0.1, -x, -0.1))),
-            Part.of("hills", paint(0.32, 0.36, 0.4), Extrusion.plain(0.014, hills)),
+            Part.of("hills", paint(0.42, 0.46, 0.52), Extrusion.plain(0.014, hills)),
             Part.of("shore", paint(0.8, 0.68, 0.46), Extrusion.plain(0.0155, shore))));
   }
 

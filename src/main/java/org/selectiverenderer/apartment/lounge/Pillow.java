@@ -1,6 +1,5 @@
 package org.selectiverenderer.apartment.lounge;
 
-import java.util.function.Predicate;
 import org.joml.Vector3d;
 import org.selectiverenderer.modelling.Degrees;
 import org.selectiverenderer.modelling.Look;
@@ -27,35 +26,32 @@ final class Pillow {
   private Pillow() {}
 
   static Model first() {
-    return model("sofa1Pillow", Looks.TEAL_CLOTH, Looks.CREAM_CLOTH);
+    return model("sofa1Pillow", Looks.TEAL_CLOTH);
   }
 
   static Model second() {
-    return model("sofa2Pillow", Looks.RUST_CLOTH, Looks.CREAM_CLOTH);
+    return model("sofa2Pillow", Looks.RUST_CLOTH);
   }
 
-  private static Model model(String name, Look cloth, Look trim) {
-    Predicate<Vector3d> piping = p -> Math.max(Math.abs(p.x), Math.abs(p.y)) > PIPING;
+  private static Model model(String name, Look cloth) {
     TriangleMesh front = Sheet.of(SQUARES, SQUARES, (u, v) -> new Vector3d(grid(u), grid(v), 1));
-    TriangleMesh flat = front.append(front.mirrorZ());
-    TriangleMesh button = Buttons.round(0.016, 0.006, 0.016, 2, 12).turnX(90).move(0, 0, 0.043);
-    Model lying =
+    TriangleMesh cover = Welding.weld(front.append(front.mirrorZ()).deform(Pillow::plump));
+    TriangleMesh button = Buttons.round(0.016, 0.006, 0.016, 1, 10).turnX(90).move(0, 0, 0.043);
+    Model upright =
         Model.of(
             name,
-            Part.of("cloth", cloth, shape(Patches.where(flat, piping.negate()))).crease(80),
-            Part.of("piping", trim, shape(Patches.where(flat, piping))).crease(80),
-            Part.of("buttons", trim, button, button.mirrorZ()).crease(60));
-    return Standing.centred(lying.map(mesh -> mesh.turnX(-LEAN)));
+            Part.of("cover", cloth, cover).crease(80),
+            Part.of("buttons", cloth, button, button.mirrorZ()).crease(80));
+    return Standing.centred(upright.map(mesh -> mesh.turnX(-LEAN)));
   }
 
   /** -1 to 1; the outermost squares are the piping. */
   private static double grid(double t) {
-    double inner = (SQUARES * t - 1) / (SQUARES - 2.0);
-    return inner < 0 ? -1 : inner > 1 ? 1 : PIPING * (2 * inner - 1);
-  }
-
-  private static TriangleMesh shape(TriangleMesh flat) {
-    return Welding.weld(flat.deform(Pillow::plump));
+    long line = Math.round(SQUARES * t);
+    if (line == 0 || line == SQUARES) {
+      return line == 0 ? -1 : 1;
+    }
+    return PIPING * (2 * (line - 1) / (SQUARES - 2.0) - 1);
   }
 
   /** From a square of -1 to 1 with a side (z = 1 or -1) to the pillow. */
@@ -70,6 +66,6 @@ final class Pillow {
     double thick = Math.max(seam, THICK * belly * (1 - dent));
     // Between the corners the sides are drawn in.
     return new Vector3d(
-        HALF * p.x * (1 - 0.07 * fromY), HALF * p.y * (1 - 0.07 * fromX), p.z * thick);
+        HALF * p.x * (1 - 0.035 * fromY), HALF * p.y * (1 - 0.035 * fromX), p.z * thick);
   }
 }

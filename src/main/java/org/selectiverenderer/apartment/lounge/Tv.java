@@ -26,8 +26,8 @@ final class Tv {
   private Tv() {}
 
   static Model model() {
-    Look lacquer = Look.glossy(Colour.of(0.035, 0.035, 0.04));
-    Look off = Look.glossy(Colour.of(0.05, 0.06, 0.075)).glowing(Colour.of(0.015, 0.02, 0.03));
+    Look lacquer = Look.glossy(Colour.of(0.06, 0.06, 0.065));
+    Look off = Look.glossy(Colour.of(0.1, 0.12, 0.15)).glowing(Colour.of(0.03, 0.04, 0.055));
     Look light = Look.matt(Colour.of(0.5, 0.05, 0.05)).glowing(Colour.of(0.8, 0.1, 0.08));
     return Standing.centred(
         Model.of(

@@ -20,8 +20,8 @@ final class Vase {
 
   static Model model() {
     TriangleMesh vase = Lathe.solid(profile(), 20);
-    Look white = Look.glossy(Colour.of(0.88, 0.89, 0.88));
-    Look blue = Look.glossy(Colour.of(0.13, 0.25, 0.45));
+    Look white = Look.satin(Colour.of(0.92, 0.91, 0.87));
+    Look blue = Look.satin(Colour.of(0.13, 0.25, 0.45));
     Look green = Look.satin(Colour.of(0.25, 0.42, 0.16));
     Look petals = Look.satin(Colour.of(0.78, 0.2, 0.16));
     Spine[] stems = {stem(-0.09, 0.02, 0.385), stem(0.075, 0.045, 0.37), stem(0.015, -0.04, 0.41)};
