@@ -1,6 +1,5 @@
 package org.selectiverenderer.apartment.lounge;
 
-import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Copies;
 import org.selectiverenderer.modelling.Extrusion;
 import org.selectiverenderer.modelling.Model;
@@ -8,42 +7,48 @@ import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.TriangleMesh;
 
-/** A carpet, 2.6 m by 1.8 m without its fringes, with a border and three lozenges. */
+/**
+ * A carpet, 2.6 m by 1.8 m without its fringes, with two stripes and three lozenges. The pattern's
+ * pieces lie side by side, so that none fights with another for the same depth.
+ */
 final class Carpet {
-  private static final double WIDTH = 2.6;
-  private static final double DEPTH = 1.8;
   private static final double THICK = 0.009;
-  private static final double STRIPE = 0.0025;
+  private static final Outline EDGE = Outline.rectangle(2.6, 1.8);
+  private static final double APART = 0.68;
 
   private Carpet() {}
 
   static Model model() {
-    TriangleMesh lozenge = inlay(0.0115, Outline.of(0.34, 0, 0, 0.5, -0.34, 0, 0, -0.5));
-    TriangleMesh eye = inlay(0.014, Outline.of(0.15, 0, 0, 0.22, -0.15, 0, 0, -0.22));
+    Outline lozenge = Outline.of(0.31, 0, 0, 0.5, -0.31, 0, 0, -0.5);
+    Outline eye = Outline.of(0.14, 0, 0, 0.21, -0.14, 0, 0, -0.21);
+    Outline third = Outline.rectangle(APART, 1.24);
     return Model.of(
         "carpet",
-        Part.of("pile", Looks.TEAL_CLOTH, Boxes.plain(WIDTH, THICK, DEPTH)),
-        Part.of("border", Looks.CREAM_CLOTH, frame(0.1, 0.05), frame(0.26, 0.02)),
-        Part.of(
-            "lozenges", Looks.CREAM_CLOTH, Copies.row(lozenge.move(-0.72, 0, 0), 3, 0.72, 0, 0)),
-        Part.of("eyes", Looks.RUST_CLOTH, Copies.row(eye.move(-0.72, 0, 0), 3, 0.72, 0, 0)),
+        Part.of("rim", Looks.TEAL_CLOTH, Extrusion.plate(THICK, 0, 0, EDGE, EDGE.inset(0.1))),
+        Part.of("stripes", Looks.CREAM_CLOTH, frame(0.1, 0.15), frame(0.26, 0.28)),
+        Part.of("field", Looks.TEAL_CLOTH, frame(0.15, 0.26), three(top(third, lozenge))),
+        Part.of("lozenges", Looks.CREAM_CLOTH, three(top(lozenge, eye))),
+        Part.of("eyes", Looks.RUST_CLOTH, three(top(eye))),
         Part.of("fringes", Looks.CREAM_CLOTH, Copies.bothSides(fringe())));
   }
 
-  private static TriangleMesh frame(double inset, double width) {
-    Outline outer = Outline.rectangle(WIDTH - 2 * inset, DEPTH - 2 * inset);
-    return Extrusion.plate(THICK + STRIPE, 0, 0, outer, outer.inset(width));
+  private static TriangleMesh frame(double from, double to) {
+    return top(EDGE.inset(from), EDGE.inset(to));
   }
 
-  private static TriangleMesh inlay(double height, Outline outline) {
-    return Extrusion.plate(height, 0, 0, outline);
+  private static TriangleMesh top(Outline outline, Outline... holes) {
+    TriangleMesh plate = Extrusion.plate(THICK, 0, 0, outline, holes);
+    return Patches.where(plate, p -> p.y > 0.9 * THICK);
+  }
+
+  private static TriangleMesh three(TriangleMesh piece) {
+    return Copies.row(piece.move(-APART, 0, 0), 3, APART, 0, 0);
   }
 
   /** Tufts at the right end, each a flat triangle. */
   private static TriangleMesh fringe() {
-    float x = (float) WIDTH / 2;
-    float[] corners = {x, 0.004f, 0.028f, x + 0.06f, 0.001f, 0.004f, x, 0.004f, -0.028f};
+    float[] corners = {1.3f, 0.004f, 0.028f, 1.36f, 0.001f, 0.004f, 1.3f, 0.004f, -0.028f};
     TriangleMesh tuft = new TriangleMesh(corners, new int[] {0, 1, 2});
-    return Copies.row(tuft.move(0, 0, 0.03 - DEPTH / 2), 30, 0, 0, 0.06);
+    return Copies.row(tuft.move(0, 0, -0.87), 30, 0, 0, 0.06);
   }
 }

@@ -36,7 +36,7 @@ final class CigaretteSet {
 
   /** The pack's upper half is red; its front comes down in a point. */
   private static TriangleMesh shoulder() {
-    return Boxes.bevelled(0.056, 0.024, 0.023, 0.001, 1).move(PACK, 0.04, 0);
+    return Boxes.plain(0.056, 0.024, 0.023).move(PACK, 0.04, 0);
   }
 
   private static TriangleMesh emblem() {
@@ -46,7 +46,7 @@ final class CigaretteSet {
   }
 
   private static TriangleMesh lid() {
-    return Boxes.bevelled(0.056, 0.024, 0.023, 0.001, 1)
+    return Boxes.plain(0.056, 0.024, 0.023)
         .move(0, 0, 0.0115)
         .turnX(-105)
         .move(PACK, 0.063, -0.0115);

@@ -11,7 +11,7 @@ import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.Rounds;
 import org.selectiverenderer.modelling.TriangleMesh;
 
-/** A sofa with two seats, rolled arms and loose cushions. The seat is about 0.45 m high. */
+/** A sofa with two seats, rolled arms and loose cushions. The seats are 0.47 m high. */
 final class Sofa {
   private static final double DEPTH = 0.9;
   private static final double ARM = 0.2;
