@@ -13,9 +13,6 @@ import org.selectiverenderer.apartment.versions.ObjectFile;
 
 /** Writes the apartment: the same bytes every time. Nothing is written before all of it is made. */
 public final class ApartmentGenerator {
-  private static final String INLINE_NODES = "inlineNodes";
-  private static final String SCENES = "scenes";
-
   private final PolygonCounts counts = PolygonCounts.load();
   private final ObjectFiles files = new ObjectFiles(Recipes.all(), counts);
 
@@ -29,9 +26,11 @@ public final class ApartmentGenerator {
   public Map<String, Integer> writeObjects(Path folder, Collection<String> names)
       throws IOException {
     List<ObjectFile> made = files.of(names);
-    writeInlineNodes(folder, made);
     Map<String, Integer> polygons = new TreeMap<>();
-    made.forEach(file -> polygons.put(file.name(), file.polygons()));
+    for (ObjectFile file : made) {
+      write(folder.resolve("inlineNodes").resolve(file.name()), file.text());
+      polygons.put(file.name(), file.polygons());
+    }
     return polygons;
   }
 
@@ -43,23 +42,15 @@ public final class ApartmentGenerator {
    * @throws IllegalArgumentException if the recipes do not fit the plan or the polygon counts
    */
   public int writeAll(Path folder) throws IOException {
-    Apartment apartment = Apartment.make(files, counts);
-    writeInlineNodes(folder, apartment.inlineNodes());
-    Files.createDirectories(folder.resolve(SCENES).resolve("paths"));
-    for (Map.Entry<String, String> scene : apartment.scenes().entrySet()) {
-      write(folder.resolve(SCENES).resolve(scene.getKey()), scene.getValue());
+    Map<String, String> texts = Apartment.make(files, counts).texts();
+    for (Map.Entry<String, String> file : texts.entrySet()) {
+      write(folder.resolve(file.getKey()), file.getValue());
     }
-    return apartment.inlineNodes().size() + apartment.scenes().size();
-  }
-
-  private static void writeInlineNodes(Path folder, List<ObjectFile> made) throws IOException {
-    Path target = Files.createDirectories(folder.resolve(INLINE_NODES));
-    for (ObjectFile file : made) {
-      write(target.resolve(file.name()), file.text());
-    }
+    return texts.size();
   }
 
   private static void write(Path file, String text) throws IOException {
+    Files.createDirectories(file.toAbsolutePath().getParent());
     Files.write(file, text.getBytes(StandardCharsets.UTF_8));
   }
 }

@@ -27,7 +27,12 @@ final class ObjectFiles {
    *     cannot be reduced to those of version 2
    */
   List<ObjectFile> of(Collection<String> names) {
-    return names.parallelStream().map(this::versions).flatMap(List::stream).toList();
+    try {
+      return names.parallelStream().map(this::versions).flatMap(List::stream).toList();
+    } catch (IllegalArgumentException e) {
+      // Another thread's exception comes wrapped in one of the same kind.
+      throw e.getCause() instanceof IllegalArgumentException cause ? cause : e;
+    }
   }
 
   /** The file of a model that has one version. */

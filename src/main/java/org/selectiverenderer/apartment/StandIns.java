@@ -25,6 +25,7 @@ final class StandIns {
       computerSet 0.6 0.45 0.45,cd 0.14 0.02 0.13,fireExtinguisher 0.16 0.5 0.16,plant 0.5 0.9 0.5
       deskLamp 0.2 0.45 0.3,mug 0.1 0.1 0.08,laptop 0.34 0.24 0.26,libraryBooks 0.5 0.25 0.2
       libraryMouse 0.06 0.04 0.11,telephoneLibrary 0.2 0.1 0.22,libraryPencilHolder 0.08 0.14 0.08
+      carpet 2.72 0.014 1.8,floorLamp 0.4 1.6 0.4,painting 0.9 0.6 0.06,barrel 0.5 0.6 0.5,hammer 0.3 0.03 0.1,basketball 0.24 0.24 0.24,pumpkin 0.28 0.24 0.28
       ruler 0.31 0.003 0.035,desk 1.6 0.74 0.75,bookcase 2.4 0.9 0.4
       """;
 

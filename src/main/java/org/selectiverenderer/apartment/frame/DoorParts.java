@@ -75,9 +75,8 @@ record DoorParts(Room room, Opening opening) {
   /** A lever on a round plate, at z = 0 outwards, at the end far from the hinges. */
   private TriangleMesh handle() {
     double x = opening.width() - 0.09;
-    TriangleMesh plate = Rounds.roundedCylinder(0.025, 0.008, 0.003, 1, 16).turnX(90);
-    Spine bent = Spine.smooth(3, 0, 0, 0, 0, 0, 0.035, -0.015, 0, 0.05, -0.11, 0, 0.05);
-    TriangleMesh lever = Sweep.tube(bent, 0.008, 8);
+    TriangleMesh plate = Rounds.roundedCylinder(0.025, 0.03, 0.004, 1, 10).turnX(90);
+    TriangleMesh lever = Boxes.bevelled(0.13, 0.018, 0.014, 0.005, 1).move(-0.055, -0.009, 0.035);
     return plate.append(lever).move(x, 1.02, 0);
   }
 

@@ -5,10 +5,8 @@ import java.util.List;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.plan.Side;
 import org.selectiverenderer.modelling.Colour;
-import org.selectiverenderer.modelling.Extrusion;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.Model;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
@@ -41,15 +39,15 @@ public final class Frames {
             List.of(KITCHEN_TO_LOUNGE, KITCHEN_TO_OFFICE, ENTRANCE, window),
             Finish.wall(0.9, 0.84, 0.66));
     List<TriangleMesh> tiles = Floors.tiles(Room.KITCHEN, 11, 16);
-    frame.add("lightTiles", Look.glossy(Colour.of(0.86, 0.83, 0.76)), tiles.get(0));
-    frame.add("darkTiles", Look.glossy(Colour.of(0.56, 0.36, 0.27)), tiles.get(1));
+    frame.add("lightTiles", Look.satin(Colour.of(0.82, 0.79, 0.72)), tiles.get(0));
+    frame.add("darkTiles", Look.satin(Colour.of(0.54, 0.34, 0.26)), tiles.get(1));
     frame.openDoor(KITCHEN_TO_OFFICE, false, 90);
     frame.shutDoor(ENTRANCE);
     frame.lightSwitch(Side.WEST, -2.1);
     frame.lightSwitch(Side.EAST, 2.1);
     frame.lightSwitch(Side.SOUTH, 0.05);
-    frame.hangingLamp(-0.95, 1.15, 0.75, 40, Look.satin(Colour.of(0.72, 0.2, 0.14)));
-    frame.hangingLamp(0.4, -1.2, 0.4, 40, Look.satin(Colour.of(0.72, 0.2, 0.14)));
+    frame.hangingLamp(-0.95, 1.15, 0.75, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
+    frame.hangingLamp(0.4, -1.2, 0.4, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
     frame.radiator(Side.NORTH, -0.1, 14);
     return frame.model("kitchenFrame");
   }
@@ -60,21 +58,10 @@ public final class Frames {
     FrameBuilder frame =
         new FrameBuilder(
             Room.LOUNGE, List.of(LOUNGE_TO_KITCHEN, west, south), Finish.wall(0.74, 0.78, 0.66));
-    frame.boards(Floors.boards(Room.LOUNGE, 30, 3));
-    Outline rug = Outline.roundedRectangle(2.5, 1.9, 0.05, 3);
-    Outline middle = Outline.rectangle(2.2, 1.6);
-    frame.add(
-        "rugEdge",
-        Look.matt(Colour.of(0.8, 0.74, 0.62)),
-        Extrusion.plate(0.008, 0.003, 1, rug, middle).move(-6.4, 0, 1.0));
-    frame.add(
-        "rug",
-        Look.matt(Colour.of(0.55, 0.24, 0.2)),
-        Extrusion.plate(0.008, 0.002, 1, middle).move(-6.4, 0, 1.0));
+    frame.boards(Floors.boards(Room.LOUNGE, 28, 3));
     frame.openDoor(LOUNGE_TO_KITCHEN, true, 90);
     frame.lightSwitch(Side.EAST, -2.1);
-    frame.hangingLamp(-5.46, 0.3, 0.55, 32, Look.satin(Colour.of(0.9, 0.86, 0.74)));
-    frame.radiator(Side.SOUTH, -4.0, 12);
+    frame.radiator(Side.SOUTH, -4.0, 10);
     return frame.model("loungeFrame");
   }
 

@@ -19,14 +19,14 @@ record WindowParts(Room room, Opening opening) {
     TriangleMesh outer = bars(opening.width(), opening.height(), 0.07);
     TriangleMesh left = bars(wing + BAR, opening.height() - BAR, 0.05).move(-wing / 2, 0, 0.02);
     TriangleMesh sill =
-        Boxes.bevelled(opening.width() + 0.16, 0.03, 0.26, 0.008, 2)
+        Boxes.bevelled(opening.width() + 0.16, 0.03, 0.26, 0.008, 1)
             .move(0, -opening.height() / 2 - 0.03, 0.17);
     return placed(TriangleMesh.of(outer, left, left.mirrorX(), sill));
   }
 
   /** A catch on the middle bar. */
   TriangleMesh handle() {
-    TriangleMesh lever = Rounds.capsule(0.009, 0.11, 2, 8).move(0, -0.1, 0.09);
+    TriangleMesh lever = Rounds.capsule(0.009, 0.11, 1, 6).move(0, -0.1, 0.09);
     TriangleMesh plate = Boxes.bevelled(0.03, 0.07, 0.045, 0.005, 1).move(0, -0.04, 0.06);
     return placed(plate.append(lever));
   }

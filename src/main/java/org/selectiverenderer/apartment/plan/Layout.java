@@ -8,15 +8,22 @@ import java.util.function.Function;
 import org.selectiverenderer.modelling.Bounds;
 import org.selectiverenderer.modelling.Degrees;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.TriangleMesh;
 
 /** Turns places as one says them into numbers, from the objects' own measures. */
 public final class Layout {
+  /** Higher things of the room itself are not for standing on. */
+  private static final double RUG = 0.03;
+
   private final Function<String, Model> models;
+  private final Function<Room, TriangleMesh> floors;
   private final Map<String, Placement> placements = new LinkedHashMap<>();
   private final Map<String, Placed> placed = new LinkedHashMap<>();
 
-  private Layout(List<Placement> all, Function<String, Model> models) {
+  private Layout(
+      List<Placement> all, Function<String, Model> models, Function<Room, TriangleMesh> floors) {
     this.models = models;
+    this.floors = floors;
     for (Placement placement : all) {
       if (placements.put(placement.object(), placement) != null) {
         throw new IllegalArgumentException(placement.object() + " stands in two places");
@@ -27,10 +34,14 @@ public final class Layout {
   /**
    * The objects where they stand, in the order of the placements.
    *
+   * @param floors the rooms themselves, with what lies flat on their floors
    * @throws IllegalArgumentException if an object stands on one that is not there, or misses it
    */
-  public static List<Placed> of(List<Placement> placements, Function<String, Model> models) {
-    Layout layout = new Layout(placements, models);
+  public static List<Placed> of(
+      List<Placement> placements,
+      Function<String, Model> models,
+      Function<Room, TriangleMesh> floors) {
+    Layout layout = new Layout(placements, models, floors);
     List<Placed> all = new ArrayList<>();
     for (Placement placement : placements) {
       all.add(layout.place(placement));
@@ -52,15 +63,35 @@ public final class Layout {
     Bounds b = model.bounds();
     Place place = placement.place();
     if (place instanceof Place.Floor floor) {
-      return new Placed(placement, model, floor.x(), -b.minY(), floor.z(), floor.yaw());
+      return down(new Placed(placement, model, floor.x(), 0, floor.z(), floor.yaw()));
     }
     if (place instanceof Place.Against against) {
-      return wall(placement, model, against.side(), against.along(), -b.minY(), against.gap());
+      return down(wall(placement, model, against.side(), against.along(), 0, against.gap()));
     }
     if (place instanceof Place.Hung hung) {
       return wall(placement, model, hung.side(), hung.along(), hung.height() - b.minY(), 0);
     }
     return on(placement, model, (Place.On) place);
+  }
+
+  /** Down to the room's floor or to what lies on it. */
+  private Placed down(Placed above) {
+    TriangleMesh floor = floors.apply(above.placement().room());
+    return land(above, floor, RUG, "the floor");
+  }
+
+  private static Placed land(Placed above, TriangleMesh support, double from, String name) {
+    Model model = above.model();
+    double height =
+        Landing.height(above.mesh(), support, from)
+            .orElseThrow(() -> new IllegalArgumentException(above.object() + " misses " + name));
+    return new Placed(
+        above.placement(),
+        model,
+        above.x(),
+        height - model.bounds().minY(),
+        above.z(),
+        above.yaw());
   }
 
   private static Placed wall(
@@ -85,10 +116,6 @@ public final class Layout {
     double x = support.x() + c * on.x() + s * on.z();
     double z = support.z() + c * on.z() - s * on.x();
     Placed above = new Placed(placement, model, x, 0, z, support.yaw() + on.yaw());
-    double height =
-        Landing.height(above.mesh(), support.mesh(), on.from())
-            .orElseThrow(
-                () -> new IllegalArgumentException(placement.object() + " misses " + on.support()));
-    return new Placed(placement, model, x, height - model.bounds().minY(), z, above.yaw());
+    return land(above, support.mesh(), on.from(), on.support());
   }
 }

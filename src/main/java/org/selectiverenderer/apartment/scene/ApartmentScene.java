@@ -4,13 +4,19 @@ import java.util.List;
 import java.util.Locale;
 import org.selectiverenderer.apartment.facts.Expectancies;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.frame.SoftShadow;
 import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Shadows;
+import org.selectiverenderer.modelling.Bounds;
 
 /** The text of the apartment's scene. */
 public final class ApartmentScene {
   /** Height of a seated person's eye above the floor; participants sat (thesis Fig 83). */
   public static final double EYE = 1.2;
+
+  /** What is lower than this above an object's sole takes the floor's light, metres. */
+  private static final double LOWER_END = 0.3;
 
   private final ObjectNode objects;
 
@@ -93,9 +99,9 @@ public final class ApartmentScene {
         "description",
         "Overview",
         "position",
-        "0 13.5 8.5",
+        "0 12.8 4.3",
         "orientation",
-        Values.orientation(0, -61),
+        Values.orientation(0, -72),
         "fieldOfView",
         "0.8");
   }
@@ -127,11 +133,37 @@ public final class ApartmentScene {
         "Inline_" + room.title() + "Frame_Definition",
         "url",
         Values.quoted("../inlineNodes/" + frame + ".x3d"));
+    for (Placed object : Shadows.of(placed)) {
+      if (object.placement().room() == room) {
+        shadow(xml, object);
+      }
+    }
     for (Placed object : placed) {
       if (object.placement().room() == room) {
         objects.write(xml, object, enriched);
       }
     }
+    xml.close().close();
+  }
+
+  /** As large as the box around the object's lower end: a plant's leaves darken nothing. */
+  private static void shadow(XmlText xml, Placed object) {
+    Bounds box = object.lowerBox(LOWER_END);
+    double x = (box.minX() + box.maxX()) / 2;
+    double z = (box.minZ() + box.maxZ()) / 2;
+    xml.open(
+        "Transform",
+        "translation",
+        Values.numbers(object.x(), object.y() + box.minY() + SoftShadow.LIFT, object.z()),
+        "rotation",
+        Values.yaw(object.yaw()));
+    xml.open(
+        "Transform",
+        "translation",
+        Values.numbers(x, 0, z),
+        "scale",
+        Values.numbers(box.width() / 2, 1, box.depth() / 2));
+    xml.empty("Inline", "url", Values.quoted("../inlineNodes/" + SoftShadow.FILE));
     xml.close().close();
   }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.Model;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Rounding;
 import org.selectiverenderer.modelling.TriangleMesh;
 import org.selectiverenderer.modelling.Welding;
 import org.selectiverenderer.polygon.simplify.Goal;
@@ -17,8 +18,6 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  * rest.
  */
 final class Reducer {
-  private static final int TRIES = 12;
-
   /**
    * Reduced surfaces bend by more from face to face: edges up to this angle look smooth, degrees.
    */
@@ -32,22 +31,23 @@ final class Reducer {
    */
   Model reduce(ObjectFile original, int polygons) {
     List<Mesh> parts = meshes.of(original);
-    int ask = polygons;
-    for (int i = 0; i < TRIES && ask > 0; i++) {
-      Model reduced = model(original.model(), simplifier.simplify(parts, new Goal.Polygons(ask)));
+    int less = 0;
+    while (less < polygons) {
+      Model reduced =
+          model(original.model(), simplifier.simplify(parts, new Goal.Polygons(polygons - less)));
       int missing = polygons - reduced.polygons();
       if (missing >= 0) {
         return ExactCount.refine(odd(reduced, missing), polygons);
       }
-      ask += Math.min(-1, missing);
+      less = Math.max(-missing, 2 * less);
     }
     throw new IllegalArgumentException(
         original.name() + " cannot be reduced to " + polygons + " polygons");
   }
 
   private static Model odd(Model reduced, int missing) {
-    boolean border = reduced.parts().stream().anyMatch(part -> !part.mesh().isClosed());
-    return missing % 2 == 0 || border ? reduced : Undersides.open(reduced);
+    boolean possible = missing % 2 == 0 || ExactCount.hasBorder(reduced);
+    return possible ? reduced : Undersides.open(reduced);
   }
 
   private static Model model(Model original, Simplified simplified) {
@@ -60,6 +60,6 @@ final class Reducer {
         parts.add(part.with(welded).crease(Math.max(CREASE, part.creaseAngle())));
       }
     }
-    return new Model(original.name(), parts);
+    return Rounding.toGrid(new Model(original.name(), parts));
   }
 }

@@ -3,6 +3,7 @@ package org.selectiverenderer.apartment.versions;
 import java.util.Locale;
 import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Rounding;
 import org.selectiverenderer.modelling.X3dModelWriter;
 
 /** Makes objects' files. Safe for use by several threads. */
@@ -12,7 +13,7 @@ public final class VersionMaker {
 
   /** Version 1: the recipe's model with exactly so many polygons. */
   public ObjectFile original(Model recipe, int polygons) {
-    Model model = ExactCount.refine(recipe, polygons);
+    Model model = ExactCount.refine(Rounding.toGrid(recipe), polygons);
     return file(model, "_v1", "version 1: " + polygons + " polygons, as modelled");
   }
 
@@ -24,7 +25,8 @@ public final class VersionMaker {
 
   /** The file of an object that has one version. */
   public ObjectFile single(Model model) {
-    return file(model, "", model.polygons() + " polygons");
+    Model rounded = Rounding.toGrid(model);
+    return file(rounded, "", rounded.polygons() + " polygons");
   }
 
   private ObjectFile file(Model model, String suffix, String description) {
@@ -35,7 +37,8 @@ public final class VersionMaker {
 
   /** {@code trashCan} as {@code Trash can}. */
   static String words(String name) {
-    String spaced = name.replaceAll("(?<=[a-z])(?=[A-Z0-9])", " ").toLowerCase(Locale.ROOT);
+    String spaced =
+        name.replaceAll("(?<=[a-z])(?=[A-Z0-9])|(?<=[0-9])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
     return Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
   }
 }
