@@ -115,12 +115,12 @@ final class LoungeBooks {
     double low = COVER * 0.9;
     double high = book.thick - low;
     double right = book.width / 2 - 0.005;
-    double left = 0.0135 - book.width / 2;
+    double left = 0.016 - book.width / 2;
     Curve block =
         Curve.from(left, low)
             .line(right, low)
             .bezier(right - 0.006, low + 0.3 * high, right - 0.006, 0.7 * high, right, high, 8)
             .line(left, high);
-    return Extrusion.plain(book.length - 0.008, block.closed()).move(0, 0, 0.004 - book.length / 2);
+    return Extrusion.plain(book.length - 0.012, block.closed()).move(0, 0, 0.006 - book.length / 2);
   }
 }
