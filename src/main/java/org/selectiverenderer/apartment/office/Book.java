@@ -86,7 +86,7 @@ record Book(double thick, double height, double deep) {
           double s = 1 - t;
           double x = thick / 2 * (s * s * s + 2.25 * s * s * t - 2.25 * s * t * t - t * t * t);
           double out = front() * (s * s * s + t * t * t) + 3 * s * t * (deep / 2 + 0.2 * round());
-          return new Vector3d(-x, from + v * length, out + 0.0006);
+          return new Vector3d(-x, from + v * length, out + 0.0012);
         });
   }
 }

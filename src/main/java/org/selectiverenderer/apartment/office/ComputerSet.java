@@ -30,8 +30,9 @@ final class ComputerSet {
     Model mouse =
         Model.of(
             "mouse",
-            Part.of("mouseBody", Looks.CHARCOAL, shape.body()).crease(60),
-            Part.of("mouseSeams", Looks.BLACK, shape.seams(12)),
+            Part.of("mousePalm", Looks.CHARCOAL, shape.palm()).crease(60),
+            Part.of("mouseButtons", Looks.BLACK, shape.buttons()).crease(60),
+            Part.of("mouseSeam", Looks.GREY, shape.seam(12)),
             Part.of("mouseWheel", Looks.GREY, shape.wheel(24, 10)),
             Part.of("mouseCable", Looks.RUBBER, cable));
     return mouse

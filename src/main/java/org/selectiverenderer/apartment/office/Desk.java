@@ -2,6 +2,7 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Model;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.Spine;
@@ -41,13 +42,13 @@ final class Desk {
   }
 
   private static TriangleMesh drawers() {
-    TriangleMesh drawer = Boxes.bevelled(0.43, 0.213, 0.022, 0.005, 1);
+    TriangleMesh drawer = Boxes.plain(0.43, 0.21, 0.022);
     return Copies.row(drawer.move(-0.54, 0.046, 0.357), 3, 0, 0.218, 0);
   }
 
   private static TriangleMesh handles() {
-    Spine bow = Spine.of(-0.07, 0, 0, -0.07, 0, 0.03, 0.07, 0, 0.03, 0.07, 0, 0);
-    TriangleMesh handle = Sweep.tube(bow, 0.006, 4).move(-0.54, 0.19, 0.365);
+    Curve arch = Curve.of(-0.075, 0, -0.07, 0.02, -0.055, 0.03, 0.055, 0.03, 0.07, 0.02, 0.075, 0);
+    TriangleMesh handle = Sweep.tube(Spine.of(arch), 0.006, 5).turnX(90).move(-0.54, 0.19, 0.365);
     return Copies.row(handle, 3, 0, 0.218, 0);
   }
 

@@ -27,9 +27,9 @@ final class FireExtinguisher {
             "fireExtinguisher",
             Part.of("bottle", Looks.RED, bottle()).crease(50),
             Part.of("label", Looks.PAPER, band(0.14, 0.27, 130)),
-            Part.of("stripe", Looks.RED, band(0.2, 0.235, 118).scale(1.004, 1, 1.004)),
+            Part.of("stripe", Looks.RED, band(0.2, 0.235, 118).scale(1.02, 1, 1.02)),
             Part.of("valve", Looks.BRASS, valve()),
-            Part.of("levers", Looks.BLACK, lever(0), lever(22).move(0, 0.016, 0)),
+            Part.of("levers", Looks.BLACK, lever(0), lever(16).move(0, 0.017, 0)),
             Part.of("gauge", Looks.WHITE, gauge()),
             Part.of("hose", Looks.RUBBER, hose(), horn()),
             Part.of("bracket", Looks.CHARCOAL, bracket())));
@@ -52,12 +52,15 @@ final class FireExtinguisher {
 
   /** A piece of paper round the front of the bottle. */
   private static TriangleMesh band(double from, double to, double degrees) {
-    double radius = RADIUS + 0.0005;
+    double radius = RADIUS + 0.0015;
     return Lathe.sector(Curve.of(radius, from, radius, to), degrees, 18).turnY(270 - degrees / 2);
   }
 
   private static TriangleMesh valve() {
-    Curve profile = Curve.of(0.023, 0.416, 0.023, 0.424, 0.015, 0.427, 0.015, 0.452, 0.01, 0.462);
+    Curve profile =
+        Curve.of(
+            0.023, 0.416, 0.023, 0.424, 0.015, 0.427, 0.015, 0.452, 0.011, 0.452, 0.011, 0.475,
+            0.008, 0.478);
     TriangleMesh outlet = Placing.sideways(Rounds.cylinder(0.008, 0.034, 16));
     return Lathe.solid(profile, 24).append(outlet.mirrorX().move(0, 0.44, 0));
   }

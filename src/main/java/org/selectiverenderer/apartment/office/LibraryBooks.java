@@ -103,6 +103,6 @@ final class LibraryBooks {
               .turnZ(lean)
               .move(edge - leaningTo * book.height() * Degrees.sin(9), 0, 0);
     }
-    return placed.move(x, y, 0.115 - book.deep() / 2);
+    return placed.move(x, y, 0.11 - book.deep() / 2);
   }
 }

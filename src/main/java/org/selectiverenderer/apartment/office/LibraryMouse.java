@@ -21,8 +21,9 @@ final class LibraryMouse {
     Model mouse =
         Model.of(
             "libraryMouse",
-            Part.of("body", Looks.SILVER, shape.body()).crease(60),
-            Part.of("seams", Looks.BLACK, shape.seams(20)),
+            Part.of("palm", Looks.SILVER, shape.palm()).crease(60),
+            Part.of("buttons", Looks.GREY, shape.buttons()).crease(60),
+            Part.of("seam", Looks.BLACK, shape.seam(24)),
             Part.of("wheel", Looks.CHARCOAL, shape.wheel(40, 16)),
             Part.of("cable", Looks.CHARCOAL, cable));
     return Placing.centred(mouse.map(mesh -> mesh.turnY(-40)));

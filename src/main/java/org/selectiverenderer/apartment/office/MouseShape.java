@@ -1,5 +1,6 @@
 package org.selectiverenderer.apartment.office;
 
+import java.util.Arrays;
 import org.selectiverenderer.modelling.Degrees;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Rounds;
@@ -10,21 +11,37 @@ import org.selectiverenderer.modelling.TriangleMesh;
 /**
  * The form of a computer mouse, 0.115 m long, its buttons at +z.
  *
- * @param rings bands of the body from pole to pole
+ * @param rings bands of the body from its back to its front, an even number
  * @param segments steps round the body
  */
 record MouseShape(int rings, int segments) {
   private static final double HALF_WIDTH = 0.031;
   private static final double HEIGHT = 0.036;
   private static final double HALF_LENGTH = 0.0575;
-  private static final double UPRIGHT = 2.3;
-  private static final double LEVEL = 2.7;
+  private static final double ALONG = 2.7;
+  private static final double AROUND = 2.3;
+  private static final double SOLE = 0.12;
 
-  TriangleMesh body() {
-    return Rounds.superellipsoid(HALF_WIDTH, HEIGHT, HALF_LENGTH, UPRIGHT, LEVEL, rings, segments)
-        .deform(p -> p.y < 0 ? p.set(p.x, 0.12 * p.y, p.z) : p.mul(1, slope(p.z), 1))
-        .deform(p -> p.mul(waist(p.z), 1, 1))
-        .move(0, 0.12 * HEIGHT, 0);
+  /** The part under the palm; it has a border where the buttons begin, in the middle. */
+  TriangleMesh palm() {
+    TriangleMesh body = body();
+    int half = body.triangles().length / 2;
+    return new TriangleMesh(body.positions(), Arrays.copyOf(body.triangles(), half));
+  }
+
+  /** The part with the buttons, open where the palm's part begins. */
+  TriangleMesh buttons() {
+    TriangleMesh body = body();
+    int[] all = body.triangles();
+    return new TriangleMesh(body.positions(), Arrays.copyOfRange(all, all.length / 2, all.length));
+  }
+
+  private TriangleMesh body() {
+    TriangleMesh egg =
+        Rounds.superellipsoid(HALF_WIDTH, HALF_LENGTH, HEIGHT, ALONG, AROUND, rings, segments);
+    return Placing.forward(egg)
+        .deform(p -> p.mul(waist(p.z), p.y < 0 ? SOLE : slope(p.z), 1))
+        .move(0, SOLE * HEIGHT, 0);
   }
 
   /** Lower towards the buttons. */
@@ -38,37 +55,26 @@ record MouseShape(int rings, int segments) {
     return 0.88 + 0.12 * Math.min(1, along * along * 1.5);
   }
 
-  /** Height of the body's upper side. */
-  private static double top(double x, double z) {
-    double level =
-        Degrees.power(Math.abs(x / waist(z)) / HALF_WIDTH, LEVEL)
-            + Degrees.power(Math.abs(z) / HALF_LENGTH, LEVEL);
-    double rest = 1 - Degrees.power(level, UPRIGHT / LEVEL);
-    return HEIGHT * (0.12 + slope(z) * Degrees.power(Math.max(0, rest), 1 / UPRIGHT));
+  /** Height of the body's upper side in its middle. */
+  private static double top(double z) {
+    double width = 1 - Degrees.power(Math.abs(z) / HALF_LENGTH, ALONG);
+    return HEIGHT * (SOLE + slope(z) * Degrees.power(width, 1 / ALONG));
   }
 
-  /** The dark lines between the buttons and behind them. */
-  TriangleMesh seams(int steps) {
-    double back = 0.006;
+  /** The dark line between the buttons. */
+  TriangleMesh seam(int steps) {
     double[] along = new double[3 * (steps + 1)];
-    double[] across = new double[3 * (steps + 1)];
     for (int i = 0; i <= steps; i++) {
-      double z = back + (0.053 - back) * i / steps;
-      double x = 0.026 * (2.0 * i / steps - 1);
-      along[3 * i + 1] = top(0, z);
+      double z = 0.052 * i / steps;
+      along[3 * i + 1] = top(z) - 0.002;
       along[3 * i + 2] = z;
-      across[3 * i] = x;
-      across[3 * i + 1] = top(x, back);
-      across[3 * i + 2] = back;
     }
-    Outline line = Outline.rectangle(0.0012, 0.0012);
-    return Sweep.of(line, Spine.of(along)).append(Sweep.of(line, Spine.of(across)));
+    return Sweep.of(Outline.rectangle(0.0018, 0.0052), Spine.of(along));
   }
 
   TriangleMesh wheel(int steps, int around) {
-    double z = 0.032;
-    return Placing.sideways(Rounds.torus(0.0075, 0.0036, steps, around))
-        .move(0, top(0, z) - 0.005, z);
+    double z = 0.03;
+    return Placing.sideways(Rounds.torus(0.0075, 0.0036, steps, around)).move(0, top(z) - 0.005, z);
   }
 
   /** A cable that leaves between the buttons and goes on through the points. */

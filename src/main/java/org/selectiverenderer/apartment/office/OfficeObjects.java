@@ -35,6 +35,13 @@ public final class OfficeObjects {
     recipes.put("selotape", Selotape::model);
     recipes.put("telephoneLibrary", TelephoneLibrary::model);
     recipes.put("trashCan", TrashCan::model);
+    recipes.put("folders", Folders::model);
+    recipes.put("letterTray", LetterTray::model);
+    recipes.put("notepad", Notepad::model);
+    recipes.put("officeChair", OfficeChair::model);
+    recipes.put("poster", Poster::model);
+    recipes.put("stapler", Stapler::model);
+    recipes.put("trumpet", Trumpet::model);
     return recipes;
   }
 }

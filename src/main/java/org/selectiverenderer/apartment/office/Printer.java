@@ -122,6 +122,6 @@ final class Printer {
   }
 
   private static TriangleMesh brand() {
-    return Lettering.bold().flat("LaserWriter 210", 0.016).move(-0.115, 0.023, FRONT + 0.0005);
+    return Lettering.bold().flat("PAGE 210", 0.0095).move(-0.163, 0.08, FRONT + 0.0005);
   }
 }
