@@ -3,7 +3,6 @@ package org.selectiverenderer.apartment.office;
 import org.joml.Vector3d;
 import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Extrusion;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Sheet;
 import org.selectiverenderer.modelling.TriangleMesh;
 
@@ -17,9 +16,9 @@ import org.selectiverenderer.modelling.TriangleMesh;
 record Book(double thick, double height, double deep) {
   private static final double BOARD = 0.003;
 
-  /** How far the back stands out. */
+  /** By how much the back stands out. */
   private double round() {
-    return 0.2 * thick;
+    return 0.13 * thick;
   }
 
   private double front() {
@@ -57,36 +56,28 @@ record Book(double thick, double height, double deep) {
     return Extrusion.plate(height, 0.001, 4, outside.then(inside).closed());
   }
 
-  /** A little lower than the boards, hollow at the fore edge. */
+  /** The pages' upper cut and, going down behind, their hollow fore edge: an open surface. */
   TriangleMesh pages() {
     double x = thick / 2 - BOARD + 0.0005;
-    Outline block =
-        Curve.from(x, -front())
-            .line(x, deep / 2 - 0.006)
-            .bezier(0.5 * x, deep / 2 - 0.012, -0.5 * x, deep / 2 - 0.012, -x, deep / 2 - 0.006, 10)
-            .line(-x, -front())
-            .closed();
-    return Extrusion.plate(height - 0.008, 0, 0, block).move(0, 0.004, 0);
-  }
-
-  /** A title plate and two bands on the back: open surfaces that follow its curve. */
-  TriangleMesh label() {
-    return TriangleMesh.of(
-        strip(0.72 * height, 0.12 * height),
-        strip(0.64 * height, 0.004),
-        strip(0.12 * height, 0.004));
-  }
-
-  private TriangleMesh strip(double from, double length) {
+    double upper = height - 0.004;
     return Sheet.of(
         10,
-        1,
+        4,
         (u, v) -> {
-          double t = 0.1 + 0.8 * u;
-          double s = 1 - t;
-          double x = thick / 2 * (s * s * s + 2.25 * s * s * t - 2.25 * s * t * t - t * t * t);
-          double out = front() * (s * s * s + t * t * t) + 3 * s * t * (deep / 2 + 0.2 * round());
-          return new Vector3d(-x, from + v * length, out + 0.0012);
+          double side = 2 * u - 1;
+          double hollow = deep / 2 - 0.006 - 0.006 * (1 - side * side);
+          double back = Math.min(1, 2 * v);
+          double down = Math.max(0, 2 * v - 1);
+          return new Vector3d(
+              side * x, upper - down * (upper - 0.004), front() - back * (front() + hollow));
         });
+  }
+
+  /** The title's plate and a band below it, flat before the roundest place of the back. */
+  TriangleMesh label() {
+    double out = deep / 2 + 0.0006;
+    return TriangleMesh.of(
+        Placing.flat(0.62 * thick, 0.13 * height).move(0, 0.75 * height, out),
+        Placing.flat(0.62 * thick, 0.005).move(0, 0.16 * height, out));
   }
 }

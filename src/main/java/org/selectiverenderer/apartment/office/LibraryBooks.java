@@ -11,7 +11,7 @@ import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
- * Fifty books in the bays of the {@link Bookcase}, the same ones at every call. The model's y = 0
+ * Rows of books in the bays of the {@link Bookcase}, the same ones at every call. The model's y = 0
  * is the shelf that the lowest of them stand on, {@link #LOWEST_SHELF}; x and z are the bookcase's
  * (thesis Fig 71).
  */
@@ -69,9 +69,9 @@ final class LibraryBooks {
     double end = part * Shelves.BAY;
     while (at < end - 0.03) {
       double left = end - at;
-      double thick = Math.min(left, 0.034 + 0.03 * random.nextDouble());
+      double thick = Math.min(left, 0.038 + 0.036 * random.nextDouble());
       if (left - thick < 0.03) {
-        thick = Math.min(left, 0.066);
+        thick = Math.min(left, 0.07);
       }
       double height = 0.22 + 0.1 * random.nextDouble();
       Book book = new Book(thick - 0.001, height, 0.17 + 0.05 * random.nextDouble());
