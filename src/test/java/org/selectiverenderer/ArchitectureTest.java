@@ -88,6 +88,19 @@ class ArchitectureTest {
       onlyUsesOfOurs("schema", "schema", "x3d");
 
   @ArchTest
+  static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
+      onlyUsesOfOurs("polygon", "polygon", "x3d");
+
+  @ArchTest
+  static final ArchRule nativeLibrariesOfModelsLiveInThePolygonCountProcess =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(of("polygon"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.lwjgl..");
+
+  @ArchTest
   static final ArchRule theRuntimeKnowsNeitherControllerNorCommandLine =
       noClasses()
           .that()

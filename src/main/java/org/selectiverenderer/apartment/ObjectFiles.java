@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
-import org.selectiverenderer.apartment.versions.ObjectFile;
+import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.VersionMaker;
 import org.selectiverenderer.modelling.Model;
 
@@ -21,25 +21,31 @@ final class ObjectFiles {
   }
 
   /**
-   * Two files for each listed object, one for each other; in the order of the names.
+   * Listed objects with two files, others with one; in the order of the names.
    *
    * @throws IllegalArgumentException if a recipe has more polygons than version 1 may have, or
    *     cannot be reduced to those of version 2
    */
-  List<ObjectFile> of(Collection<String> names) {
-    return names.parallelStream().map(this::versions).flatMap(List::stream).toList();
+  List<MadeObject> of(Collection<String> names) {
+    try {
+      return names.parallelStream().map(this::make).toList();
+    } catch (IllegalArgumentException e) {
+      // Another thread's exception comes wrapped in one of the same kind.
+      throw e.getCause() instanceof IllegalArgumentException cause ? cause : e;
+    }
   }
 
-  private List<ObjectFile> versions(String name) {
+  /** The file of a model that has one version. */
+  MadeObject single(Model model) {
+    return maker.single(model);
+  }
+
+  private MadeObject make(String name) {
     Model recipe = recipe(name);
     return counts
         .of(name)
-        .map(
-            count -> {
-              ObjectFile original = maker.original(recipe, count.original());
-              return List.of(original, maker.reduced(original, count.reduced()));
-            })
-        .orElseGet(() -> List.of(maker.single(recipe)));
+        .map(count -> maker.versions(recipe, count.original(), count.reduced()))
+        .orElseGet(() -> maker.single(recipe));
   }
 
   private Model recipe(String name) {

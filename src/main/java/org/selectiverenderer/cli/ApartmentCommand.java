@@ -2,7 +2,6 @@ package org.selectiverenderer.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.apartment.ApartmentGenerator;
@@ -42,10 +41,14 @@ final class ApartmentCommand extends CliCommand {
   @Override
   ExitStatus run() throws IOException {
     ApartmentGenerator generator = new ApartmentGenerator();
-    Collection<String> names = only.isEmpty() ? generator.objects() : only;
     try {
-      Map<String, Integer> written = generator.writeObjects(folder, names);
-      written.forEach((file, polygons) -> console().message(file + ": " + polygons + " polygons"));
+      if (only.isEmpty()) {
+        console().message("apartment: " + generator.writeAll(folder) + " files written");
+      } else {
+        Map<String, Integer> written = generator.writeObjects(folder, only);
+        written.forEach(
+            (file, polygons) -> console().message(file + ": " + polygons + " polygons"));
+      }
       return ExitStatus.DONE;
     } catch (IllegalArgumentException e) {
       throw CommandFailure.usage(String.valueOf(e.getMessage()));

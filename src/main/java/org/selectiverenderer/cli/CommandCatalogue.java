@@ -10,6 +10,8 @@ final class CommandCatalogue {
     return List.of(
         new RunCommand(console),
         new SimulateCommand(console),
+        new SimplifyCommand(console),
+        new VersionsCommand(console),
         new ApartmentCommand(console),
         new BenchCommand(console));
   }

@@ -14,14 +14,21 @@ final class LibraryProperties {
           // No probing for Groovy closures in every command.
           "picocli.disable.closures", "true");
 
+  /** From this Java on, LWJGL can do without sun.misc.Unsafe, but does so only when told. */
+  private static final int FOREIGN_MEMORY = 25;
+
   private LibraryProperties() {}
 
   static void set() {
-    VALUES.forEach(
-        (name, value) -> {
-          if (System.getProperty(name) == null) {
-            System.setProperty(name, value);
-          }
-        });
+    VALUES.forEach(LibraryProperties::set);
+    if (Runtime.version().feature() >= FOREIGN_MEMORY) {
+      set("org.lwjgl.system.memoryBackend", "ffm");
+    }
+  }
+
+  private static void set(String name, String value) {
+    if (System.getProperty(name) == null) {
+      System.setProperty(name, value);
+    }
   }
 }

@@ -3,7 +3,8 @@ package org.selectiverenderer.modelling;
 /** An axis-aligned box, metres. Of no points at all, it is inside out: min above max. */
 public record Bounds(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
 
-  static Bounds of(float[] positions) {
+  /** The box around points, x, y, z each. */
+  public static Bounds of(float[] positions) {
     double[] b = {1e30, 1e30, 1e30, -1e30, -1e30, -1e30};
     for (int i = 0; i < positions.length; i++) {
       b[i % 3] = Math.min(b[i % 3], positions[i]);

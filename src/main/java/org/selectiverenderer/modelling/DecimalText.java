@@ -1,7 +1,7 @@
 package org.selectiverenderer.modelling;
 
 /** Numbers as short decimal text, the same in every locale. */
-final class DecimalText {
+public final class DecimalText {
 
   private DecimalText() {}
 
@@ -10,7 +10,7 @@ final class DecimalText {
    *
    * @param decimals 0 to 9
    */
-  static String of(double value, int decimals) {
+  public static String of(double value, int decimals) {
     long unit = 1;
     for (int i = 0; i < decimals; i++) {
       unit *= 10;

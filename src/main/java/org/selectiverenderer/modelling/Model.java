@@ -32,6 +32,11 @@ public record Model(String name, List<Part> parts) {
     return parts.stream().mapToInt(p -> p.mesh().triangleCount()).sum();
   }
 
+  /** All parts' triangles as one mesh. */
+  public TriangleMesh mesh() {
+    return TriangleMesh.of(parts.stream().map(Part::mesh).toList());
+  }
+
   /** The box around all points; the model has some. */
   public Bounds bounds() {
     return parts.stream().map(p -> p.mesh().bounds()).reduce(Bounds::union).orElseThrow();

@@ -7,8 +7,10 @@ import java.util.regex.Pattern;
  *
  * @param name letters, digits and underscores, unique within the model
  * @param creaseAngle edges whose faces meet at less than this angle look smooth, degrees
+ * @param bothSides whether faces are seen from behind as well
  */
-public record Part(String name, Look look, TriangleMesh mesh, double creaseAngle) {
+public record Part(
+    String name, Look look, TriangleMesh mesh, double creaseAngle, boolean bothSides) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_]*");
 
   public Part {
@@ -17,17 +19,30 @@ public record Part(String name, Look look, TriangleMesh mesh, double creaseAngle
     }
   }
 
-  /** With a crease angle of 35 degrees: roundings smooth, edges and chamfers sharp. */
+  /**
+   * With a crease angle of 35 degrees: roundings smooth, edges and chamfers sharp. A mesh with a
+   * border is seen from both sides.
+   */
   public static Part of(String name, Look look, TriangleMesh... meshes) {
-    return new Part(name, look, TriangleMesh.of(meshes), 35);
+    TriangleMesh mesh = TriangleMesh.of(meshes);
+    return new Part(name, look, mesh, 35, !mesh.isClosed());
   }
 
   /** The same with another crease angle, degrees; 0 is facets, 180 smooth everywhere. */
   public Part crease(double degrees) {
-    return new Part(name, look, mesh, degrees);
+    return new Part(name, look, mesh, degrees, bothSides);
   }
 
+  /**
+   * The same, not drawn where it is seen from behind: a ceiling that lets one look in from above.
+   */
+  public Part oneSided() {
+    return new Part(name, look, mesh, creaseAngle, false);
+  }
+
+  /** The same with another mesh, seen from both sides if that one has a border. */
   public Part with(TriangleMesh other) {
-    return new Part(name, look, other, creaseAngle);
+    return new Part(
+        name, look, other, creaseAngle, bothSides || mesh.isClosed() && !other.isClosed());
   }
 }

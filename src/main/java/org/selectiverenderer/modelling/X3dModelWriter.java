@@ -57,7 +57,7 @@ public final class X3dModelWriter {
     if (crease > 0) {
       text.append(" creaseAngle='").append(DecimalText.of(crease, 3)).append('\'');
     }
-    if (!part.mesh().isClosed()) {
+    if (part.bothSides()) {
       text.append(" solid='false'");
     }
     text.append("\n          coordIndex='");

@@ -33,13 +33,22 @@ final class SourceText {
   private final int length;
   private final char @Nullable [] decoded;
   private final @Nullable String complaint;
+  private final Charset charset;
+  private final int mark;
 
   private SourceText(
-      byte[] bytes, int length, char @Nullable [] decoded, @Nullable String complaint) {
+      byte[] bytes,
+      int length,
+      char @Nullable [] decoded,
+      @Nullable String complaint,
+      Charset charset,
+      int mark) {
     this.bytes = bytes;
     this.length = length;
     this.decoded = decoded;
     this.complaint = complaint;
+    this.charset = charset;
+    this.mark = mark;
   }
 
   /**
@@ -70,7 +79,9 @@ final class SourceText {
         };
     if (usual && ascii(bytes, start, length)) {
       byte[] text = marked ? Arrays.copyOfRange(bytes, start, length) : bytes;
-      return new SourceText(text, length - start, null, null);
+      Charset named = charset(declared);
+      return new SourceText(
+          text, length - start, null, null, named == null ? StandardCharsets.UTF_8 : named, start);
     }
     Charset charset = charset(declared);
     if (charset == null) {
@@ -79,7 +90,9 @@ final class SourceText {
           bytes,
           text.length,
           text.decoded,
-          "the encoding " + Words.quote(declared) + " is not known; the file is read as UTF-8");
+          "the encoding " + Words.quote(declared) + " is not known; the file is read as UTF-8",
+          StandardCharsets.UTF_8,
+          start);
     }
     return decode(bytes, start, length, charset);
   }
@@ -130,7 +143,7 @@ final class SourceText {
               .onMalformedInput(CodingErrorAction.REPORT)
               .onUnmappableCharacter(CodingErrorAction.REPORT)
               .decode(in);
-      return of(bytes, text, null);
+      return of(bytes, text, null, charset, start);
     } catch (CharacterCodingException e) {
       // An old editor's file: its bytes are Latin letters in nearly every such case.
       boolean wide = charset.name().startsWith("UTF-16") || charset.name().startsWith("UTF-32");
@@ -141,14 +154,17 @@ final class SourceText {
           instead.decode(in),
           wide
               ? "the file has bytes that are no " + charset + "; they are shown as \ufffd"
-              : "the file has bytes that are no " + charset + "; it is read as ISO-8859-1");
+              : "the file has bytes that are no " + charset + "; it is read as ISO-8859-1",
+          instead,
+          start);
     }
   }
 
-  private static SourceText of(byte[] bytes, CharBuffer text, @Nullable String complaint) {
+  private static SourceText of(
+      byte[] bytes, CharBuffer text, @Nullable String complaint, Charset charset, int mark) {
     char[] decoded = new char[text.remaining()];
     text.get(decoded);
-    return new SourceText(bytes, decoded.length, decoded, complaint);
+    return new SourceText(bytes, decoded.length, decoded, complaint, charset, mark);
   }
 
   /**
@@ -179,7 +195,7 @@ final class SourceText {
 
   /** The text up to an offset. */
   SourceText cutAt(int offset) {
-    return new SourceText(bytes, offset, decoded, complaint);
+    return new SourceText(bytes, offset, decoded, complaint, charset, mark);
   }
 
   /** A character's place in the file of that name. */
@@ -197,6 +213,16 @@ final class SourceText {
       }
     }
     return new Location(file, line, column);
+  }
+
+  /** The encoding of the file. */
+  Charset charset() {
+    return charset;
+  }
+
+  /** The length of its byte order mark. */
+  int mark() {
+    return mark;
   }
 
   /** What is wrong with the encoding, or null. */

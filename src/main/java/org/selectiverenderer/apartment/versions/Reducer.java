@@ -1,65 +1,65 @@
 package org.selectiverenderer.apartment.versions;
 
-import java.util.ArrayList;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
-import org.selectiverenderer.modelling.ExactCount;
-import org.selectiverenderer.modelling.Model;
-import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.TriangleMesh;
-import org.selectiverenderer.modelling.Welding;
+import org.selectiverenderer.polygon.model.Model;
+import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.model.ModelWriter;
 import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.polygon.simplify.Simplified;
 import org.selectiverenderer.polygon.simplify.Simplifier;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
-/**
- * Reduces models to exact counts: the simplifier comes close from below, splitting edges does the
- * rest.
- */
+/** The polygon count process (thesis 4.2) from one file's text to another's. */
 final class Reducer {
-  private static final int TRIES = 12;
+  private static final Path FOLDER = Path.of("");
 
-  /**
-   * Reduced surfaces bend by more from face to face: edges up to this angle look smooth, degrees.
-   */
-  private static final double CREASE = 50;
-
+  private final NodeCatalogue catalogue = NodeCatalogue.load();
+  private final X3dReader reader = new X3dReader(catalogue);
+  private final ModelReader models = new ModelReader(catalogue);
   private final Simplifier simplifier = new Simplifier();
-  private final FileMeshes meshes = new FileMeshes();
+  private final ModelWriter writer = new ModelWriter();
 
   /**
-   * @throws IllegalArgumentException if no reduction comes out with at most so many polygons
+   * @param title the new file's name
+   * @throws IllegalArgumentException if no reduction has exactly so many polygons
    */
-  Model reduce(ObjectFile original, int polygons) {
-    List<Mesh> parts = meshes.of(original);
-    int ask = polygons;
-    for (int i = 0; i < TRIES && ask > 0; i++) {
-      Model reduced = model(original.model(), simplifier.simplify(parts, new Goal.Polygons(ask)));
-      int missing = polygons - reduced.polygons();
-      if (missing >= 0) {
-        return ExactCount.refine(odd(reduced, missing), polygons);
-      }
-      ask += Math.min(-1, missing);
+  String reduce(ObjectFile original, int polygons, String title, String description) {
+    Model model = read(original);
+    List<Mesh> parts = simplifier.simplify(model.meshes(), new Goal.Exactly(polygons)).parts();
+    if (count(parts) != polygons) {
+      // A closed surface has an even count: one triangle more than asked for, and that one goes.
+      Goal more = new Goal.Exactly(polygons + 1);
+      parts = Undersides.open(simplifier.simplify(model.meshes(), more).parts());
     }
-    throw new IllegalArgumentException(
-        original.name() + " cannot be reduced to " + polygons + " polygons");
+    if (count(parts) != polygons) {
+      throw new IllegalArgumentException(
+          original.name() + " can be reduced to " + count(parts) + " polygons, not to " + polygons);
+    }
+    return writer.text(model.with(parts), FOLDER, title, description);
   }
 
-  private static Model odd(Model reduced, int missing) {
-    boolean border = reduced.parts().stream().anyMatch(part -> !part.mesh().isClosed());
-    return missing % 2 == 0 || border ? reduced : Undersides.open(reduced);
+  private static int count(List<Mesh> parts) {
+    return parts.stream().mapToInt(Mesh::polygons).sum();
   }
 
-  private static Model model(Model original, Simplified simplified) {
-    List<Part> parts = new ArrayList<>();
-    for (int i = 0; i < original.parts().size(); i++) {
-      Mesh mesh = simplified.parts().get(i);
-      if (!mesh.isEmpty()) {
-        Part part = original.parts().get(i);
-        TriangleMesh welded = Welding.weld(new TriangleMesh(mesh.positions(), mesh.indices()));
-        parts.add(part.with(welded).crease(Math.max(CREASE, part.creaseAngle())));
-      }
+  private Model read(ObjectFile file) {
+    Problems problems = new Problems();
+    X3dFile scene =
+        reader.read(file.name(), file.text().getBytes(StandardCharsets.UTF_8), problems);
+    Location whole = Location.of(file.name());
+    Model model =
+        models
+            .of(scene.nodes(), scene, FOLDER, whole, file.name(), problems)
+            .orElse(new Model(List.of(), List.of()));
+    if (problems.any()) {
+      throw new IllegalArgumentException(problems.list().get(0).toString());
     }
-    return new Model(original.name(), parts);
+    return model;
   }
 }

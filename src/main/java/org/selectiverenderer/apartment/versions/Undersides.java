@@ -3,11 +3,7 @@ package org.selectiverenderer.apartment.versions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.joml.Vector3d;
-import org.selectiverenderer.modelling.MeshMeasures;
-import org.selectiverenderer.modelling.Model;
-import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.TriangleMesh;
+import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * Opens closed models where nobody looks: closed surfaces have even counts, and some of the
@@ -17,16 +13,14 @@ final class Undersides {
 
   private Undersides() {}
 
-  /** The model without its lowest triangle that faces down. */
-  static Model open(Model model) {
-    int part = -1;
-    int triangle = -1;
+  /** The model without its lowest triangle that faces down; its part is seen from both sides. */
+  static List<Mesh> open(List<Mesh> parts) {
+    int part = 0;
+    int triangle = 0;
     double lowest = Double.POSITIVE_INFINITY;
-    for (int p = 0; p < model.parts().size(); p++) {
-      TriangleMesh mesh = model.parts().get(p).mesh();
-      for (int t = 0; t < mesh.triangleCount(); t++) {
-        Vector3d normal = MeshMeasures.normal(mesh, t);
-        double height = middle(mesh, t) + 10 * (1 + normal.y / normal.length());
+    for (int p = 0; p < parts.size(); p++) {
+      for (int t = 0; t < parts.get(p).polygons(); t++) {
+        double height = height(parts.get(p), t);
         if (height < lowest) {
           lowest = height;
           part = p;
@@ -34,23 +28,41 @@ final class Undersides {
         }
       }
     }
-    List<Part> parts = new ArrayList<>(model.parts());
-    parts.set(part, parts.get(part).with(without(parts.get(part).mesh(), triangle)));
-    return new Model(model.name(), parts);
+    List<Mesh> opened = new ArrayList<>(parts);
+    opened.set(part, without(parts.get(part), triangle));
+    return opened;
   }
 
-  private static double middle(TriangleMesh mesh, int triangle) {
-    double sum = 0;
-    for (int k = 0; k < 3; k++) {
-      sum += mesh.point(mesh.triangles()[3 * triangle + k]).y;
-    }
-    return sum / 3;
+  /** Of its middle, metres; what does not face down is taken for ten metres higher. */
+  private static double height(Mesh mesh, int triangle) {
+    float[] p = mesh.positions();
+    int a = 3 * mesh.indices()[3 * triangle];
+    int b = 3 * mesh.indices()[3 * triangle + 1];
+    int c = 3 * mesh.indices()[3 * triangle + 2];
+    double x = area(p, a, b, c, 1, 2);
+    double y = area(p, a, b, c, 2, 0);
+    double z = area(p, a, b, c, 0, 1);
+    boolean down = y < -0.9 * Math.sqrt(x * x + y * y + z * z);
+    return ((double) p[a + 1] + p[b + 1] + p[c + 1]) / 3 + (down ? 0 : 10);
   }
 
-  private static TriangleMesh without(TriangleMesh mesh, int triangle) {
-    int[] all = mesh.triangles();
+  private static double area(float[] p, int a, int b, int c, int u, int v) {
+    return ((double) p[b + u] - p[a + u]) * ((double) p[c + v] - p[a + v])
+        - ((double) p[b + v] - p[a + v]) * ((double) p[c + u] - p[a + u]);
+  }
+
+  private static Mesh without(Mesh mesh, int triangle) {
+    int[] all = mesh.indices();
     int[] kept = Arrays.copyOf(all, all.length - 3);
     System.arraycopy(all, 3 * triangle + 3, kept, 3 * triangle, kept.length - 3 * triangle);
-    return new TriangleMesh(mesh.positions(), kept);
+    return new Mesh(
+        mesh.primitive(),
+        mesh.positions(),
+        mesh.normals(),
+        mesh.colors(),
+        mesh.texCoords(),
+        kept,
+        false,
+        mesh.bounds());
   }
 }

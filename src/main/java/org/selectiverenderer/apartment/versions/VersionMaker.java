@@ -1,8 +1,10 @@
 package org.selectiverenderer.apartment.versions;
 
+import java.util.List;
 import java.util.Locale;
 import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Rounding;
 import org.selectiverenderer.modelling.X3dModelWriter;
 
 /** Makes objects' files. Safe for use by several threads. */
@@ -10,32 +12,43 @@ public final class VersionMaker {
   private final X3dModelWriter writer = new X3dModelWriter("./selective-renderer apartment");
   private final Reducer reducer = new Reducer();
 
-  /** Version 1: the recipe's model with exactly so many polygons. */
-  public ObjectFile original(Model recipe, int polygons) {
-    Model model = ExactCount.refine(recipe, polygons);
-    return file(model, "_v1", "version 1: " + polygons + " polygons, as modelled");
+  /**
+   * An object in two versions: the recipe's model with polygons added as far as they are missing,
+   * and that one reduced.
+   *
+   * @throws IllegalArgumentException if the counts cannot be had
+   */
+  public MadeObject versions(Model recipe, int original, int reduced) {
+    Model model = ExactCount.refine(Rounding.toGrid(recipe), original);
+    String name = model.name();
+    ObjectFile first =
+        file(model, name + "_v1.x3d", "version 1: " + original + " polygons, as modelled");
+    String title = name + "_v2.x3d";
+    String second =
+        reducer.reduce(
+            first,
+            reduced,
+            title,
+            words(name) + ", version 2: " + reduced + " polygons, the reduced one");
+    return new MadeObject(model, List.of(first, new ObjectFile(title, reduced, second)));
   }
 
-  /** Version 2: version 1 reduced to exactly so many polygons. */
-  public ObjectFile reduced(ObjectFile original, int polygons) {
-    Model model = reducer.reduce(original, polygons);
-    return file(model, "_v2", "version 2: " + polygons + " polygons, the reduced one");
+  /** An object that has one version. */
+  public MadeObject single(Model recipe) {
+    Model model = Rounding.toGrid(recipe);
+    String description = model.polygons() + " polygons";
+    return new MadeObject(model, List.of(file(model, model.name() + ".x3d", description)));
   }
 
-  /** The file of an object that has one version. */
-  public ObjectFile single(Model model) {
-    return file(model, "", model.polygons() + " polygons");
-  }
-
-  private ObjectFile file(Model model, String suffix, String description) {
-    String name = model.name() + suffix + ".x3d";
-    return new ObjectFile(
-        name, model, writer.text(model, name, words(model.name()) + ", " + description));
+  private ObjectFile file(Model model, String name, String description) {
+    String text = writer.text(model, name, words(model.name()) + ", " + description);
+    return new ObjectFile(name, model.polygons(), text);
   }
 
   /** {@code trashCan} as {@code Trash can}. */
   static String words(String name) {
-    String spaced = name.replaceAll("(?<=[a-z])(?=[A-Z0-9])", " ").toLowerCase(Locale.ROOT);
+    String spaced =
+        name.replaceAll("(?<=[a-z])(?=[A-Z0-9])|(?<=[0-9])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
     return Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
   }
 }

@@ -3,7 +3,7 @@
  * count process (thesis 4.2) makes of it.
  *
  * <p>In: a {@link org.selectiverenderer.modelling.Model} and two counts. Out: files' text. Uses
- * {@code modelling}, {@code polygon.simplify} and {@code x3d}.
+ * {@code modelling}, {@code polygon} and {@code x3d}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.versions;

@@ -32,6 +32,22 @@ final class Areas {
     normal[2] = scale * nz;
   }
 
+  static double area(float[] vertices, int[] indices, int triangle) {
+    int a = JoinedMesh.STRIDE * indices[3 * triangle];
+    int b = JoinedMesh.STRIDE * indices[3 * triangle + 1];
+    int c = JoinedMesh.STRIDE * indices[3 * triangle + 2];
+    double ux = (double) vertices[b] - vertices[a];
+    double uy = (double) vertices[b + 1] - vertices[a + 1];
+    double uz = (double) vertices[b + 2] - vertices[a + 2];
+    double vx = (double) vertices[c] - vertices[a];
+    double vy = (double) vertices[c + 1] - vertices[a + 1];
+    double vz = (double) vertices[c + 2] - vertices[a + 2];
+    double nx = uy * vz - uz * vy;
+    double ny = uz * vx - ux * vz;
+    double nz = ux * vy - uy * vx;
+    return Math.sqrt(nx * nx + ny * ny + nz * nz) / 2;
+  }
+
   /** The mesh without triangles that have no area. */
   static JoinedMesh dropEmpty(JoinedMesh mesh) {
     double[] normal = new double[3];

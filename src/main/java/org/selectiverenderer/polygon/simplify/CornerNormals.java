@@ -11,9 +11,6 @@ final class CornerNormals {
    */
   private static final double ASTRAY = 0.34;
 
-  /** How much better another side's normal must fit. */
-  private static final double BETTER = 0.1;
-
   /** Normals this near to the plane's shade a facet as flat: 2.5 degrees. */
   private static final double FLAT = 0.999;
 
@@ -65,12 +62,10 @@ final class CornerNormals {
     int own = reduced.origins()[vertex];
     double best = fit(reduced, vertex, face);
     int source = own;
-    double wanted = best + BETTER;
-    for (int other = next[own]; other != own; other = next[other]) {
+    for (int other = next[own]; best < ASTRAY && other != own; other = next[other]) {
       double fit = fit(original, other, face);
-      if (fit > wanted) {
+      if (fit > best) {
         source = other;
-        wanted = fit;
         best = fit;
       }
     }

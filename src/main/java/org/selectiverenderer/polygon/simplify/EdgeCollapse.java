@@ -2,6 +2,7 @@ package org.selectiverenderer.polygon.simplify;
 
 import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyPermissive;
 import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyPrune;
+import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyRegularizeLight;
 import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_SimplifyVertex_Protect;
 import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_simplifySloppy;
 import static org.lwjgl.util.meshoptimizer.MeshOptimizer.meshopt_simplifyWithUpdate;
@@ -17,26 +18,13 @@ import org.lwjgl.system.MemoryUtil;
  * they lie best.
  */
 final class EdgeCollapse {
-  /** What a full turn of the normal weighs against a shift by the model's extent. */
-  private static final float NORMAL = 0.05f;
-
   private static final float COLOR = 0.2f;
   private static final float TEX_COORD = 0.1f;
-  private static final float[] WEIGHTS = {
-    NORMAL, NORMAL, NORMAL, COLOR, COLOR, COLOR, COLOR, TEX_COORD, TEX_COORD
-  };
 
   /** No limit; the largest float would overflow when squared. */
   static final float ANY_ERROR = 1e9f;
 
   private static final int VERTEX_BYTES = Float.BYTES * JoinedMesh.STRIDE;
-
-  /**
-   * What came out.
-   *
-   * @param error as a share of the mesh's largest extent
-   */
-  record Outcome(JoinedMesh mesh, double error) {}
 
   private EdgeCollapse() {}
 
@@ -46,20 +34,24 @@ final class EdgeCollapse {
    *
    * @param largestError as a share of the mesh's largest extent
    */
-  static Outcome run(JoinedMesh mesh, int polygons, float largestError, Freedom freedom) {
+  static JoinedMesh run(
+      JoinedMesh mesh, int polygons, float largestError, Freedom freedom, Style style) {
     boolean keepSeams = freedom == Freedom.KEEP_SEAMS;
-    int options = meshopt_SimplifyPermissive | (keepSeams ? 0 : meshopt_SimplifyPrune);
+    int options =
+        meshopt_SimplifyPermissive
+            | (freedom == Freedom.ANY_PIECE ? meshopt_SimplifyPrune : 0)
+            | (style.regular ? meshopt_SimplifyRegularizeLight : 0);
+    float[] weighed = weights(style.normalWeight);
     int count = mesh.vertexCount();
     // The attributes begin after the first position, so the last vertex needs room to spare.
     FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length + JoinedMesh.NORMAL);
     IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
     ByteBuffer locks = MemoryUtil.memCalloc(count);
-    FloatBuffer weights = MemoryUtil.memAllocFloat(WEIGHTS.length);
-    FloatBuffer error = MemoryUtil.memCallocFloat(1);
+    FloatBuffer weights = MemoryUtil.memAllocFloat(weighed.length);
     try {
       vertices.put(0, mesh.vertices());
       indices.put(0, mesh.indices());
-      weights.put(0, WEIGHTS);
+      weights.put(0, weighed);
       if (keepSeams) {
         protect(Seams.visible(mesh), locks);
       }
@@ -77,19 +69,22 @@ final class EdgeCollapse {
                   3L * polygons,
                   largestError,
                   options,
-                  error);
+                  null);
       float[] moved = new float[mesh.vertices().length];
       int[] remaining = new int[left];
       vertices.get(0, moved);
       indices.get(0, remaining);
-      return new Outcome(mesh.with(moved, remaining), error.get(0));
+      return mesh.with(moved, remaining);
     } finally {
       MemoryUtil.memFree(vertices);
       MemoryUtil.memFree(indices);
       MemoryUtil.memFree(locks);
       MemoryUtil.memFree(weights);
-      MemoryUtil.memFree(error);
     }
+  }
+
+  private static float[] weights(float normal) {
+    return new float[] {normal, normal, normal, COLOR, COLOR, COLOR, COLOR, TEX_COORD, TEX_COORD};
   }
 
   private static void protect(boolean[] seams, ByteBuffer locks) {
@@ -101,11 +96,10 @@ final class EdgeCollapse {
   }
 
   /** Joins vertices that are near each other, whatever they belong to, on a grid. */
-  static Outcome cluster(JoinedMesh mesh, int polygons) {
+  static JoinedMesh cluster(JoinedMesh mesh, int polygons) {
     FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length);
     IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
     IntBuffer joined = MemoryUtil.memAllocInt(mesh.indices().length);
-    FloatBuffer error = MemoryUtil.memCallocFloat(1);
     try {
       vertices.put(0, mesh.vertices());
       indices.put(0, mesh.indices());
@@ -120,15 +114,14 @@ final class EdgeCollapse {
                   null,
                   3L * polygons,
                   ANY_ERROR,
-                  error);
+                  null);
       int[] remaining = new int[left];
       joined.get(0, remaining);
-      return new Outcome(mesh.with(mesh.vertices(), remaining), error.get(0));
+      return mesh.with(mesh.vertices(), remaining);
     } finally {
       MemoryUtil.memFree(vertices);
       MemoryUtil.memFree(indices);
       MemoryUtil.memFree(joined);
-      MemoryUtil.memFree(error);
     }
   }
 }

@@ -4,8 +4,12 @@ package org.selectiverenderer.polygon.simplify;
 enum Freedom {
   /** Edges where materials, colours or texture coordinates change stay edges. */
   KEEP_SEAMS,
-  /** Any edge may go, and so may small pieces. */
+  /** Any edge may go. */
   ANY_EDGE,
-  /** Pieces near each other may grow together first. */
+  /** A piece may go as a whole when that is less of an error. */
+  ANY_PIECE,
+  /** The smallest pieces go before anything else. */
+  FEWER_PIECES,
+  /** Pieces near each other grow together first. */
   ANY_SURFACE
 }

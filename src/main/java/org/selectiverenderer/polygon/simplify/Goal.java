@@ -9,6 +9,16 @@ public sealed interface Goal {
     }
   }
 
+  /**
+   * Exactly that number of triangles, at least 1: where reducing leaves fewer, edges are split
+   * without a change of form. A closed surface can only have an even number.
+   */
+  record Exactly(int count) implements Goal {
+    public Exactly {
+      positive(count);
+    }
+  }
+
   /** A number of vertices (Vert Count): distinct positions, summed over the parts; at least 1. */
   record Vertices(int count) implements Goal {
     public Vertices {

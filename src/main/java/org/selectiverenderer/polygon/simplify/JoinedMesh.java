@@ -125,15 +125,27 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return numbers;
   }
 
-  /** The same mesh with positions on a grid of so many steps per unit of length. */
-  JoinedMesh rounded(double scale) {
+  float[] positions() {
+    float[] positions = new float[3 * vertexCount()];
+    for (int v = 0; v < vertexCount(); v++) {
+      System.arraycopy(vertices, STRIDE * v, positions, 3 * v, 3);
+    }
+    return positions;
+  }
+
+  /**
+   * The same mesh with positions inside a box and on a grid of so many steps per unit of length,
+   * without what has become empty by that.
+   */
+  JoinedMesh rounded(double scale, float[] bounds) {
     float[] rounded = vertices.clone();
     for (int i = 0; i < rounded.length; i += STRIDE) {
-      for (int axis = i; axis < i + 3; axis++) {
-        rounded[axis] = (float) (Math.rint(vertices[axis] * scale) / scale) + 0.0f;
+      for (int axis = 0; axis < 3; axis++) {
+        float inside = Math.max(bounds[axis], Math.min(bounds[axis + 3], vertices[i + axis]));
+        rounded[i + axis] = (float) (Math.rint(inside * scale) / scale) + 0.0f;
       }
     }
-    return new JoinedMesh(rounded, indices, origins);
+    return Areas.dropEmpty(with(rounded, indices)).compact();
   }
 
   /** These triangles of vertices that may have moved. */

@@ -30,9 +30,8 @@ final class PartMaker {
 
   /**
    * @param triangles numbers of the part's triangles
-   * @param bounds what no vertex may leave
    */
-  Mesh mesh(int[] triangles, float[] bounds) {
+  Mesh mesh(int[] triangles) {
     int[] indices = new int[3 * triangles.length];
     int count = 0;
     for (int triangle : triangles) {
@@ -41,19 +40,16 @@ final class PartMaker {
         indices[count++] = vertex(reduced.indices()[i], triangle);
       }
     }
-    float[] inside = Arrays.copyOf(positions, 3 * vertexCount);
-    for (int i = 0; i < inside.length; i++) {
-      inside[i] = Math.max(bounds[i % 3], Math.min(bounds[i % 3 + 3], inside[i]));
-    }
+    float[] finalPositions = Arrays.copyOf(positions, 3 * vertexCount);
     return new Mesh(
         Mesh.Primitive.TRIANGLES,
-        inside,
+        finalPositions,
         trimmed(normals, part.normals(), 3),
         trimmed(colors, part.colors(), 4),
         trimmed(texCoords, part.texCoords(), 2),
         indices,
         part.solid(),
-        Mesh.boundsOf(inside, indices));
+        Mesh.boundsOf(finalPositions, indices));
   }
 
   private float @Nullable [] trimmed(float[] values, float @Nullable [] had, int size) {

@@ -1,98 +1,123 @@
 package org.selectiverenderer.polygon.simplify;
 
-import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.polygon.simplify.EdgeCollapse.Outcome;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
- * Finds the reduction with a wanted number of polygons. Collapsing edges may stop early, where the
- * seams of a model stand in its way, or overshoot, where a small piece vanishes as a whole; so more
- * freedom is given, or other numbers are asked for, until the number comes out.
+ * Finds the reduction with a wanted number of polygons: with no more freedom than that takes, and
+ * of several styles the one that looks most like the original.
  */
 final class Reduction {
-  private static final int TRIES = 12;
+  /** How many polygons clusters get for each one wanted: the more, the more careful the rest. */
+  private static final double[] CLUSTERED = {3, 1.5, 1};
 
-  /** How many polygons clusters get for each one wanted, to be reduced with care from there. */
-  private static final int CLUSTERED = 3;
+  private static final int LOWER_TRIES = 6;
+
+  /** Up to so many polygons all styles are tried and compared. */
+  private static final int COMPARED = 60_000;
 
   private final JoinedMesh original;
+  private final Likeness likeness;
   private final double scale;
+  private final float[] bounds;
 
   /**
    * @param original without vertices that no triangle uses: they would count as seams
    */
   Reduction(JoinedMesh original) {
     this.original = original;
+    this.likeness = new Likeness(original);
     this.scale = scale(original.extent());
+    this.bounds = Mesh.boundsOf(original.positions(), original.indices());
   }
 
-  /** The outcome nearest to that number of polygons; never without any. */
-  Outcome to(int polygons) {
-    Outcome best = new Outcome(original, 0);
+  /** The mesh nearest to that number of polygons, and of those the most like; never empty. */
+  JoinedMesh to(int polygons) {
+    if (original.polygons() <= polygons) {
+      return original;
+    }
+    boolean compare = original.polygons() <= COMPARED;
+    List<JoinedMesh> found = new ArrayList<>();
+    JoinedMesh best = original;
+    JoinedMesh fewest = original;
     for (Freedom freedom : Freedom.values()) {
-      if (Simplified.near(best.mesh().polygons(), polygons)) {
+      if (!found.isEmpty() && (!compare || freedom.compareTo(Freedom.ANY_PIECE) > 0)) {
         break;
       }
-      Outcome start =
-          freedom == Freedom.ANY_SURFACE ? clustered(polygons) : new Outcome(original, 0);
-      best = nearer(best, approach(start, polygons, freedom), polygons);
+      for (JoinedMesh start : starts(freedom, fewest, polygons)) {
+        best = Approach.nearer(best, start, polygons);
+        for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
+          JoinedMesh mesh = new Approach(polygons, scale, bounds, freedom, style).from(start);
+          best = Approach.nearer(best, mesh, polygons);
+          if (mesh.polygons() >= polygons && mesh.polygons() < fewest.polygons()) {
+            fewest = mesh;
+          }
+          if (mesh.polygons() > 0 && Simplified.near(mesh.polygons(), polygons)) {
+            found.add(mesh);
+          }
+        }
+      }
+    }
+    return found.isEmpty() ? best : mostLike(found);
+  }
+
+  /**
+   * A mesh with that number of polygons: from the nearest reduction that has no more, edges are
+   * split. Where that cannot be, the nearest.
+   */
+  JoinedMesh exactly(int polygons) {
+    JoinedMesh nearest = to(polygons);
+    JoinedMesh reduced = nearest;
+    int ask = polygons;
+    for (int i = 0; i < LOWER_TRIES && reduced.polygons() > polygons && ask > 1; i++) {
+      ask = Math.max(1, ask - (reduced.polygons() - polygons));
+      reduced = to(ask);
+    }
+    return reduced.polygons() > polygons
+        ? nearest
+        : Approach.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
+  }
+
+  /**
+   * Where to start from.
+   *
+   * @param fewest the mesh with fewest polygons, but enough of them, so far
+   */
+  private List<JoinedMesh> starts(Freedom freedom, JoinedMesh fewest, int polygons) {
+    return switch (freedom) {
+      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> List.of(original);
+      case FEWER_PIECES -> List.of(Pieces.withoutSmallest(fewest, polygons));
+      case ANY_SURFACE ->
+          DoubleStream.of(CLUSTERED)
+              .mapToObj(share -> clustered((int) Math.ceil(share * polygons)))
+              .toList();
+    };
+  }
+
+  private JoinedMesh clustered(int polygons) {
+    return EdgeCollapse.cluster(original, Math.min(polygons, original.polygons()))
+        .rounded(scale, bounds);
+  }
+
+  private JoinedMesh mostLike(List<JoinedMesh> meshes) {
+    JoinedMesh best = meshes.get(0);
+    double least = Double.POSITIVE_INFINITY;
+    for (JoinedMesh mesh : meshes.size() == 1 ? List.<JoinedMesh>of() : meshes) {
+      double difference = likeness.difference(mesh);
+      if (difference < least) {
+        least = difference;
+        best = mesh;
+      }
     }
     return best;
   }
 
-  private Outcome clustered(int polygons) {
-    int count = Math.min(CLUSTERED * polygons, original.polygons());
-    return clean(EdgeCollapse.cluster(original, count), 0);
-  }
-
-  /** Asks for more and more, then for what lies between, as long as too few are left. */
-  private Outcome approach(Outcome start, int polygons, Freedom freedom) {
-    Outcome best = null;
-    Outcome above = start;
-    int tooFew = 0;
-    int enough = start.mesh().polygons();
-    int ask = polygons;
-    for (int i = 0; i < TRIES && ask > tooFew && ask < enough; i++) {
-      Outcome outcome = collapse(start, ask, freedom);
-      int count = outcome.mesh().polygons();
-      best = nearer(best, outcome, polygons);
-      if (Simplified.near(count, polygons)) {
-        return best;
-      }
-      if (count > polygons) {
-        above = outcome;
-        enough = ask;
-        if (ask == polygons) {
-          break; // The structure allows no fewer.
-        }
-      } else {
-        tooFew = ask;
-      }
-      ask =
-          above == start
-              ? Math.min((tooFew + enough) / 2, tooFew + Math.max(2, polygons - count))
-              : (tooFew + enough) / 2;
-    }
-    if (above != start && above.mesh().polygons() > polygons && tooFew > 0) {
-      // From another start the steps fall elsewhere.
-      best = nearer(best, collapse(above, polygons, freedom), polygons);
-    }
-    return best == null ? start : best;
-  }
-
-  private Outcome collapse(Outcome start, int polygons, Freedom freedom) {
-    return clean(
-        EdgeCollapse.run(start.mesh(), polygons, EdgeCollapse.ANY_ERROR, freedom), start.error());
-  }
-
-  /** The largest reduction with at most that error, as a share of the extent. */
-  Outcome within(double error) {
-    Outcome outcome = clean(EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS), 0);
-    return outcome.mesh().polygons() > 0 ? outcome : to(1);
-  }
-
-  private Outcome clean(Outcome outcome, double before) {
-    JoinedMesh rounded = outcome.mesh().rounded(scale);
-    return new Outcome(Areas.dropEmpty(rounded).compact(), outcome.error() + before);
+  /** The largest reduction with about that error, as a share of the extent; it may be empty. */
+  JoinedMesh within(double error) {
+    return EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS, Style.BALANCED)
+        .rounded(scale, bounds);
   }
 
   /**
@@ -101,14 +126,5 @@ final class Reduction {
    */
   static double scale(double extent) {
     return extent > 0 ? Math.pow(10, 4 - Math.floor(Math.log10(extent))) : 1;
-  }
-
-  private static Outcome nearer(@Nullable Outcome a, Outcome b, int polygons) {
-    if (a == null || a.mesh().polygons() == 0) {
-      return b;
-    }
-    int ofA = Math.abs(a.mesh().polygons() - polygons);
-    int ofB = Math.abs(b.mesh().polygons() - polygons);
-    return b.mesh().polygons() > 0 && ofB < ofA ? b : a;
   }
 }

@@ -3,7 +3,6 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.selectiverenderer.polygon.simplify.EdgeCollapse.Outcome;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
@@ -17,6 +16,11 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  */
 public final class Simplifier {
   private static final int VERTEX_TRIES = 8;
+  private static final int ERROR_TRIES = 12;
+  private static final double ALL_GONE = 0.6;
+
+  /** So near to the error allowed, no further try is worth its time. */
+  private static final double CLOSE = 0.8;
 
   /**
    * Reduces a model.
@@ -34,13 +38,20 @@ public final class Simplifier {
     Reduction reduction = new Reduction(original);
     if (goal instanceof Goal.Polygons polygons) {
       check(polygons.count(), original.polygons(), "polygons");
-      Outcome outcome = reduction.to(polygons.count());
+      JoinedMesh reduced = reduction.to(polygons.count());
+      if (!Simplified.near(reduced.polygons(), polygons.count())) {
+        reduced = reduction.exactly(polygons.count());
+      }
       return result(
-          parts, original, outcome, Simplified.near(outcome.mesh().polygons(), polygons.count()));
+          parts, original, reduced, Simplified.near(reduced.polygons(), polygons.count()));
+    }
+    if (goal instanceof Goal.Exactly exactly) {
+      check(exactly.count(), original.polygons(), "polygons");
+      JoinedMesh reduced = reduction.exactly(exactly.count());
+      return result(parts, original, reduced, reduced.polygons() == exactly.count());
     }
     if (goal instanceof Goal.LargestError largest) {
-      Outcome outcome = reduction.within(largest.error());
-      return result(parts, original, outcome, outcome.error() <= largest.error());
+      return within(parts, original, reduction, largest.error());
     }
     int has = Seams.positions(original);
     int wanted =
@@ -58,50 +69,66 @@ public final class Simplifier {
     }
   }
 
-  /** A collapse takes a vertex and, where the surface is closed, two polygons. */
+  /** A collapse takes a vertex and, inside a surface, two polygons. */
   private static Simplified toVertices(
       List<Mesh> parts, JoinedMesh original, Reduction reduction, int has, int wanted) {
-    Outcome best = new Outcome(original, 0);
+    JoinedMesh best = original;
     int nearest = has;
-    int polygons = original.polygons();
-    int vertices = has;
+    long ask = Math.round((double) original.polygons() * wanted / has);
     for (int i = 0; i < VERTEX_TRIES && !Simplified.near(nearest, wanted); i++) {
-      int ask = Math.max(1, polygons - 2 * (vertices - wanted));
-      if (i > 0 && ask == polygons) {
-        break;
-      }
-      polygons = ask;
-      Outcome outcome = reduction.to(Math.min(ask, original.polygons()));
-      vertices = Seams.positions(outcome.mesh());
+      JoinedMesh reduced = reduction.to((int) Math.max(1, Math.min(ask, original.polygons())));
+      int vertices = Seams.positions(reduced);
       if (Math.abs(vertices - wanted) < Math.abs(nearest - wanted)) {
-        best = outcome;
+        best = reduced;
         nearest = vertices;
       }
+      long next = ask - 2L * (vertices - wanted);
+      if (next == ask || next < 1) {
+        break;
+      }
+      ask = next;
     }
     return result(parts, original, best, Simplified.near(nearest, wanted));
   }
 
+  /** The collapse's own estimate is no bound, so what comes out is measured. */
+  private static Simplified within(
+      List<Mesh> parts, JoinedMesh original, Reduction reduction, double largest) {
+    Simplified best = result(parts, original, original, true);
+    double allowed = largest;
+    for (int i = 0; i < ERROR_TRIES; i++) {
+      JoinedMesh reduced = reduction.within(allowed);
+      if (reduced.polygons() == 0) {
+        allowed *= ALL_GONE;
+        continue;
+      }
+      Simplified result = result(parts, original, reduced, true);
+      if (result.error() <= largest && result.polygons() < best.polygons()) {
+        best = result;
+      }
+      if (result.error() <= largest && result.error() >= CLOSE * largest) {
+        break;
+      }
+      double factor = largest / Math.max(result.error(), 1e-12);
+      allowed *= Math.max(0.3, Math.min(3, 0.95 * factor));
+    }
+    return best;
+  }
+
   private static Simplified result(
-      List<Mesh> parts, JoinedMesh original, Outcome outcome, boolean met) {
-    JoinedMesh reduced = outcome.mesh();
+      List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
     int[][] triangles = byPart(reduced, parts.size());
-    float[] bounds = Mesh.boundsOf(positions(original), original.indices());
     CornerNormals corners = new CornerNormals(original);
     List<Mesh> meshes = new ArrayList<>();
     for (int p = 0; p < triangles.length; p++) {
-      meshes.add(
-          new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p], bounds));
+      meshes.add(new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p]));
     }
     return new Simplified(
-        List.copyOf(meshes), Seams.positions(reduced), reduced.polygons(), outcome.error(), met);
-  }
-
-  private static float[] positions(JoinedMesh mesh) {
-    float[] positions = new float[3 * mesh.vertexCount()];
-    for (int v = 0; v < mesh.vertexCount(); v++) {
-      System.arraycopy(mesh.vertices(), JoinedMesh.STRIDE * v, positions, 3 * v, 3);
-    }
-    return positions;
+        List.copyOf(meshes),
+        Seams.positions(reduced),
+        reduced.polygons(),
+        reduced == original ? 0 : new Likeness(original).error(reduced),
+        met);
   }
 
   /** The triangles of each part: a triangle belongs to the part of most of its vertices. */

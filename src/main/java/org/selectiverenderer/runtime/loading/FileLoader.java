@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problems;

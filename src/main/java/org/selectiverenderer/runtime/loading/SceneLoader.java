@@ -16,6 +16,7 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.ReadLimits;

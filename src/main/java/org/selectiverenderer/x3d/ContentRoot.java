@@ -1,4 +1,4 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d;
 
 import java.io.IOException;
 import java.net.URI;
@@ -15,11 +15,11 @@ import java.util.stream.Stream;
  * #INLINE_FOLDER} beside its folder, where this project keeps the versions of objects. Never the
  * network.
  */
-final class ContentRoot {
-  static final String INLINE_FOLDER = "inlineNodes";
+public final class ContentRoot {
+  public static final String INLINE_FOLDER = "inlineNodes";
 
   /** Why a url is not opened, or the file that it names. */
-  sealed interface Target {
+  public sealed interface Target {
     record File(Path path) implements Target {}
 
     /**
@@ -34,7 +34,7 @@ final class ContentRoot {
   /**
    * @param sceneFolder the folder of the scene that the user named
    */
-  ContentRoot(Path sceneFolder) {
+  public ContentRoot(Path sceneFolder) {
     folder = real(sceneFolder);
     Path above = folder.getParent();
     inlineFolder = real((above == null ? folder : above).resolve(INLINE_FOLDER));
@@ -44,7 +44,7 @@ final class ContentRoot {
    * @param url as the file gives it, relative to {@code base} or absolute
    * @param base the folder of the file that names it
    */
-  Target resolve(String url, Path base) {
+  public Target resolve(String url, Path base) {
     String trimmed = url.strip();
     int fragment = trimmed.indexOf('#');
     String location = fragment < 0 ? trimmed : trimmed.substring(0, fragment);

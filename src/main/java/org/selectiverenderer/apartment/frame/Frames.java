@@ -1,0 +1,86 @@
+package org.selectiverenderer.apartment.frame;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Side;
+import org.selectiverenderer.modelling.Colour;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.TriangleMesh;
+
+/**
+ * The rooms' own models. Doors lead from the lounge to the kitchen in its north, outside the sofa's
+ * area, and from the kitchen to the office in its south, outside the areas of desk and bookcase.
+ */
+public final class Frames {
+  private static final Opening LOUNGE_TO_KITCHEN = Opening.door(Side.EAST, -2.72);
+  private static final Opening KITCHEN_TO_LOUNGE = Opening.door(Side.WEST, -2.72);
+  private static final Opening KITCHEN_TO_OFFICE = Opening.door(Side.EAST, 2.72);
+  private static final Opening OFFICE_TO_KITCHEN = Opening.door(Side.WEST, 2.72);
+  private static final Opening ENTRANCE = Opening.door(Side.SOUTH, -0.6);
+
+  private Frames() {}
+
+  /** The frame of a room, named {@code kitchenFrame} and so on. */
+  public static Model of(Room room) {
+    return switch (room) {
+      case KITCHEN -> kitchen();
+      case LOUNGE -> lounge();
+      case OFFICE -> office();
+    };
+  }
+
+  private static Model kitchen() {
+    Opening window = new Opening(Side.NORTH, -0.1, 1.5, 1.1, 1.1);
+    FrameBuilder frame =
+        new FrameBuilder(
+            Room.KITCHEN,
+            List.of(KITCHEN_TO_LOUNGE, KITCHEN_TO_OFFICE, ENTRANCE, window),
+            Finish.wall(0.9, 0.84, 0.66));
+    List<TriangleMesh> tiles = Floors.tiles(Room.KITCHEN, 11, 16);
+    frame.add("lightTiles", Look.satin(Colour.of(0.82, 0.79, 0.72)), tiles.get(0));
+    frame.add("darkTiles", Look.satin(Colour.of(0.54, 0.34, 0.26)), tiles.get(1));
+    frame.openDoor(KITCHEN_TO_OFFICE, false, 90);
+    frame.shutDoor(ENTRANCE);
+    frame.lightSwitch(Side.WEST, -2.1);
+    frame.lightSwitch(Side.EAST, 2.1);
+    frame.lightSwitch(Side.SOUTH, 0.05);
+    frame.hangingLamp(-0.95, 1.15, 0.75, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
+    frame.hangingLamp(0.4, -1.2, 0.4, 32, Look.satin(Colour.of(0.72, 0.2, 0.14)));
+    frame.radiator(Side.NORTH, -0.1, 14);
+    return frame.model("kitchenFrame");
+  }
+
+  private static Model lounge() {
+    Opening west = new Opening(Side.WEST, 0.9, 2.2, 0.95, 1.3);
+    Opening south = new Opening(Side.SOUTH, -4.0, 1.6, 0.95, 1.3);
+    FrameBuilder frame =
+        new FrameBuilder(
+            Room.LOUNGE, List.of(LOUNGE_TO_KITCHEN, west, south), Finish.wall(0.74, 0.78, 0.66));
+    frame.boards(Floors.boards(Room.LOUNGE, 28, 3));
+    frame.openDoor(LOUNGE_TO_KITCHEN, true, 90);
+    frame.lightSwitch(Side.EAST, -2.1);
+    frame.radiator(Side.SOUTH, -4.0, 10);
+    return frame.model("loungeFrame");
+  }
+
+  private static Model office() {
+    Opening north = new Opening(Side.NORTH, 6.6, 1.9, 0.95, 1.3);
+    FrameBuilder frame =
+        new FrameBuilder(
+            Room.OFFICE, List.of(OFFICE_TO_KITCHEN, north), Finish.wall(0.87, 0.8, 0.66));
+    frame.boards(Floors.boards(Room.OFFICE, 30, 3));
+    frame.lightSwitch(Side.WEST, 2.1);
+    List<TriangleMesh> rims = new ArrayList<>();
+    List<TriangleMesh> lights = new ArrayList<>();
+    for (double x : new double[] {4.3, 6.9}) {
+      rims.add(Fittings.panelRim(x, 0));
+      lights.add(Fittings.panelLight(x, 0));
+    }
+    frame.add("lampRims", Finish.PLASTIC, TriangleMesh.of(rims));
+    frame.add("lampLights", Finish.LIGHT, TriangleMesh.of(lights));
+    frame.radiator(Side.NORTH, 6.6, 14);
+    return frame.model("officeFrame");
+  }
+}

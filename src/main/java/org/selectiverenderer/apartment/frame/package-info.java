@@ -1,0 +1,11 @@
+/**
+ * The rooms themselves, what the thesis calls frame objects (5.2): walls, floors, ceilings, doors,
+ * windows, skirting, light switches, lamps.
+ *
+ * <p>In: the floor plan. Out: one model per room, in the room's own coordinates (see {@code plan}).
+ * Uses {@code modelling} and {@code apartment.plan}.
+ */
+@NullMarked
+package org.selectiverenderer.apartment.frame;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,169 @@
+package org.selectiverenderer.apartment.scene;
+
+import java.util.List;
+import java.util.Locale;
+import org.selectiverenderer.apartment.facts.Expectancies;
+import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.frame.SoftShadow;
+import org.selectiverenderer.apartment.plan.Placed;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Shadows;
+import org.selectiverenderer.modelling.Bounds;
+
+/** The text of the apartment's scene. */
+public final class ApartmentScene {
+  /** Height of a seated person's eye above the floor; participants sat (thesis Fig 83). */
+  public static final double EYE = 1.2;
+
+  /** What is lower than this above an object's sole takes the floor's light, metres. */
+  private static final double LOWER_END = 0.3;
+
+  private final ObjectNode objects;
+
+  public ApartmentScene(PolygonCounts counts, Expectancies expectancies) {
+    this.objects = new ObjectNode(counts, expectancies);
+  }
+
+  /**
+   * @param placed the objects of all rooms
+   * @param fileName the scene's own name, for its head
+   * @param enriched whether Switches and sensors have their metadata
+   */
+  public String text(List<Placed> placed, String fileName, boolean enriched) {
+    XmlText xml = new XmlText();
+    xml.open("X3D", "profile", "Immersive", "version", "3.3");
+    head(xml, fileName, enriched);
+    xml.open("Scene");
+    xml.empty(
+        "WorldInfo",
+        "title",
+        "Apartment",
+        "info",
+        Values.quoted("Kitchen, lounge and office; objects are drawn by what one expects."));
+    xml.empty(
+        "NavigationInfo",
+        "type",
+        "\"WALK\" \"ANY\"",
+        "avatarSize",
+        Values.numbers(0.25, EYE, 0.3),
+        "speed",
+        "1.2",
+        "headlight",
+        "false",
+        "visibilityLimit",
+        "60");
+    viewpoints(xml);
+    xml.empty(
+        "Background",
+        "skyColor",
+        "0.3 0.5 0.78 0.55 0.72 0.9 0.86 0.92 0.96",
+        "skyAngle",
+        "1 1.57",
+        "groundColor",
+        "0.3 0.34 0.28 0.6 0.66 0.62",
+        "groundAngle",
+        "1.57");
+    for (Room room : Room.values()) {
+      room(xml, room, placed, enriched);
+    }
+    xml.comment("Thesis Figure 76, digit by digit.");
+    AreaNode.BOOKCASE.write(xml, enriched);
+    AreaNode.DESK.write(xml, enriched);
+    AreaNode.SOFA.write(xml, enriched);
+    return xml.close().close().toString();
+  }
+
+  private static void head(XmlText xml, String fileName, boolean enriched) {
+    xml.open("head");
+    xml.empty("meta", "name", "title", "content", fileName);
+    xml.empty(
+        "meta",
+        "name",
+        "description",
+        "content",
+        "The apartment of the thesis (chapter 5)"
+            + (enriched ? "" : ", before its enrichment with metadata"));
+    xml.empty("meta", "name", "generator", "content", "./selective-renderer apartment");
+    xml.empty("meta", "name", "license", "content", "MIT");
+    xml.close();
+  }
+
+  private static void viewpoints(XmlText xml) {
+    viewpoint(xml, "KitchenView", "Kitchen", Room.KITCHEN.middle(), 0.1, -60, -12);
+    viewpoint(xml, "LoungeView", "Lounge", Room.LOUNGE.middle(), 0, 140, -14);
+    viewpoint(xml, "OfficeView", "Office", Room.OFFICE.middle(), 0, -110, -12);
+    xml.empty(
+        "Viewpoint",
+        "DEF",
+        "OverviewView",
+        "description",
+        "Overview",
+        "position",
+        "0 12.8 4.3",
+        "orientation",
+        Values.orientation(0, -72),
+        "fieldOfView",
+        "0.8");
+  }
+
+  private static void viewpoint(
+      XmlText xml, String def, String name, double x, double z, double yaw, double pitch) {
+    xml.empty(
+        "Viewpoint",
+        "DEF",
+        def,
+        "description",
+        name,
+        "position",
+        Values.numbers(x, Room.FLOOR + EYE, z),
+        "orientation",
+        Values.orientation(yaw, pitch),
+        "fieldOfView",
+        "0.95");
+  }
+
+  private void room(XmlText xml, Room room, List<Placed> placed, boolean enriched) {
+    xml.open("Group", "DEF", room.title());
+    RoomLights.write(xml, room);
+    xml.open("Transform", "translation", Values.numbers(0, Room.FLOOR, 0));
+    String frame = room.name().toLowerCase(Locale.ROOT) + "Frame";
+    xml.empty(
+        "Inline",
+        "DEF",
+        "Inline_" + room.title() + "Frame_Definition",
+        "url",
+        Values.quoted("../inlineNodes/" + frame + ".x3d"));
+    for (Placed object : Shadows.of(placed)) {
+      if (object.placement().room() == room) {
+        shadow(xml, object);
+      }
+    }
+    for (Placed object : placed) {
+      if (object.placement().room() == room) {
+        objects.write(xml, object, enriched);
+      }
+    }
+    xml.close().close();
+  }
+
+  /** As large as the box around the object's lower end: a plant's leaves darken nothing. */
+  private static void shadow(XmlText xml, Placed object) {
+    Bounds box = object.lowerBox(LOWER_END);
+    double x = (box.minX() + box.maxX()) / 2;
+    double z = (box.minZ() + box.maxZ()) / 2;
+    xml.open(
+        "Transform",
+        "translation",
+        Values.numbers(object.x(), object.y() + box.minY() + SoftShadow.LIFT, object.z()),
+        "rotation",
+        Values.yaw(object.yaw()));
+    xml.open(
+        "Transform",
+        "translation",
+        Values.numbers(x, 0, z),
+        "scale",
+        Values.numbers(box.width() / 2, 1, box.depth() / 2));
+    xml.empty("Inline", "url", Values.quoted("../inlineNodes/" + SoftShadow.FILE));
+    xml.close().close();
+  }
+}

@@ -1,0 +1,173 @@
+package org.selectiverenderer.cli;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.polygon.model.Model;
+import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.model.ModelWriter;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.ModelSize;
+import org.selectiverenderer.polygon.simplify.Simplified;
+import org.selectiverenderer.polygon.simplify.Simplifier;
+import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.polygon.versions.FileTransaction;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "simplify",
+    description = {
+      "Makes one reduced version of a model: X3D, OBJ, PLY, STL or glTF to X3D.",
+      "Without --output the model goes to standard output, and the figures to standard error; with"
+          + " --format json and no --output only the figures are printed."
+    },
+    footer = {
+      "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 --output"
+          + " trashCan_v2.x3d",
+      "  ./selective-renderer simplify chair.glb --polygons 500 --output chair_v2.x3d"
+    })
+final class SimplifyCommand extends CliCommand {
+  private enum Format {
+    text,
+    json
+  }
+
+  /** One of the ways to say how far to reduce. */
+  static final class GoalOptions {
+    @Option(
+        names = "--vert-percent",
+        paramLabel = "P",
+        description = "percent of the vertices (Vert Percent)")
+    private @Nullable Double vertPercent;
+
+    @Option(
+        names = "--vert-count",
+        paramLabel = "N",
+        description = "number of vertices (Vert Count)")
+    private @Nullable Integer vertCount;
+
+    @Option(names = "--polygons", paramLabel = "N", description = "number of polygons")
+    private @Nullable Integer polygons;
+
+    @Option(
+        names = "--max-error",
+        paramLabel = "E",
+        description = "largest error allowed, as a share of the model's largest extent")
+    private @Nullable Double maxError;
+
+    Goal goal() {
+      if (vertPercent != null) {
+        return GoalText.percent(vertPercent);
+      }
+      if (vertCount != null) {
+        return GoalText.vertices(vertCount);
+      }
+      return polygons != null ? GoalText.polygons(polygons) : GoalText.error(maxError);
+    }
+  }
+
+  @Parameters(
+      paramLabel = "MODEL",
+      description = "the model (.x3d, .x3dz, .obj, .ply, .stl, .gltf, .glb)")
+  private Path file = Path.of("");
+
+  @ArgGroup(exclusive = true, multiplicity = "1")
+  private GoalOptions options = new GoalOptions();
+
+  @Option(names = "--output", paramLabel = "OUT.x3d", description = "writes the model to a file")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--format",
+      description = "of the figures: ${COMPLETION-CANDIDATES} (default: text)")
+  private @Nullable Format format;
+
+  SimplifyCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    Goal goal = options.goal();
+    Problems problems = new Problems(console()::problem);
+    Optional<Model> read = new ModelReader(NodeCatalogue.load()).read(file, problems);
+    if (read.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    Model model = read.get();
+    ModelSize size = ModelSize.of(model.meshes());
+    GoalText.check(goal, size, file.toString());
+    long start = System.nanoTime();
+    Simplified reduced = new Simplifier().simplify(model.meshes(), goal);
+    long milliseconds = (System.nanoTime() - start) / 1_000_000;
+    write(model.with(reduced.parts()), reduced);
+    print(size, reduced, milliseconds);
+    if (!reduced.met()) {
+      console().message(GoalText.shortfall(file.toString(), goal, reduced));
+    }
+    return reduced.met() ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
+  }
+
+  private void write(Model model, Simplified reduced) throws IOException {
+    Path target = output == null ? Path.of("model.x3d") : output;
+    if (output == null && format == Format.json) {
+      return;
+    }
+    Path folder = target.toAbsolutePath().getParent();
+    String text =
+        new ModelWriter()
+            .text(
+                model,
+                folder == null ? target.toAbsolutePath() : folder,
+                String.valueOf(target.getFileName()),
+                "%s, reduced to %d polygons".formatted(file.getFileName(), reduced.polygons()));
+    if (output == null) {
+      console().out().print(text);
+      return;
+    }
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    writing.add(output, text.getBytes(StandardCharsets.UTF_8));
+    writing.commit();
+  }
+
+  private void print(ModelSize size, Simplified reduced, long milliseconds) {
+    if (format == Format.json) {
+      ObjectNode report = new ObjectMapper().createObjectNode();
+      report.putObject("input").put("vertices", size.vertices()).put("polygons", size.polygons());
+      report
+          .putObject("output")
+          .put("vertices", reduced.vertices())
+          .put("polygons", reduced.polygons());
+      report.put("error", reduced.error()).put("ms", milliseconds);
+      console().out().println(report);
+      return;
+    }
+    String text =
+        String.format(
+            Locale.ROOT,
+            "Max Vertex     %9d   polygons %9d%n"
+                + "Vert Count     %9d   polygons %9d%n"
+                + "Vert Percent   %8.1f%%            %8.1f%%%n"
+                + "largest error  %8.3f%%  of the model's largest extent%n"
+                + "took           %9d ms%n",
+            size.vertices(),
+            size.polygons(),
+            reduced.vertices(),
+            reduced.polygons(),
+            100.0 * reduced.vertices() / size.vertices(),
+            100.0 * reduced.polygons() / size.polygons(),
+            100 * reduced.error(),
+            milliseconds);
+    (output == null ? console().err() : console().out()).print(text);
+  }
+}

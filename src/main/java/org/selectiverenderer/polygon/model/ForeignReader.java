@@ -1,0 +1,196 @@
+package org.selectiverenderer.polygon.model;
+
+import static org.lwjgl.assimp.Assimp.aiGetErrorString;
+import static org.lwjgl.assimp.Assimp.aiImportFile;
+import static org.lwjgl.assimp.Assimp.aiPrimitiveType_TRIANGLE;
+import static org.lwjgl.assimp.Assimp.aiProcess_JoinIdenticalVertices;
+import static org.lwjgl.assimp.Assimp.aiProcess_PreTransformVertices;
+import static org.lwjgl.assimp.Assimp.aiProcess_SortByPType;
+import static org.lwjgl.assimp.Assimp.aiProcess_Triangulate;
+import static org.lwjgl.assimp.Assimp.aiProcess_ValidateDataStructure;
+import static org.lwjgl.assimp.Assimp.aiReleaseImport;
+
+import java.io.IOException;
+import java.nio.IntBuffer;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.lwjgl.assimp.AIColor4D;
+import org.lwjgl.assimp.AIFace;
+import org.lwjgl.assimp.AIMaterial;
+import org.lwjgl.assimp.AIMesh;
+import org.lwjgl.assimp.AIScene;
+import org.lwjgl.assimp.AIVector3D;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.x3d.geometry.VertexMesh;
+
+/** Reads OBJ, PLY, STL and glTF by Assimp. */
+final class ForeignReader {
+  private static final int STEPS =
+      aiProcess_Triangulate
+          | aiProcess_PreTransformVertices
+          | aiProcess_SortByPType
+          | aiProcess_JoinIdenticalVertices
+          | aiProcess_ValidateDataStructure;
+
+  /** Where a file gives no normals: smooth but for edges that are seen as such; 45 degrees. */
+  private static final double CREASE_ANGLE = Math.PI / 4;
+
+  private final NodeCatalogue catalogue;
+  private final Problems problems;
+
+  ForeignReader(NodeCatalogue catalogue, Problems problems) {
+    this.catalogue = catalogue;
+    this.problems = problems;
+  }
+
+  /**
+   * @throws IOException if the file is none of its kind, with one line that names it
+   */
+  Model read(Path file) throws IOException {
+    AIScene scene = aiImportFile(file.toAbsolutePath().toString(), STEPS);
+    if (scene == null) {
+      throw new IOException(file + ": the file cannot be read as a model: " + aiGetErrorString());
+    }
+    try {
+      return new Model(parts(scene, file), List.of());
+    } finally {
+      aiReleaseImport(scene);
+    }
+  }
+
+  private List<ModelPart> parts(AIScene scene, Path file) {
+    // The normals of STL are those of its facets, whatever the form was meant to be.
+    boolean facets = file.toString().toLowerCase(Locale.ROOT).endsWith(".stl");
+    List<ModelPart> parts = new ArrayList<>();
+    for (int i = 0; i < scene.mNumMeshes(); i++) {
+      AIMesh mesh = AIMesh.create(scene.mMeshes().get(i));
+      // A further flag is set for triangles that were larger faces.
+      if ((mesh.mPrimitiveTypes() & aiPrimitiveType_TRIANGLE) == 0) {
+        continue;
+      }
+      NodeView appearance =
+          new ForeignMaterial(
+                  AIMaterial.create(scene.mMaterials().get(mesh.mMaterialIndex())), catalogue)
+              .appearance(file, problems);
+      Mesh read = mesh(mesh, file, facets, Textures.used(appearance));
+      if (!read.isEmpty()) {
+        parts.add(new ModelPart(appearance, read, ModelReader.folder(file)));
+      }
+    }
+    return parts;
+  }
+
+  private Mesh mesh(AIMesh mesh, Path file, boolean facets, boolean textured) {
+    float[] positions = vectors(mesh.mVertices(), 3);
+    float[] normals = facets || mesh.mNormals() == null ? null : vectors(mesh.mNormals(), 3);
+    float[] texCoords =
+        textured && mesh.mTextureCoords(0) != null ? vectors(mesh.mTextureCoords(0), 2) : null;
+    int[] triangles = finite(triangles(mesh), positions, mesh.mName().dataString(), file);
+    if (normals != null && !units(normals)) {
+      normals = null;
+    }
+    return VertexMesh.of(
+        clean(positions), triangles, normals, colors(mesh), texCoords, CREASE_ANGLE, true);
+  }
+
+  private static int[] triangles(AIMesh mesh) {
+    int[] triangles = new int[3 * mesh.mNumFaces()];
+    AIFace.Buffer faces = mesh.mFaces();
+    for (int f = 0; f < mesh.mNumFaces(); f++) {
+      IntBuffer indices = faces.get(f).mIndices();
+      for (int k = 0; k < 3; k++) {
+        triangles[3 * f + k] = indices.get(k);
+      }
+    }
+    return triangles;
+  }
+
+  private int[] finite(int[] triangles, float[] positions, String name, Path file) {
+    int[] kept = new int[triangles.length];
+    int count = 0;
+    for (int i = 0; i < triangles.length; i += 3) {
+      if (finite(positions, triangles[i])
+          && finite(positions, triangles[i + 1])
+          && finite(positions, triangles[i + 2])) {
+        System.arraycopy(triangles, i, kept, count, 3);
+        count += 3;
+      }
+    }
+    if (count < triangles.length) {
+      problems.warning(
+          Location.of(file.toString()),
+          "%s has %d faces with a coordinate that is no finite number; they are left out"
+              .formatted(
+                  name.isEmpty() ? "a mesh" : "mesh " + name, (triangles.length - count) / 3));
+    }
+    return Arrays.copyOf(kept, count);
+  }
+
+  private static boolean finite(float[] positions, int vertex) {
+    return Float.isFinite(positions[3 * vertex])
+        && Float.isFinite(positions[3 * vertex + 1])
+        && Float.isFinite(positions[3 * vertex + 2]);
+  }
+
+  /** Vertices that no triangle uses any more may hold anything. */
+  private static float[] clean(float[] values) {
+    for (int i = 0; i < values.length; i++) {
+      values[i] = Float.isFinite(values[i]) ? values[i] : 0;
+    }
+    return values;
+  }
+
+  private static boolean units(float[] normals) {
+    for (int i = 0; i < normals.length; i += 3) {
+      double square =
+          normals[i] * (double) normals[i]
+              + normals[i + 1] * (double) normals[i + 1]
+              + normals[i + 2] * (double) normals[i + 2];
+      if (!(Math.abs(square - 1) < 0.01)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static float[] vectors(AIVector3D.Buffer from, int components) {
+    float[] values = new float[components * from.remaining()];
+    for (int i = 0, at = 0; at < values.length; i++) {
+      AIVector3D v = from.get(i);
+      values[at++] = v.x();
+      values[at++] = v.y();
+      if (components == 3) {
+        values[at++] = v.z();
+      }
+    }
+    return components == 2 ? clean(values) : values;
+  }
+
+  private static float @Nullable [] colors(AIMesh mesh) {
+    AIColor4D.Buffer from = mesh.mColors(0);
+    if (from == null) {
+      return null;
+    }
+    float[] colors = new float[4 * from.remaining()];
+    for (int i = 0; i < from.remaining(); i++) {
+      AIColor4D c = from.get(i);
+      colors[4 * i] = unit(c.r());
+      colors[4 * i + 1] = unit(c.g());
+      colors[4 * i + 2] = unit(c.b());
+      colors[4 * i + 3] = unit(c.a());
+    }
+    return colors;
+  }
+
+  private static float unit(float value) {
+    return value >= 0 ? Math.min(value, 1) : 0;
+  }
+}

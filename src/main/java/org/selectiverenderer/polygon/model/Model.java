@@ -1,0 +1,39 @@
+package org.selectiverenderer.polygon.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * An object as surfaces, all in one coordinate frame.
+ *
+ * @param parts one per shape that has faces
+ * @param units the file's units, which its numbers are in; empty for metres
+ */
+public record Model(List<ModelPart> parts, List<X3dFile.Unit> units) {
+  public Model {
+    parts = List.copyOf(parts);
+    units = List.copyOf(units);
+  }
+
+  public List<Mesh> meshes() {
+    return parts.stream().map(ModelPart::mesh).toList();
+  }
+
+  public int polygons() {
+    return parts.stream().mapToInt(part -> part.mesh().polygons()).sum();
+  }
+
+  /** The same parts in other meshes; a part whose mesh is empty is left out. */
+  public Model with(List<Mesh> meshes) {
+    List<ModelPart> replaced = new ArrayList<>();
+    for (int i = 0; i < parts.size(); i++) {
+      if (!meshes.get(i).isEmpty()) {
+        replaced.add(
+            new ModelPart(parts.get(i).appearance(), meshes.get(i), parts.get(i).folder()));
+      }
+    }
+    return new Model(replaced, units);
+  }
+}

@@ -1,0 +1,110 @@
+package org.selectiverenderer.polygon.model;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.x3d.ContentRoot;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.X3dReader;
+import org.selectiverenderer.x3d.geometry.Tessellator;
+
+/**
+ * Reads models: X3D, and by their endings OBJ, PLY, STL and glTF. Transformations are applied, so
+ * that all parts are in the file's own frame. Faces that cannot be drawn are left out and reported.
+ * Safe for use by several threads.
+ */
+public final class ModelReader {
+  private static final Set<String> FOREIGN = Set.of("obj", "ply", "stl", "gltf", "glb");
+
+  private final NodeCatalogue catalogue;
+  private final X3dReader reader;
+  private final Tessellator tessellator = new Tessellator();
+
+  public ModelReader(NodeCatalogue catalogue) {
+    this.catalogue = catalogue;
+    this.reader = new X3dReader(catalogue);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @return empty when it has no faces, which is reported as a problem
+   * @throws IOException if it cannot be read, with one line that names it
+   */
+  public Optional<Model> read(Path file, Problems problems) throws IOException {
+    Model model;
+    if (FOREIGN.contains(ending(file))) {
+      check(file);
+      model = new ForeignReader(catalogue, problems).read(file);
+    } else {
+      X3dFile scene = reader.read(file, problems);
+      model = gather(scene.nodes(), folder(file), scene, problems);
+    }
+    return withFaces(model, Location.of(file.toString()), "the file", problems);
+  }
+
+  /**
+   * The surfaces of some nodes of a scene, in the frame of their parent.
+   *
+   * @param folder of the scene's file
+   * @param subject what has no faces if there are none, for the message
+   */
+  public Optional<Model> of(
+      List<? extends NodeView> nodes,
+      X3dFile scene,
+      Path folder,
+      Location location,
+      String subject,
+      Problems problems) {
+    return withFaces(gather(nodes, folder, scene, problems), location, subject, problems);
+  }
+
+  private Model gather(
+      List<? extends NodeView> nodes, Path folder, X3dFile scene, Problems problems) {
+    ContentRoot root = new ContentRoot(folder.toAbsolutePath());
+    ShapeGatherer gatherer = new ShapeGatherer(reader, tessellator, root, problems);
+    gatherer.gather(nodes, folder, ShapeGatherer.metres(scene));
+    return new Model(gatherer.parts(), scene.units());
+  }
+
+  private static Optional<Model> withFaces(
+      Model model, Location location, String subject, Problems problems) {
+    if (model.polygons() == 0) {
+      problems.error(location, subject + " has no faces, so there is nothing to reduce");
+      return Optional.empty();
+    }
+    return Optional.of(model);
+  }
+
+  private static void check(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      throw new NoSuchFileException(file.toString());
+    }
+    if (Files.isDirectory(file)) {
+      throw new IOException(file + ": this is a folder, not a file");
+    }
+    if (!Files.isReadable(file)) {
+      throw new IOException(file + ": the file may not be read");
+    }
+  }
+
+  private static String ending(Path file) {
+    String name = String.valueOf(file.getFileName());
+    return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+  }
+
+  /** The folder that a file is in. */
+  static Path folder(Path file) {
+    Path parent = file.toAbsolutePath().getParent();
+    return parent == null ? file.toAbsolutePath() : parent;
+  }
+}

@@ -1,0 +1,190 @@
+package org.selectiverenderer.polygon.model;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.ContentRoot;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.X3dReader;
+import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.x3d.geometry.Tessellator;
+
+/**
+ * Collects the surfaces of nodes and of what they inline. Of nodes that choose among their children
+ * it takes the one that a browser shows first: a Switch's choice, the finest level of an LOD.
+ */
+final class ShapeGatherer {
+  private static final int DEEPEST = 500;
+
+  private final X3dReader reader;
+  private final Tessellator tessellator;
+  private final ContentRoot root;
+  private final Problems problems;
+  private final List<ModelPart> parts = new ArrayList<>();
+  private final Set<Path> open = new LinkedHashSet<>();
+
+  ShapeGatherer(X3dReader reader, Tessellator tessellator, ContentRoot root, Problems problems) {
+    this.reader = reader;
+    this.tessellator = tessellator;
+    this.root = root;
+    this.problems = problems;
+  }
+
+  List<ModelPart> parts() {
+    return parts;
+  }
+
+  /**
+   * @param folder that relative urls start from
+   * @param metres of one unit of length
+   */
+  void gather(List<? extends NodeView> nodes, Path folder, double metres) {
+    nodes.forEach(node -> visit(node, new Matrix4d(), folder, metres, 0));
+  }
+
+  private void visit(NodeView node, Matrix4dc placement, Path folder, double metres, int depth) {
+    if (depth > DEEPEST || node.type().field("visible").isPresent() && !node.bool("visible")) {
+      return;
+    }
+    switch (node.type().name()) {
+      case "Inline" -> inline(node, placement, folder, metres, depth);
+      case "Switch" -> {
+        List<? extends NodeView> children = node.nodes("children");
+        int choice = node.integer("whichChoice");
+        if (choice >= 0 && choice < children.size()) {
+          visit(children.get(choice), placement, folder, metres, depth + 1);
+        }
+      }
+      case "LOD" ->
+          node.nodes("children").stream()
+              .limit(1)
+              .forEach(child -> visit(child, placement, folder, metres, depth + 1));
+      case "Transform", "CADPart" ->
+          children(node, Placement.of(node, placement), folder, metres, depth);
+      case "CADFace" -> {
+        NodeView shape = node.node("shape");
+        if (shape != null) {
+          visit(shape, placement, folder, metres, depth + 1);
+        }
+      }
+      default -> {
+        if (node.type().is("X3DShapeNode")) {
+          shape(node, placement, folder);
+        } else if (node.type().is("X3DGroupingNode")) {
+          children(node, placement, folder, metres, depth);
+        }
+      }
+    }
+  }
+
+  private void children(NodeView node, Matrix4dc placement, Path folder, double metres, int depth) {
+    if (node.type().field("children").isPresent()) {
+      node.nodes("children").forEach(child -> visit(child, placement, folder, metres, depth + 1));
+    }
+  }
+
+  private void shape(NodeView shape, Matrix4dc placement, Path folder) {
+    NodeView geometry = shape.type().field("geometry").isPresent() ? shape.node("geometry") : null;
+    if (geometry == null) {
+      return;
+    }
+    Mesh mesh = tessellator.tessellate(geometry, problems).orElse(null);
+    if (mesh == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+      problems.info(geometry.location(), geometry.type().name() + " has no faces; it is left out");
+      return;
+    }
+    if (mesh.isEmpty()) {
+      return;
+    }
+    NodeView appearance = shape.node("appearance");
+    Mesh placed = Placement.place(mesh, placement);
+    if (!finite(placed.positions())) {
+      problems.error(
+          geometry.location(),
+          geometry.type().name() + " is placed where no number reaches; it is left out");
+      return;
+    }
+    parts.add(new ModelPart(appearance, Textures.used(appearance) ? placed : bare(placed), folder));
+  }
+
+  private static boolean finite(float[] positions) {
+    for (float value : positions) {
+      if (!(Math.abs(value) < Float.POSITIVE_INFINITY)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Without texture coordinates: seams of a texture that is not there bind nobody. */
+  private static Mesh bare(Mesh mesh) {
+    return new Mesh(
+        mesh.primitive(),
+        mesh.positions(),
+        mesh.normals(),
+        mesh.colors(),
+        null,
+        mesh.indices(),
+        mesh.solid(),
+        mesh.bounds());
+  }
+
+  private void inline(NodeView inline, Matrix4dc placement, Path folder, double metres, int depth) {
+    if (!inline.bool("load")) {
+      return;
+    }
+    Path file = file(inline, folder);
+    if (file == null) {
+      return;
+    }
+    if (!open.add(file)) {
+      problems.error(
+          inline.location(), "the Inline is part of the file that it names; it is left out");
+      return;
+    }
+    try {
+      X3dFile content = reader.read(file, problems);
+      double own = metres(content);
+      Matrix4d scaled = new Matrix4d(placement).scale(own / metres);
+      Path folderOfFile = file.getParent() == null ? folder : file.getParent();
+      for (NodeView node : content.nodes()) {
+        visit(node, scaled, folderOfFile, own, depth + 1);
+      }
+    } catch (IOException e) {
+      problems.error(inline.location(), e.getMessage() + "; the Inline is left out");
+    } finally {
+      open.remove(file);
+    }
+  }
+
+  /** What a file's unit of length is in metres. */
+  static double metres(X3dFile file) {
+    return file.units().stream()
+        .filter(unit -> unit.category().equals("length"))
+        .mapToDouble(X3dFile.Unit::conversionFactor)
+        .filter(factor -> factor > 0 && factor < Double.POSITIVE_INFINITY)
+        .findFirst()
+        .orElse(1);
+  }
+
+  private @Nullable Path file(NodeView inline, Path folder) {
+    String reason = "has no url";
+    for (String url : inline.strings("url")) {
+      ContentRoot.Target target = root.resolve(url, folder);
+      if (target instanceof ContentRoot.Target.File found) {
+        return found.path();
+      }
+      reason = "url " + url + " " + ((ContentRoot.Target.Refused) target).reason();
+    }
+    problems.error(inline.location(), "Inline " + reason + "; the Inline is left out");
+    return null;
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.polygon.model;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+
+/** Relative urls, seen from another folder. */
+public final class Urls {
+  private Urls() {}
+
+  /** The url that names from {@code to} what the given one names from {@code from}. */
+  static String turned(String url, Path from, Path to) {
+    String address = url.strip();
+    boolean absolute =
+        address.isEmpty()
+            || address.startsWith("/")
+            || address.startsWith("#")
+            || address.matches("[A-Za-z][A-Za-z0-9+.-]+:(?s:.*)");
+    if (absolute || from.toAbsolutePath().normalize().equals(to.toAbsolutePath().normalize())) {
+      return url;
+    }
+    int fragment = address.indexOf('#');
+    String path = fragment < 0 ? address : address.substring(0, fragment);
+    String rest = fragment < 0 ? "" : address.substring(fragment);
+    try {
+      return between(to, from.resolve(path.replace('\\', '/'))) + rest;
+    } catch (InvalidPathException e) {
+      return url;
+    }
+  }
+
+  /** The relative url of a file as seen from a folder; slashes on every system. */
+  public static String between(Path folder, Path file) {
+    Path start = folder.toAbsolutePath().normalize();
+    Path end = file.toAbsolutePath().normalize();
+    Path relative =
+        java.util.Objects.equals(start.getRoot(), end.getRoot()) ? start.relativize(end) : end;
+    return relative.toString().replace('\\', '/');
+  }
+}

@@ -1,0 +1,150 @@
+package org.selectiverenderer.polygon.simplify;
+
+import java.util.stream.IntStream;
+
+/** How much a reduced mesh differs from its original, measured on both. */
+final class Likeness {
+  private static final int BLOCK = 4096;
+
+  /** Points per mesh at which the looks are compared. */
+  private static final int SAMPLES = 1500;
+
+  /** What a shading turned round weighs against a shift by the model's extent. */
+  private static final double SHADING = 0.02;
+
+  /** What another material weighs likewise. */
+  private static final double MATERIAL = 0.02;
+
+  private final JoinedMesh original;
+  private final double extent;
+
+  Likeness(JoinedMesh original) {
+    this.original = original;
+    this.extent = Math.max(original.extent(), Double.MIN_NORMAL);
+  }
+
+  /**
+   * The largest distance of the original's vertices and triangle centres from the reduced surface,
+   * as a share of the original's largest extent.
+   */
+  double error(JoinedMesh reduced) {
+    SurfaceIndex surface = new SurfaceIndex(reduced);
+    int points = original.vertexCount() + original.polygons();
+    double square =
+        IntStream.range(0, (points + BLOCK - 1) / BLOCK)
+            .parallel()
+            .mapToDouble(
+                block -> largest(surface, block * BLOCK, Math.min(points, block * BLOCK + BLOCK)))
+            .max()
+            .orElse(0);
+    return Math.sqrt(square) / extent;
+  }
+
+  /**
+   * The largest squared distance of some points. Neighbours in number are so in space, mostly: the
+   * triangle nearest to one is often near enough to the next one to know that it is no farther.
+   */
+  private double largest(SurfaceIndex surface, int from, int to) {
+    double largest = 0;
+    int near = -1;
+    double[] point = new double[3];
+    double[] square = new double[1];
+    for (int i = from; i < to; i++) {
+      point(i, point);
+      if (near >= 0 && surface.square(near, point[0], point[1], point[2]) <= largest) {
+        continue;
+      }
+      near = surface.nearest(point[0], point[1], point[2], square);
+      largest = Math.max(largest, square[0]);
+    }
+    return largest;
+  }
+
+  /** The original's vertices, and then the centres of its triangles. */
+  private void point(int number, double[] point) {
+    float[] v = original.vertices();
+    int triangle = number - original.vertexCount();
+    for (int axis = 0; axis < 3; axis++) {
+      if (triangle < 0) {
+        point[axis] = v[JoinedMesh.STRIDE * number + axis];
+      } else {
+        double sum = 0;
+        for (int corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
+          sum += v[JoinedMesh.STRIDE * original.indices()[corner] + axis];
+        }
+        point[axis] = sum / 3;
+      }
+    }
+  }
+
+  /**
+   * What a viewer sees of the difference: distance, shading and material, averaged over both
+   * surfaces. Comparable between reductions of one model only.
+   */
+  double difference(JoinedMesh reduced) {
+    return (oneWay(original, reduced) + oneWay(reduced, original)) / 2;
+  }
+
+  private double oneWay(JoinedMesh from, JoinedMesh to) {
+    SurfaceIndex surface = new SurfaceIndex(to);
+    double[] upTo = new double[from.polygons()];
+    double area = 0;
+    for (int t = 0; t < upTo.length; t++) {
+      area += Areas.area(from.vertices(), from.indices(), t);
+      upTo[t] = area;
+    }
+    double sum = 0;
+    double[] point = new double[6];
+    double[] normal = new double[6];
+    double[] square = new double[1];
+    int triangle = 0;
+    for (int i = 0; i < SAMPLES; i++) {
+      double wanted = (i + 0.5) / SAMPLES * area;
+      while (triangle < upTo.length - 1 && upTo[triangle] < wanted) {
+        triangle++;
+      }
+      sample(from, triangle, i, point);
+      int nearest = surface.nearest(point[0], point[1], point[2], square);
+      mean(to, nearest, normal);
+      double cosine = point[3] * normal[3] + point[4] * normal[4] + point[5] * normal[5];
+      boolean sameMaterial =
+          from.part(from.indices()[3 * triangle]) == to.part(to.indices()[3 * nearest]);
+      sum +=
+          Math.sqrt(square[0]) / extent
+              + SHADING * (1 - cosine) / 2
+              + (sameMaterial ? 0 : MATERIAL);
+    }
+    return sum / SAMPLES;
+  }
+
+  /** A point of the triangle, a different one for each i (a low-discrepancy sequence). */
+  private static void sample(JoinedMesh mesh, int triangle, int i, double[] point) {
+    double s = i * 0.7548776662466927 % 1;
+    double t = i * 0.5698402909980532 % 1;
+    if (s + t > 1) {
+      s = 1 - s;
+      t = 1 - t;
+    }
+    interpolate(mesh, triangle, 1 - s - t, s, t, point);
+  }
+
+  private static void mean(JoinedMesh mesh, int triangle, double[] point) {
+    interpolate(mesh, triangle, 1.0 / 3, 1.0 / 3, 1.0 / 3, point);
+  }
+
+  /** Position and unit normal; zeros where there is none. */
+  private static void interpolate(
+      JoinedMesh mesh, int triangle, double r, double s, double t, double[] point) {
+    float[] v = mesh.vertices();
+    int a = JoinedMesh.STRIDE * mesh.indices()[3 * triangle];
+    int b = JoinedMesh.STRIDE * mesh.indices()[3 * triangle + 1];
+    int c = JoinedMesh.STRIDE * mesh.indices()[3 * triangle + 2];
+    for (int i = 0; i < 6; i++) {
+      point[i] = r * v[a + i] + s * v[b + i] + t * v[c + i];
+    }
+    double length = Math.sqrt(point[3] * point[3] + point[4] * point[4] + point[5] * point[5]);
+    for (int i = 3; i < 6; i++) {
+      point[i] = length > 0 ? point[i] / length : 0;
+    }
+  }
+}

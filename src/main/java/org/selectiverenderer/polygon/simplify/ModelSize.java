@@ -1,0 +1,20 @@
+package org.selectiverenderer.polygon.simplify;
+
+import java.util.List;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * How large a model is.
+ *
+ * @param vertices distinct positions, summed over the parts (Max Vertex in thesis 2.2.4)
+ * @param polygons triangles, summed over the parts
+ */
+public record ModelSize(int vertices, int polygons) {
+  /**
+   * @throws IllegalArgumentException if a part is no mesh of triangles
+   */
+  public static ModelSize of(List<Mesh> parts) {
+    JoinedMesh joined = JoinedMesh.of(parts);
+    return new ModelSize(Seams.positions(joined), joined.polygons());
+  }
+}

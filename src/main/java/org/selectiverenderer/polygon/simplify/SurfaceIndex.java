@@ -1,0 +1,164 @@
+package org.selectiverenderer.polygon.simplify;
+
+/**
+ * Finds the point of a surface nearest to a given one: a tree of boxes over its triangles, split at
+ * the middle of the longest side. Immutable once made; several threads may ask.
+ */
+final class SurfaceIndex {
+  private static final int LEAF = 4;
+  private static final int DEEPEST = 64;
+
+  private final float[] v;
+  private final int[] indices;
+  private final int[] order;
+
+  // Of each node: the box, and its triangles order[from..to) or, if to is negative, its children
+  // from and -to.
+  private float[] boxes;
+  private int[] from;
+  private int[] to;
+  private int nodes;
+
+  SurfaceIndex(JoinedMesh mesh) {
+    v = mesh.vertices();
+    indices = mesh.indices();
+    order = new int[mesh.polygons()];
+    float[] centres = new float[3 * order.length];
+    for (int t = 0; t < order.length; t++) {
+      order[t] = t;
+      for (int axis = 0; axis < 3; axis++) {
+        centres[3 * t + axis] =
+            (at(indices[3 * t], axis) + at(indices[3 * t + 1], axis) + at(indices[3 * t + 2], axis))
+                / 3;
+      }
+    }
+    int most = Math.max(1, 2 * order.length);
+    boxes = new float[6 * most];
+    from = new int[most];
+    to = new int[most];
+    build(0, order.length, centres, 0);
+  }
+
+  private float at(int vertex, int axis) {
+    return v[JoinedMesh.STRIDE * vertex + axis];
+  }
+
+  private int build(int first, int end, float[] centres, int depth) {
+    int node = nodes++;
+    bound(node, first, end);
+    int axis = longest(centres, first, end);
+    int middle = end - first <= LEAF || depth == DEEPEST ? first : split(first, end, axis, centres);
+    if (middle == first || middle == end) {
+      from[node] = first;
+      to[node] = end;
+    } else {
+      int left = build(first, middle, centres, depth + 1);
+      from[node] = left;
+      to[node] = -build(middle, end, centres, depth + 1);
+    }
+    return node;
+  }
+
+  private void bound(int node, int first, int end) {
+    for (int axis = 0; axis < 3; axis++) {
+      float least = Float.POSITIVE_INFINITY;
+      float most = Float.NEGATIVE_INFINITY;
+      for (int i = first; i < end; i++) {
+        for (int corner = 3 * order[i]; corner < 3 * order[i] + 3; corner++) {
+          least = Math.min(least, at(indices[corner], axis));
+          most = Math.max(most, at(indices[corner], axis));
+        }
+      }
+      boxes[6 * node + axis] = least;
+      boxes[6 * node + 3 + axis] = most;
+    }
+  }
+
+  private int longest(float[] centres, int first, int end) {
+    int longest = 0;
+    float length = -1;
+    for (int axis = 0; axis < 3; axis++) {
+      float side = -range(centres, first, end, axis, -1) - range(centres, first, end, axis, 1);
+      if (side > length) {
+        length = side;
+        longest = axis;
+      }
+    }
+    return longest;
+  }
+
+  /** The least value of the centres along an axis; with sign -1, minus the largest. */
+  private float range(float[] centres, int first, int end, int axis, int sign) {
+    float least = Float.POSITIVE_INFINITY;
+    for (int i = first; i < end; i++) {
+      least = Math.min(least, sign * centres[3 * order[i] + axis]);
+    }
+    return least;
+  }
+
+  private int split(int first, int end, int axis, float[] centres) {
+    float middle = (range(centres, first, end, axis, 1) - range(centres, first, end, axis, -1)) / 2;
+    int low = first;
+    for (int i = first; i < end; i++) {
+      if (centres[3 * order[i] + axis] < middle) {
+        int swapped = order[i];
+        order[i] = order[low];
+        order[low++] = swapped;
+      }
+    }
+    return low;
+  }
+
+  /**
+   * The triangle nearest to a point.
+   *
+   * @param nearest takes the squared distance
+   * @return its number
+   */
+  int nearest(double x, double y, double z, double[] nearest) {
+    int[] open = new int[DEEPEST + 8];
+    int count = 0;
+    open[count++] = 0;
+    double best = Double.POSITIVE_INFINITY;
+    int found = -1;
+    while (count > 0) {
+      int node = open[--count];
+      if (toBox(node, x, y, z) >= best) {
+        continue;
+      }
+      if (to[node] < 0) {
+        int left = from[node];
+        int right = -to[node];
+        boolean leftFirst = toBox(left, x, y, z) <= toBox(right, x, y, z);
+        open[count++] = leftFirst ? right : left;
+        open[count++] = leftFirst ? left : right;
+        continue;
+      }
+      for (int i = from[node]; i < to[node]; i++) {
+        double distance = PointToTriangle.square(v, indices, order[i], x, y, z);
+        if (distance < best || distance == best && order[i] < found) {
+          best = distance;
+          found = order[i];
+        }
+      }
+    }
+    nearest[0] = best;
+    return found;
+  }
+
+  /** The squared distance of a point from a triangle. */
+  double square(int triangle, double x, double y, double z) {
+    return PointToTriangle.square(v, indices, triangle, x, y, z);
+  }
+
+  private double toBox(int node, double x, double y, double z) {
+    double dx = outside(boxes[6 * node], boxes[6 * node + 3], x);
+    double dy = outside(boxes[6 * node + 1], boxes[6 * node + 4], y);
+    double dz = outside(boxes[6 * node + 2], boxes[6 * node + 5], z);
+    return dx * dx + dy * dy + dz * dz;
+  }
+
+  private static double outside(double least, double most, double value) {
+    return Math.max(0, Math.max(least - value, value - most));
+  }
+}

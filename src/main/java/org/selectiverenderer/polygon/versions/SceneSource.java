@@ -1,0 +1,116 @@
+package org.selectiverenderer.polygon.versions;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.SceneElement;
+import org.selectiverenderer.x3d.SceneText;
+import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.X3dReader;
+
+/** A scene's file, as text and as nodes, and which element is which node. */
+final class SceneSource {
+  /** The largest text that a compressed scene may hold. */
+  private static final int LARGEST = 1 << 30;
+
+  private final boolean compressed;
+  private final SceneText text;
+  private final X3dFile file;
+  private final Map<Location, ParsedNode> nodes = new HashMap<>();
+
+  private SceneSource(boolean compressed, SceneText text, X3dFile file) {
+    this.compressed = compressed;
+    this.text = text;
+    this.file = file;
+    file.nodes().forEach(this::map);
+  }
+
+  /**
+   * @throws IOException if it cannot be read, or cannot be changed without harm, with one line that
+   *     names it
+   */
+  static SceneSource read(Path path, X3dReader reader, Problems problems) throws IOException {
+    if (Files.isDirectory(path)) {
+      throw new IOException(path + ": this is a folder, not a scene");
+    }
+    byte[] bytes;
+    try {
+      bytes = Files.readAllBytes(path);
+    } catch (NoSuchFileException e) {
+      throw new IOException(path + ": there is no such file", e);
+    }
+    boolean compressed = bytes.length > 1 && (bytes[0] & 0xff) == 0x1f && (bytes[1] & 0xff) == 0x8b;
+    byte[] plain = compressed ? unpacked(path, bytes) : bytes;
+    SceneText text = SceneText.of(path.toString(), plain);
+    return new SceneSource(compressed, text, reader.read(path.toString(), plain, problems));
+  }
+
+  private static byte[] unpacked(Path path, byte[] bytes) throws IOException {
+    try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
+      byte[] plain = in.readNBytes(LARGEST);
+      if (plain.length == LARGEST) {
+        throw new IOException(path + ": the file is too large to be changed");
+      }
+      return plain;
+    }
+  }
+
+  private void map(ParsedNode node) {
+    if (nodes.putIfAbsent(node.location(), node) != null) {
+      return;
+    }
+    for (FieldDefinition field : node.type().fields()) {
+      Object value = node.given(field.index()) ? node.value(field.index()) : null;
+      if (value instanceof ParsedNode child) {
+        map(child);
+      } else if (value instanceof List<?> list) {
+        list.forEach(child -> map((ParsedNode) child));
+      }
+    }
+  }
+
+  SceneText text() {
+    return text;
+  }
+
+  X3dFile file() {
+    return file;
+  }
+
+  /** The node that an element stands for; null for ROUTE, USE and the like. */
+  @Nullable NodeView node(SceneElement element) {
+    return element.attribute("USE").isPresent()
+        ? file.named().get(element.attribute("USE").get())
+        : nodes.get(element.location());
+  }
+
+  /** The file's bytes with another text, compressed if it was. */
+  byte[] bytes(String changed) {
+    byte[] plain = text.bytes(changed);
+    if (!compressed) {
+      return plain;
+    }
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (GZIPOutputStream packed = new GZIPOutputStream(out)) {
+      packed.write(plain);
+    } catch (IOException e) {
+      throw new UncheckedIOException("memory cannot fail to be written", e);
+    }
+    return out.toByteArray();
+  }
+}

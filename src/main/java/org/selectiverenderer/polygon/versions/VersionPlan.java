@@ -1,0 +1,59 @@
+package org.selectiverenderer.polygon.versions;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * What making versions of an object will write. Nothing has been written yet.
+ *
+ * @param object the DEF name of the object
+ * @param versions the original first
+ * @param files all files that are written
+ * @param edits how the scene's text changes; empty when it already has the Switch
+ */
+public record VersionPlan(
+    String object, List<Version> versions, List<PlannedFile> files, List<Edit> edits) {
+
+  /**
+   * A file to be written.
+   *
+   * @param state what that means for the folder
+   */
+  public record PlannedFile(Path file, byte[] content, State state) {
+    /** What is there before. */
+    public enum State {
+      NEW,
+      CHANGED,
+      UNCHANGED
+    }
+  }
+
+  /**
+   * A place in the scene that changes.
+   *
+   * @param line of its first character, from 1
+   */
+  public record Edit(int line, String before, String after) {}
+
+  public VersionPlan {
+    versions = List.copyOf(versions);
+    files = List.copyOf(files);
+    edits = List.copyOf(edits);
+  }
+
+  /**
+   * Writes all files that change, or none.
+   *
+   * @throws IOException if one cannot be written, with one line that names it
+   */
+  public void apply(FileActions actions) throws IOException {
+    FileTransaction writing = new FileTransaction(actions);
+    for (PlannedFile file : files) {
+      if (file.state() != PlannedFile.State.UNCHANGED) {
+        writing.add(file.file(), file.content());
+      }
+    }
+    writing.commit();
+  }
+}

@@ -1,0 +1,76 @@
+package org.selectiverenderer.apartment.frame;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.modelling.Bounds;
+import org.selectiverenderer.modelling.ExactCount;
+import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.TriangleMesh;
+
+class FramesTest {
+
+  @ParameterizedTest
+  @EnumSource(Room.class)
+  void aRoomIsClosedByItsWallsAndReachesAsFarAsThePlan(Room room) {
+    Model frame = Frames.of(room);
+    Bounds walls = part(frame, "walls").bounds();
+
+    assertThat(part(frame, "walls").isClosed()).isTrue();
+    assertThat(walls.minX()).isBetween(room.west() - 0.21, room.west() - 0.05);
+    assertThat(walls.maxX()).isBetween(room.east() + 0.05, room.east() + 0.21);
+    assertThat(walls.minY()).isZero();
+    assertThat(walls.maxY()).isCloseTo(Room.HEIGHT, within(1e-6));
+  }
+
+  @ParameterizedTest
+  @EnumSource(Room.class)
+  void itLeavesPolygonsForTheInconsistentObjects(Room room) {
+    assertThat(Frames.of(room).polygons()).isLessThan(room.fixedPolygons() * 6 / 10);
+  }
+
+  /** Evenness is what the floor's and ceiling's borders are for. */
+  @ParameterizedTest
+  @EnumSource(Room.class)
+  void itCanBeBroughtToAnyCount(Room room) {
+    Model frame = Frames.of(room);
+
+    assertThat(ExactCount.refine(frame, frame.polygons() + 1001).polygons())
+        .isEqualTo(frame.polygons() + 1001);
+  }
+
+  @Test
+  void theCeilingsAreSeenFromBelowOnly() {
+    for (Room room : Room.values()) {
+      Part ceiling = find(Frames.of(room), "ceiling");
+      assertThat(ceiling.bothSides()).isFalse();
+      TriangleMesh mesh = ceiling.mesh();
+      float[] p = mesh.positions();
+      int[] t = mesh.triangles();
+      double up =
+          (p[3 * t[1] + 2] - p[3 * t[0] + 2]) * (p[3 * t[2]] - p[3 * t[0]])
+              - (p[3 * t[1]] - p[3 * t[0]]) * (p[3 * t[2] + 2] - p[3 * t[0] + 2]);
+      assertThat(up).isNegative();
+    }
+  }
+
+  @Test
+  void theShadowHasThePolygonsThatItSays() {
+    String index = SoftShadow.text().split("coordIndex='")[1].split("'")[0];
+
+    assertThat(index.split(" -1", -1)).hasSize(SoftShadow.polygons() + 1);
+  }
+
+  private static TriangleMesh part(Model model, String name) {
+    return find(model, name).mesh();
+  }
+
+  private static Part find(Model model, String name) {
+    return model.parts().stream().filter(p -> p.name().equals(name)).findFirst().orElseThrow();
+  }
+}

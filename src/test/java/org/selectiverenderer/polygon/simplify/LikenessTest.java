@@ -1,0 +1,54 @@
+package org.selectiverenderer.polygon.simplify;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+class LikenessTest {
+  private static JoinedMesh joined(Mesh mesh) {
+    return JoinedMesh.of(List.of(mesh));
+  }
+
+  @Test
+  void theErrorIsTheDistanceAsAShareOfTheExtent() {
+    JoinedMesh low = joined(Shapes.field(0, 30, (x, z) -> 0, false));
+    JoinedMesh high = joined(Shapes.field(0, 2, (x, z) -> 0.125, false));
+
+    assertThat(new Likeness(low).error(high)).isCloseTo(0.125, within(1e-7));
+    assertThat(new Likeness(low).error(low)).isCloseTo(0, within(1e-12));
+  }
+
+  @Test
+  void aBumpThatIsGoneIsAnError() {
+    JoinedMesh bump =
+        joined(Shapes.field(0, 40, (x, z) -> Math.abs(x - 0.5) < 0.01 ? 0.2 : 0, false));
+    JoinedMesh flat = joined(Shapes.field(0, 1, (x, z) -> 0, false));
+
+    assertThat(new Likeness(bump).error(flat)).isCloseTo(0.2, within(1e-6));
+  }
+
+  @Test
+  void theNearestTriangleIsTheOneThatAFullSearchFinds() {
+    JoinedMesh ball = joined(Shapes.ball(9, 14));
+    SurfaceIndex index = new SurfaceIndex(ball);
+    Random random = new Random(3);
+    double[] square = new double[1];
+    for (int i = 0; i < 500; i++) {
+      double x = 3 * random.nextDouble() - 1.5;
+      double y = 3 * random.nextDouble() - 1.5;
+      double z = 3 * random.nextDouble() - 1.5;
+      double least = Double.POSITIVE_INFINITY;
+      for (int t = 0; t < ball.polygons(); t++) {
+        least =
+            Math.min(least, PointToTriangle.square(ball.vertices(), ball.indices(), t, x, y, z));
+      }
+      int found = index.nearest(x, y, z, square);
+      assertThat(square[0]).isCloseTo(least, within(1e-12));
+      assertThat(index.square(found, x, y, z)).isEqualTo(square[0]);
+    }
+  }
+}

@@ -1,0 +1,192 @@
+package org.selectiverenderer.polygon.versions;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.catchThrowable;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class FileTransactionTest {
+  @TempDir Path folder;
+
+  /** A disk that is full from a certain step on, half-way through a file. */
+  private static final class FullDisk implements FileActions {
+    private final FileActions disk = FileActions.REAL;
+    private int left;
+    private int done;
+
+    FullDisk(int steps) {
+      left = steps;
+    }
+
+    private void step() throws IOException {
+      done++;
+      if (left-- <= 0) {
+        left = Integer.MAX_VALUE; // What undoes the rest works again.
+        throw new IOException("No space left on device");
+      }
+    }
+
+    @Override
+    public void createFolder(Path path) throws IOException {
+      step();
+      disk.createFolder(path);
+    }
+
+    @Override
+    public void write(Path file, byte[] content) throws IOException {
+      try {
+        step();
+      } catch (IOException e) {
+        disk.write(file, new byte[content.length / 2]);
+        throw e;
+      }
+      disk.write(file, content);
+    }
+
+    @Override
+    public void move(Path from, Path to) throws IOException {
+      step();
+      disk.move(from, to);
+    }
+
+    @Override
+    public void delete(Path file) throws IOException {
+      disk.delete(file);
+    }
+  }
+
+  private FileTransaction three(FileActions actions) {
+    FileTransaction writing = new FileTransaction(actions);
+    writing.add(folder.resolve("new/folder/a.x3d"), "A".getBytes(UTF_8));
+    writing.add(folder.resolve("b.x3d"), "B".getBytes(UTF_8));
+    writing.add(folder.resolve("c.x3d"), "C".getBytes(UTF_8));
+    return writing;
+  }
+
+  /** All files and folders with their contents. */
+  private Map<Path, String> everything() throws IOException {
+    Map<Path, String> contents = new TreeMap<>();
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.toList()) {
+        contents.put(file, Files.isDirectory(file) ? "" : Files.readString(file));
+      }
+    }
+    return contents;
+  }
+
+  @Test
+  void allFilesAreWrittenAndNothingElseIsLeft() throws IOException {
+    Files.writeString(folder.resolve("b.x3d"), "old");
+
+    three(FileActions.REAL).commit();
+
+    assertThat(everything().values()).containsExactlyInAnyOrder("", "", "", "A", "B", "C");
+  }
+
+  @Test
+  void whereverTheDiskIsFullNothingHasChanged() throws IOException {
+    Files.writeString(folder.resolve("b.x3d"), "old b");
+    Files.writeString(folder.resolve("c.x3d"), "old c");
+    Map<Path, String> before = everything();
+    int steps = 0;
+    while (true) {
+      FullDisk disk = new FullDisk(steps);
+      Throwable failure = catchThrowable(() -> three(disk).commit());
+      if (failure == null) {
+        break;
+      }
+      assertThat(failure)
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining(".x3d")
+          .hasMessageContaining("No space left on device")
+          .hasMessageContaining("nothing has been changed");
+      assertThat(everything()).as("after %d steps", steps).isEqualTo(before);
+      steps++;
+    }
+    assertThat(steps).as("two folders, three writes, five moves").isEqualTo(10);
+  }
+
+  @Test
+  void whatCannotBeUndoneIsSaid() throws IOException {
+    Files.writeString(folder.resolve("b.x3d"), "old b");
+    FileActions broken =
+        new FileActions() {
+          @Override
+          public void createFolder(Path path) throws IOException {
+            FileActions.REAL.createFolder(path);
+          }
+
+          @Override
+          public void write(Path file, byte[] content) throws IOException {
+            if (file.toString().contains("b.x3d")) {
+              throw new IOException("broken");
+            }
+            FileActions.REAL.write(file, content);
+          }
+
+          @Override
+          public void move(Path from, Path to) throws IOException {
+            throw new IOException("broken");
+          }
+
+          @Override
+          public void delete(Path file) throws IOException {
+            throw new IOException("broken");
+          }
+        };
+
+    assertThatExceptionOfType(IOException.class)
+        .isThrownBy(() -> three(broken).commit())
+        .withMessageContaining("not all of what was done could be undone");
+    assertThat(folder.resolve("b.x3d")).hasContent("old b");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"taken", "taken/under/file.x3d"})
+  void aFolderOrAFileInTheWayIsNamed(String name) throws IOException {
+    if (name.equals("taken")) {
+      Files.createDirectory(folder.resolve("taken"));
+    } else {
+      Files.writeString(folder.resolve("taken"), "a file");
+    }
+    Map<Path, String> before = everything();
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    writing.add(folder.resolve("first.x3d"), new byte[1]);
+    writing.add(folder.resolve(name), new byte[1]);
+
+    assertThatExceptionOfType(IOException.class)
+        .isThrownBy(writing::commit)
+        .withMessageContaining(name.replace('/', java.io.File.separatorChar))
+        .withMessageContaining("nothing has been changed");
+    assertThat(everything()).isEqualTo(before);
+  }
+
+  @Test
+  void aLinkStaysALink() throws IOException {
+    Path real = Files.writeString(folder.resolve("real.x3d"), "old");
+    Path link = folder.resolve("link.x3d");
+    try {
+      Files.createSymbolicLink(link, real);
+    } catch (UnsupportedOperationException | IOException e) {
+      return; // Some systems let no user make links.
+    }
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    writing.add(link, "new".getBytes(UTF_8));
+
+    writing.commit();
+
+    assertThat(link).isSymbolicLink();
+    assertThat(real).hasContent("new");
+  }
+}
