@@ -7,7 +7,7 @@ import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
- * A desktop computer: tower on the left, screen, keyboard and mouse, 0.87 m wide (thesis Fig 71).
+ * A desktop computer: tower on the left, screen, keyboard and mouse, 0.9 m wide (thesis Fig 71).
  */
 final class ComputerSet {
 

@@ -13,7 +13,7 @@ import org.selectiverenderer.modelling.Sweep;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
- * A red lamp on two sprung arms, seen from its side, its light to the right: 0.46 m high (thesis
+ * A red lamp on two sprung arms, seen from its side, its light to the right: 0.43 m high (thesis
  * Fig 71). The reflector is an open surface.
  */
 final class DeskLamp {

@@ -41,6 +41,7 @@ final class Laptop {
                 "window", Looks.lit(0.88, 0.89, 0.9), lifted(screen(0.17, 0.11, 0.03, 0.01, 1))),
             Part.of(
                 "title", Looks.lit(0.8, 0.45, 0.15), lifted(screen(0.17, 0.012, 0.03, 0.064, 2))),
+            Part.of("writing", Looks.lit(0.3, 0.32, 0.35), lifted(writing())),
             Part.of("feet", Looks.RUBBER, feet())));
   }
 
@@ -97,6 +98,10 @@ final class Laptop {
 
   private static TriangleMesh screen(double width, double height, double x, double y, int layer) {
     return Placing.flat(width, height).move(x, 0.109 + y, 0.0032 + 0.0003 * layer);
+  }
+
+  private static TriangleMesh writing() {
+    return Copies.row(screen(0.14, 0.005, 0.03, 0.042, 2), 6, 0, -0.014, 0);
   }
 
   private static TriangleMesh feet() {

@@ -17,7 +17,7 @@ import org.selectiverenderer.modelling.Sweep;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /**
- * A yucca in a pot, 1.3 m high: three canes of different height, each with a head of long arching
+ * A yucca in a pot, 1.24 m high: three canes of different height, each with a head of long arching
  * leaves (thesis Fig 71).
  */
 final class Plant {

@@ -10,8 +10,6 @@ import org.selectiverenderer.modelling.Model;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.TriangleMesh;
-import org.selectiverenderer.x3d.geometry.text.FontFamily;
-import org.selectiverenderer.x3d.geometry.text.FontStyle;
 
 /**
  * A wooden ruler of 30 cm with a line per millimetre; it lies with its bevelled edge to the back
@@ -50,7 +48,7 @@ final class Ruler {
   }
 
   private static TriangleMesh numbers() {
-    Lettering letters = new Lettering(FontFamily.SANS, FontStyle.PLAIN);
+    Lettering letters = Lettering.bold();
     List<TriangleMesh> all = new ArrayList<>();
     for (int cm = 10; cm <= 20; cm += 10) {
       TriangleMesh number = letters.flat(Integer.toString(cm), 0.011).turnX(-90);

@@ -44,7 +44,7 @@ class OfficeObjectsTest {
           Map.entry("deskLamp", Set.of("reflector")),
           Map.entry("fireExtinguisher", Set.of("label", "stripe")),
           Map.entry("folders", Set.of("labels", "writing")),
-          Map.entry("laptop", Set.of("screen", "screenBar", "window", "title")),
+          Map.entry("laptop", Set.of("screen", "screenBar", "window", "title", "writing")),
           Map.entry("letterTray", Set.of("stamp")),
           Map.entry("libraryBooks", Set.of("pages", "labels")),
           Map.entry("libraryMouse", Set.of("palm", "buttons")),
