@@ -16,7 +16,32 @@ public final class OfficeObjects {
    */
   public static Map<String, Supplier<Model>> all() {
     Map<String, Supplier<Model>> recipes = new TreeMap<>();
+    recipes.put("bookcase", Bookcase::model);
+    recipes.put("cd", Cd::model);
+    recipes.put("clock", Clock::model);
+    recipes.put("computerSet", ComputerSet::model);
+    recipes.put("desk", Desk::model);
+    recipes.put("deskLamp", DeskLamp::model);
+    recipes.put("fireExtinguisher", FireExtinguisher::model);
+    recipes.put("laptop", Laptop::model);
+    recipes.put("libraryBooks", LibraryBooks::model);
+    recipes.put("libraryMouse", LibraryMouse::model);
+    recipes.put("libraryPencilHolder", LibraryPencilHolder::model);
+    recipes.put("mug", Mug::model);
+    recipes.put("pencilHolderDesk", PencilHolderDesk::model);
+    recipes.put("plant", Plant::model);
+    recipes.put("printer", Printer::model);
+    recipes.put("ruler", Ruler::model);
+    recipes.put("selotape", Selotape::model);
+    recipes.put("telephoneLibrary", TelephoneLibrary::model);
     recipes.put("trashCan", TrashCan::model);
+    recipes.put("folders", Folders::model);
+    recipes.put("letterTray", LetterTray::model);
+    recipes.put("notepad", Notepad::model);
+    recipes.put("officeChair", OfficeChair::model);
+    recipes.put("poster", Poster::model);
+    recipes.put("stapler", Stapler::model);
+    recipes.put("trumpet", Trumpet::model);
     return recipes;
   }
 }
