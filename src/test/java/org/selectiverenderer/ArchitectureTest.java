@@ -158,6 +158,27 @@ class ArchitectureTest {
   static final ArchRule theModellingToolkitUsesGeometryOnly =
       onlyUsesOfOurs("modelling", "modelling", "x3d.geometry");
 
+  @ArchTest
+  static final ArchRule theApartmentIsMadeWithoutARuntime =
+      onlyUsesOfOurs("apartment", "apartment", "modelling", "polygon", "schema", "x3d");
+
+  @ArchTest
+  static final ArchRule theApartmentsRecipesAreModellingOnly =
+      noClasses()
+          .that()
+          .resideInAnyPackage(
+              of("apartment.kitchen"), of("apartment.lounge"), of("apartment.office"))
+          .should()
+          .dependOnClassesThat(
+              are(resideInAPackage(OURS))
+                  .and(
+                      not(
+                          resideInAnyPackage(
+                              of("modelling"),
+                              of("apartment.kitchen"),
+                              of("apartment.lounge"),
+                              of("apartment.office")))));
+
   /** Generated files have the same bytes everywhere, which Math's functions do not promise. */
   @ArchTest
   static final ArchRule modelsAreMadeWithStrictMathematics =

@@ -7,15 +7,24 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.ObjectFile;
+import org.selectiverenderer.modelling.Model;
 
 /** Writes the apartment: the same bytes every time. Nothing is written before all of it is made. */
 public final class ApartmentGenerator {
   private final PolygonCounts counts = PolygonCounts.load();
-  private final ObjectFiles files = new ObjectFiles(Recipes.all(), counts);
+  private final Map<String, Supplier<Model>> recipes = Recipes.all();
+  private final ObjectFiles files = new ObjectFiles(recipes, counts);
+
+  /** The objects that there are recipes for. */
+  public Set<String> objects() {
+    return Set.copyOf(recipes.keySet());
+  }
 
   /**
    * Writes the files of some objects into {@code inlineNodes}.

@@ -17,7 +17,6 @@ final class Recipes {
     Map<String, Supplier<Model>> all = new TreeMap<>(KitchenObjects.all());
     add(all, LoungeObjects.all());
     add(all, OfficeObjects.all());
-    StandIns.all().forEach(all::putIfAbsent);
     return all;
   }
 

@@ -41,17 +41,17 @@ final class ApartmentCommand extends CliCommand {
   @Override
   ExitStatus run() throws IOException {
     ApartmentGenerator generator = new ApartmentGenerator();
-    try {
-      if (only.isEmpty()) {
-        console().message("apartment: " + generator.writeAll(folder) + " files written");
-      } else {
-        Map<String, Integer> written = generator.writeObjects(folder, only);
-        written.forEach(
-            (file, polygons) -> console().message(file + ": " + polygons + " polygons"));
-      }
+    if (only.isEmpty()) {
+      console().message("apartment: " + generator.writeAll(folder) + " files written");
       return ExitStatus.DONE;
-    } catch (IllegalArgumentException e) {
-      throw CommandFailure.usage(String.valueOf(e.getMessage()));
     }
+    for (String name : only) {
+      if (!generator.objects().contains(name)) {
+        throw CommandFailure.usage("there is no recipe named " + name);
+      }
+    }
+    Map<String, Integer> written = generator.writeObjects(folder, only);
+    written.forEach((file, polygons) -> console().message(file + ": " + polygons + " polygons"));
+    return ExitStatus.DONE;
   }
 }

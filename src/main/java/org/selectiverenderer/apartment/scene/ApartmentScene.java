@@ -89,7 +89,7 @@ public final class ApartmentScene {
   }
 
   private static void viewpoints(XmlText xml) {
-    viewpoint(xml, "KitchenView", "Kitchen", Room.KITCHEN.middle(), 0.1, -60, -12);
+    viewpoint(xml, "KitchenView", "Kitchen", Room.KITCHEN.middle(), 0.1, -66, -10);
     viewpoint(xml, "LoungeView", "Lounge", Room.LOUNGE.middle(), 0, 140, -14);
     viewpoint(xml, "OfficeView", "Office", Room.OFFICE.middle(), 0, -110, -12);
     xml.empty(
@@ -119,7 +119,7 @@ public final class ApartmentScene {
         "orientation",
         Values.orientation(yaw, pitch),
         "fieldOfView",
-        "0.95");
+        "1.05");
   }
 
   private void room(XmlText xml, Room room, List<Placed> placed, boolean enriched) {

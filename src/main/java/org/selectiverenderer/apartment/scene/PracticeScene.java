@@ -36,9 +36,9 @@ public final class PracticeScene {
     viewpoint(xml, "MiddleView", "Middle", "1.5 1.2 1.5", 30, -4, "0.95");
     viewpoint(xml, "AboveView", "From above", "0 19 15", 0, -52, "0.8");
     xml.empty("Background", "skyColor", "0.35 0.55 0.8 0.9 0.94 0.97", "skyAngle", "1.57");
-    light(xml, "-0.5 -0.8 -0.4", "0.6", "0.6");
-    light(xml, "0.7 -0.3 -0.6", "0.35", "0");
-    light(xml, "-0.2 -0.2 0.9", "0.3", "0");
+    light(xml, "-0.5 -0.8 -0.4", "0.85", "0.8");
+    light(xml, "0.7 -0.3 -0.6", "0.5", "0");
+    light(xml, "-0.2 -0.2 0.9", "0.4", "0");
     light(xml, "0 1 0", "0.3", "0");
     floor(xml);
     for (int row = 0; row < ROWS; row++) {
