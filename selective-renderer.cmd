@@ -11,16 +11,12 @@ set "SR_JAR=%SR_HOME%target\selective-renderer.jar"
 
 set "SR_JAVA=java.exe"
 if defined JAVA_HOME set "SR_JAVA=%JAVA_HOME%\bin\java.exe"
-if defined JAVA_HOME if not exist "%SR_JAVA%" (
-  echo selective-renderer: JAVA_HOME has no bin\java.exe: %JAVA_HOME%>&2
-  exit /b 2
-)
-if not defined JAVA_HOME (
-  where java.exe >nul 2>&1 || (
-    echo selective-renderer: no Java found: install a JDK 17 or newer, or set JAVA_HOME>&2
-    exit /b 2
-  )
-)
+rem No blocks here: a parenthesis in a folder's name, as in Program Files (x86), would end them.
+if defined JAVA_HOME if not exist "%SR_JAVA%" goto badhome
+if not defined JAVA_HOME where java.exe >nul 2>&1
+if errorlevel 1 goto nojava
+"%SR_JAVA%" --list-modules 2>nul | findstr /r /c:"^java.base@1[7-9]" /c:"^java.base@[2-9][0-9]" >nul
+if errorlevel 1 goto oldjava
 
 rem Folders count too: their time changes when a source is deleted.
 powershell -NoProfile -ExecutionPolicy Bypass -Command ^
@@ -33,10 +29,7 @@ powershell -NoProfile -ExecutionPolicy Bypass -Command ^
 if not errorlevel 1 goto start
 
 where mvn >nul 2>&1
-if errorlevel 1 (
-  echo selective-renderer: the application is not built yet, which takes Maven: install Maven 3.8 or newer>&2
-  exit /b 2
-)
+if errorlevel 1 goto nomaven
 echo selective-renderer: building the application, which takes a minute the first time>&2
 if not exist "%SR_HOME%target" mkdir "%SR_HOME%target"
 pushd "%SR_HOME%"
@@ -60,9 +53,30 @@ if defined SELECTIVE_RENDERER_SAI (
   )
 )
 set "SR_FLAGS=-XX:+IgnoreUnrecognizedVMOptions -XX:+DisplayVMOutputToStderr -Xlog:disable"
+rem Those that load and then do little in Java: quick code and a small heap.
+set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms96m -Xmn64m"
+if /i "%~1"=="run" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
+if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
+if /i "%~1"=="bench" set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.run-flags=%SR_LIGHT: =,%"
 if defined SELECTIVE_RENDERER_SAI (
   "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -cp "%SR_PATH%" org.selectiverenderer.cli.Main %*
 ) else (
   "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -jar "%SR_JAR%" %*
 )
 exit /b %ERRORLEVEL%
+
+:badhome
+echo selective-renderer: JAVA_HOME has no bin\java.exe: "%JAVA_HOME%" >&2
+exit /b 2
+
+:nojava
+echo selective-renderer: no Java found: install a JDK 17 or newer, or set JAVA_HOME>&2
+exit /b 2
+
+:oldjava
+echo selective-renderer: needs Java 17 or newer; set JAVA_HOME>&2
+exit /b 2
+
+:nomaven
+echo selective-renderer: the application is not built yet, which takes Maven: install Maven 3.8 or newer>&2
+exit /b 2

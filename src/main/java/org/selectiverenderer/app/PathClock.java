@@ -1,5 +1,7 @@
 package org.selectiverenderer.app;
 
+import java.util.Locale;
+
 /**
  * The times of the frames of a recorded path: equally spaced from its first time to its last, both
  * included where the rate lets it. Not a clock of the wall, so that the same path gives the same
@@ -10,9 +12,21 @@ package org.selectiverenderer.app;
  * @param rate frames per second of the path's time
  */
 public record PathClock(double start, double end, double rate) {
+  /** Frames beyond which a path or a rate must be a slip: 46 hours at 60 per second. */
+  public static final long MOST_FRAMES = 10_000_000;
+
   public PathClock {
     if (!(rate > 0) || !(end >= start)) {
       throw new IllegalArgumentException("a path runs forward at a rate above 0");
+    }
+    if ((end - start) * rate > MOST_FRAMES) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "a path of %.0f s at %.0f frames/s has more than %d frames",
+              end - start,
+              rate,
+              MOST_FRAMES));
     }
   }
 

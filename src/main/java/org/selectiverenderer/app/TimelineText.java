@@ -25,7 +25,7 @@ public final class TimelineText {
       return row(
           s.t(),
           "switch",
-          "%s: choice %d -> %d (%s)".formatted(s.name(), s.from(), s.to(), s.schema()));
+          "%s: choice %s -> %s (%s)".formatted(s.name(), s.from(), s.to(), s.schema()));
     }
     TimelineEvent.End end = (TimelineEvent.End) event;
     return row(

@@ -10,7 +10,6 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.navigation.Colliders;
 import org.selectiverenderer.runtime.navigation.Controls;
-import org.selectiverenderer.runtime.navigation.MeshBvhs;
 import org.selectiverenderer.runtime.navigation.Navigation;
 import org.selectiverenderer.runtime.navigation.NavigationCommand;
 import org.selectiverenderer.runtime.navigation.NavigationFrame;
@@ -30,7 +29,6 @@ import org.selectiverenderer.runtime.scene.Node;
 final class Walking implements ViewerMotion {
   private final World world;
   private final Controls controls;
-  private final MeshBvhs meshes = new MeshBvhs();
   private @Nullable InstanceTree tree;
   private @Nullable Node info;
   private @Nullable Node viewpoint;
@@ -41,7 +39,7 @@ final class Walking implements ViewerMotion {
   Walking(World world, Controls controls) {
     this.world = world;
     this.controls = controls;
-    walker = new Walker(new Colliders(world.instances(), world.assets(), meshes), controls);
+    walker = new Walker(new Colliders(world.instances(), world.assets(), world.meshes()), controls);
   }
 
   /** Does what the user asked for, as far as it is about moving. */
@@ -128,7 +126,7 @@ final class Walking implements ViewerMotion {
   private void follow() {
     if (tree != world.instances()) {
       tree = world.instances();
-      walker = new Walker(new Colliders(tree, world.assets(), meshes), controls);
+      walker = new Walker(new Colliders(tree, world.assets(), world.meshes()), controls);
       info = null;
       viewpoint = null;
       transition = null;

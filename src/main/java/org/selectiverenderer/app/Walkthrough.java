@@ -161,12 +161,12 @@ public final class Walkthrough implements AutoCloseable {
       double t = Double.isNaN(world.time()) ? firstTime : world.time();
       timeline.accept(new TimelineEvent.Start(t, start.switches()));
     } else if (event instanceof ControlEvent.Enter e) {
-      timeline.accept(new TimelineEvent.Enter(e.time(), e.sensor(), e.schemas()));
+      timeline.accept(new TimelineEvent.Enter(world.time(), e.sensor(), e.schemas()));
     } else if (event instanceof ControlEvent.Exit e) {
-      timeline.accept(new TimelineEvent.Exit(e.time(), e.sensor(), e.schemas()));
+      timeline.accept(new TimelineEvent.Exit(world.time(), e.sensor(), e.schemas()));
     } else if (event instanceof ControlEvent.SwitchChange s) {
       timeline.accept(
-          new TimelineEvent.Switched(s.time(), s.switchName(), s.from(), s.to(), s.schema()));
+          new TimelineEvent.Switched(world.time(), s.switchName(), s.from(), s.to(), s.schema()));
     }
   }
 

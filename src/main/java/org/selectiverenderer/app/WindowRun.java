@@ -120,6 +120,9 @@ public final class WindowRun implements WorldHost {
     try {
       walk = opening.await();
       walking = new Walking(walk.world(), controls);
+      if (settings.path().isEmpty()) {
+        walk.world().epoch(System.currentTimeMillis() / 1000.0);
+      }
       keeper.loaded();
       return true;
     } catch (IOException e) {

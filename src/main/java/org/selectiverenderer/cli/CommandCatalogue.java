@@ -14,5 +14,9 @@ final class CommandCatalogue {
         new VersionsCommand(console),
         new ApartmentCommand(console),
         new BenchCommand(console));
+=======
+        new BenchCommand(console),
+        new SaiCommand(console, System.in));
+>>>>>>> poly
   }
 }

@@ -63,9 +63,8 @@ final class GoalText {
                     Locale.ROOT,
                     "%s percent of its vertices",
                     ((Goal.VertexPercent) goal).percent());
-    return "%s: %s cannot be reached, as its pieces can only be kept or left out as wholes from here"
-            .formatted(subject, wanted)
-        + " on; %d polygons and %d vertices come nearest"
-            .formatted(reduced.polygons(), reduced.vertices());
+    return "%s: %s cannot be reached, as its pieces and seams allow only some counts; %d polygons and"
+            .formatted(subject, wanted, reduced.polygons())
+        + " %d vertices come nearest".formatted(reduced.vertices());
   }
 }

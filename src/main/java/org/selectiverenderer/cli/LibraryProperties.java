@@ -11,6 +11,10 @@ final class LibraryProperties {
       Map.of(
           // JOML without sun.misc.Unsafe, of which newer Java versions warn.
           "joml.nounsafe", "true",
+          // Windows are JOGL's own: without this JOGL starts AWT's toolkit beside them.
+          "java.awt.headless", "true",
+          // JOGL would try OpenGL ES too, and say at length where there is none.
+          "jogl.disable.opengles", "true",
           // No probing for Groovy closures in every command.
           "picocli.disable.closures", "true");
 

@@ -24,6 +24,7 @@ public final class Main {
             StandardCharsets.UTF_8);
     PrintStream err =
         new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+    LibraryNoise.silence(args, err);
     System.exit(execute(args, new Console(out, err, colours)));
   }
 

@@ -31,7 +31,11 @@ final class RootCommand implements Runnable {
 
   /** Whether a failure shows its stack trace. */
   boolean debug() {
-    return debug || "1".equals(System.getenv("SELECTIVE_RENDERER_DEBUG"));
+    return debug || debugByEnvironment();
+  }
+
+  static boolean debugByEnvironment() {
+    return "1".equals(System.getenv("SELECTIVE_RENDERER_DEBUG"));
   }
 
   @Override

@@ -115,6 +115,7 @@ final class RunCommand extends CliCommand {
     if (path != null && walked.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    walked.ifPresent(known -> Frames.check(known, RunSettings.PATH_RATE));
     RunSettings settings =
         new RunSettings(
             scene,
@@ -142,6 +143,9 @@ final class RunCommand extends CliCommand {
     if (samples != null && (samples < 0 || samples > 16)) {
       throw CommandFailure.usage("--samples is a number from 0 to 16");
     }
+    OutputFile.check("--screenshot", screenshot, ".png");
+    OutputFile.check("--timeline", timeline, "");
+    OutputFile.check("--stats", stats, "");
     GlAvailability.check().ifPresent(this::noDisplay);
   }
 

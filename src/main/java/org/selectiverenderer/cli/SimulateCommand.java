@@ -68,6 +68,7 @@ final class SimulateCommand extends CliCommand {
     if (walked.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    Frames.check(walked.get(), rate);
     Function<TimelineEvent, String> text =
         format == Format.json ? new TimelineJson()::line : new TimelineText()::line;
     try (Walkthrough walk =

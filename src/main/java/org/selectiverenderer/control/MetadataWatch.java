@@ -17,7 +17,7 @@ import org.web3d.x3d.sai.X3DNode;
  */
 final class MetadataWatch {
   private final X3DNode owner;
-  private final List<X3DField> watched = new ArrayList<>();
+  private List<X3DField> watched = List.of();
   private final X3DFieldEventListener onChange;
 
   /**
@@ -33,31 +33,33 @@ final class MetadataWatch {
   /** The metadata as it is now, which is watched from here on. */
   Optional<SaiMetadata> read() {
     close();
-    watch(owner, "metadata");
+    List<X3DField> fields = new ArrayList<>();
+    watch(owner, "metadata", fields);
     Optional<SaiMetadata> metadata = SaiMetadata.of(owner);
-    metadata.ifPresent(source -> watch(source, new HashSet<>()));
+    metadata.ifPresent(source -> watch(source, new HashSet<>(), fields));
+    watched = List.copyOf(fields); // no larger than it need be: a scene may have very many
     return metadata;
   }
 
   /** Ends the watch. */
   void close() {
     watched.forEach(field -> field.removeX3DEventListener(onChange));
-    watched.clear();
+    watched = List.of();
   }
 
-  private void watch(SaiMetadata source, Set<SaiMetadata> seen) {
+  private void watch(SaiMetadata source, Set<SaiMetadata> seen, List<X3DField> fields) {
     if (seen.add(source)) {
-      watch(source.node(), "value");
+      watch(source.node(), "value", fields);
       if (!source.isSet()) { // the name of a set means nothing here
-        watch(source.node(), "name");
+        watch(source.node(), "name", fields);
       }
-      source.children().forEach(child -> watch(child, seen));
+      source.children().forEach(child -> watch(child, seen, fields));
     }
   }
 
-  private void watch(X3DNode node, String fieldName) {
+  private void watch(X3DNode node, String fieldName, List<X3DField> fields) {
     X3DField field = node.getField(fieldName);
     field.addX3DEventListener(onChange);
-    watched.add(field);
+    fields.add(field);
   }
 }

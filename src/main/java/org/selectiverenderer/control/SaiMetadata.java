@@ -73,9 +73,12 @@ record SaiMetadata(X3DNode node) implements MetadataSource {
     }
     X3DNode[] nodes = new X3DNode[set.getNumValue()];
     set.getValue(nodes);
-    return Arrays.stream(nodes)
-        .filter(X3DMetadataObject.class::isInstance)
-        .map(SaiMetadata::new)
-        .toList();
+    List<SaiMetadata> children = new ArrayList<>(nodes.length);
+    for (X3DNode child : nodes) {
+      if (child instanceof X3DMetadataObject) {
+        children.add(new SaiMetadata(child));
+      }
+    }
+    return children;
   }
 }

@@ -2,7 +2,6 @@ package org.selectiverenderer.control;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
@@ -147,7 +146,13 @@ final class SceneWalk {
     if (field instanceof MFNode nodes) {
       X3DNode[] array = new X3DNode[nodes.getSize()];
       nodes.getValue(array);
-      return Arrays.stream(array).filter(node -> node != null).toList();
+      List<X3DNode> found = new ArrayList<>(array.length);
+      for (X3DNode node : array) {
+        if (node != null) {
+          found.add(node);
+        }
+      }
+      return List.copyOf(found);
     }
     X3DNode node = ((SFNode) field).getValue();
     return node == null ? List.of() : List.of(node);
@@ -156,7 +161,7 @@ final class SceneWalk {
   /** A node of the scene with the fields that hold other nodes. */
   private final class Place {
     final X3DNode node;
-    final List<Branch> branches = new ArrayList<>();
+    List<Branch> branches = List.of();
     int uses;
 
     Place(X3DNode node) {
@@ -164,18 +169,25 @@ final class SceneWalk {
     }
 
     void open() {
+      List<Branch> found = new ArrayList<>();
       for (X3DFieldDefinition definition : node.getFieldDefinitions()) {
         int type = definition.getFieldType();
         if ((type == X3DFieldTypes.SFNODE || type == X3DFieldTypes.MFNODE)
             && definition.getAccessType() != X3DFieldTypes.INPUT_ONLY
             && !definition.getName().equals("metadata")) {
-          branches.add(new Branch(node.getField(definition.getName())));
+          found.add(new Branch(node.getField(definition.getName())));
         }
       }
+      branches = List.copyOf(found);
     }
 
     List<X3DNode> children() {
-      return branches.stream().flatMap(branch -> branch.children.stream()).toList();
+      if (branches.size() == 1) {
+        return branches.get(0).children;
+      }
+      List<X3DNode> all = new ArrayList<>();
+      branches.forEach(branch -> all.addAll(branch.children));
+      return all;
     }
 
     void close() {

@@ -18,7 +18,7 @@ final class VersionedObject {
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
   private final MetadataWatch watch;
-  private final List<ControlProblem> problems = new ArrayList<>();
+  private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
   private int shown;
 
@@ -40,11 +40,11 @@ final class VersionedObject {
 
   /** Reads the metadata anew. */
   void read() {
-    problems.clear();
+    problems = List.of();
     SchemaReader reader =
         new SchemaReader(
             problem ->
-                problems.add(
+                add(
                     new ControlProblem(
                         name, ((SaiMetadata) problem.metadata()).node(), problem.message())));
     schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
@@ -73,10 +73,17 @@ final class VersionedObject {
     try {
       node.setWhichChoice(choice);
     } catch (X3DException e) { // one Switch that is gone does not hold up the others
-      problems.add(
+      add(
           new ControlProblem(
               name, node, "whichChoice cannot be set to " + choice + ": " + e.getMessage()));
     }
+  }
+
+  private void add(ControlProblem problem) {
+    if (problems.isEmpty()) {
+      problems = new ArrayList<>(); // few objects have any
+    }
+    problems.add(problem);
   }
 
   List<ControlProblem> problems() {

@@ -1,6 +1,5 @@
 package org.selectiverenderer.runtime;
 
-import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -8,17 +7,22 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.instance.Occurrence;
+import org.selectiverenderer.runtime.navigation.NavigationFrame;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.nodes.BindStacks;
+import org.selectiverenderer.runtime.nodes.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Ties the viewer to the bound Viewpoint (X3D 4.0, 23.3.1): binding one takes the viewer there;
- * when it moves, by animation or through the SAI, the viewer moves with it and keeps the offset
- * that the user walked.
+ * Ties the viewer to the bound Viewpoint (X3D 4.0, 23.3.1): binding one takes the viewer there
+ * unless its {@code jump} is FALSE; when it moves, by animation or through the SAI, the viewer
+ * moves with it and keeps the offset that the user walked. A viewpoint with {@code
+ * retainUserOffsets} is taken with the offset that the user had from the one before.
  */
 final class ViewpointFollower {
+  /** Where the viewer is in a scene without viewpoints: the defaults of Viewpoint. */
+  private static final Matrix4dc DEFAULT = new Matrix4d().translation(0, 0, 10);
+
   private final InstanceTree instances;
   private final BindStacks bindables;
   private final Viewer viewer;
@@ -41,27 +45,43 @@ final class ViewpointFollower {
 
   /** Once per frame, before the user's own motion. */
   void follow() {
-    Optional<Node> bound = bindables.bound("X3DViewpointNode");
-    Node viewpoint = bound.orElse(null);
-    Matrix4d now = bound.map(this::poseOf).orElseGet(() -> new Matrix4d().translation(0, 0, 10));
-    if (!started || viewpoint != followed && (viewpoint == null || viewpoint.bool("jump"))) {
-      place(now);
-      bound
-          .filter(node -> node.type().name().equals("Viewpoint"))
-          .ifPresent(node -> viewer.fieldOfView(node.number("fieldOfView")));
-    } else if (viewpoint == followed && !now.equals(pose)) {
-      place(now.mul(pose.invertAffine(new Matrix4d()).mul(viewerPose()), new Matrix4d()));
-      if (viewpoint != null && viewpoint.type().name().equals("Viewpoint")) {
-        viewer.fieldOfView(viewpoint.number("fieldOfView"));
+    Optional<ViewpointNode> bound =
+        bindables
+            .bound("X3DViewpointNode")
+            .filter(ViewpointNode.class::isInstance)
+            .map(ViewpointNode.class::cast);
+    ViewpointNode viewpoint = bound.orElse(null);
+    boolean another = !started || viewpoint != followed;
+    if (viewpoint == null) {
+      // The viewer stays where the last viewpoint left it (X3D 4.0, 7.2.2: none is bound).
+      if (!started) {
+        place(DEFAULT);
+        viewer.fieldOfView(Math.PI / 4);
+        pose.set(DEFAULT);
       }
+    } else {
+      Matrix4d now = poseOf(viewpoint);
+      if (!started) {
+        place(now);
+      } else if (another && viewpoint.jump()) {
+        place(viewpoint.bool("retainUserOffsets") ? keepingOffset(now) : now);
+      } else if (!another && !now.equals(pose)) {
+        place(keepingOffset(now));
+      }
+      // Without a jump the viewer stays and sees as before, until it is moved.
+      if (!another || !started || viewpoint.jump()) {
+        viewer.fieldOfView(viewpoint.fieldOfView());
+      }
+      pose.set(now);
     }
     started = true;
     followed = viewpoint;
-    pose.set(now);
   }
 
-  private Matrix4d viewerPose() {
-    return new Matrix4d().translationRotate(viewer.position(), viewer.orientation());
+  /** The viewer's pose with the viewpoint there instead of where it was. */
+  private Matrix4d keepingOffset(Matrix4dc now) {
+    Matrix4d viewerPose = new Matrix4d().translationRotate(viewer.position(), viewer.orientation());
+    return now.mul(pose.invertAffine(new Matrix4d()).mul(viewerPose), new Matrix4d());
   }
 
   private void place(Matrix4dc to) {
@@ -70,23 +90,15 @@ final class ViewpointFollower {
   }
 
   /** Where a viewpoint looks from: a rigid transformation, the scale above it left out. */
-  Matrix4d poseOf(Node viewpoint) {
-    float[] p = viewpoint.floats("position");
-    float[] o = viewpoint.floats("orientation");
-    Matrix4d place = placeOf(viewpoint);
-    Vector3d eye = place.transformPosition(new Vector3d(p[0], p[1], p[2]));
-    Quaterniond turn = place.getNormalizedRotation(new Quaterniond());
-    Vector3d axis = new Vector3d(o[0], o[1], o[2]);
-    if (axis.lengthSquared() > 0) {
-      axis.normalize();
-      turn.rotateAxis(o[3], axis);
-    }
-    return new Matrix4d().translationRotate(eye, turn);
+  Matrix4d poseOf(ViewpointNode viewpoint) {
+    Matrix4dc place = placeOf(viewpoint);
+    Vector3d eye = place.transformPosition(viewpoint.position());
+    Quaterniond turn = new Quaterniond(NavigationFrame.of(place).upright());
+    return new Matrix4d().translationRotate(eye, turn.mul(viewpoint.orientation()));
   }
 
   /** From a viewpoint's local coordinates to the world; the identity when it is nowhere. */
-  Matrix4d placeOf(Node viewpoint) {
-    List<Occurrence> places = instances.occurrences(viewpoint);
-    return places.isEmpty() ? new Matrix4d() : new Matrix4d(places.get(0).world());
+  Matrix4dc placeOf(Node viewpoint) {
+    return instances.places(viewpoint).stream().findFirst().orElseGet(Matrix4d::new);
   }
 }

@@ -2,25 +2,29 @@ package org.selectiverenderer.runtime;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
-import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
-import org.selectiverenderer.runtime.instance.GroupInstance;
-import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.navigation.MeshBvhs;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.nodes.BindStacks;
 import org.selectiverenderer.runtime.nodes.FrameNode;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /**
@@ -29,7 +33,8 @@ import org.selectiverenderer.x3d.Problems;
  * instance tree brought up to date; what is drawn afterwards shows all of it. With the same scene,
  * times and motion the same frames come out.
  *
- * <p>Threads: one thread steps the world and may touch it between steps; others {@link #post}.
+ * <p>Threads: one thread steps the world and may read it between steps, in {@link #hold} when
+ * others may {@link #execute} meanwhile.
  */
 public final class World {
   /** Hears that the world shows another scene. */
@@ -42,17 +47,25 @@ public final class World {
   private final Cascade cascade;
   private final Viewer viewer = new Viewer();
   private final ConcurrentLinkedQueue<Runnable> posted = new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<Runnable> deferred = new ConcurrentLinkedQueue<>();
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private Scene scene;
-  private Assets assets;
   private InstanceTree instances;
   private BindStacks bindables;
   private ViewpointFollower follower;
+  private LiveFiles files;
+  private Pointing pointing;
+  private final MeshBvhs meshes = new MeshBvhs();
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
-  private final ReentrantLock lock = new ReentrantLock();
+  private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
+
+  /** Fair, since the stepping thread would else take it again before one that waits gets it. */
+  private final ReentrantLock lock = new ReentrantLock(true);
+
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
+  private double epoch = EPOCH;
   private volatile boolean running = true;
 
   public World(LoadedScene loaded, Problems problems) {
@@ -69,11 +82,30 @@ public final class World {
 
   private void place(LoadedScene loaded) {
     scene = loaded.scene();
-    assets = loaded.assets();
-    instances = new InstanceTree((GroupingNode) scene.root(), loaded.assets());
+    LiveFiles live = new LiveFiles(loaded, problems, this::post);
+    files = live;
+    instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
-    frameNodesOf = 0;
+    Links links = new Links(scene, files, problems, linkTarget(live));
+    pointing = new Pointing(instances, meshes, links::follow);
+    frameNodesOf = -1;
+  }
+
+  private Links.Target linkTarget(LiveFiles from) {
+    return new Links.Target() {
+      @Override
+      public void bind(Node viewpoint) {
+        bindables.bind(viewpoint, cascade);
+      }
+
+      @Override
+      public void show(LoadedScene linked) {
+        if (files == from) { // Else the world shows another scene by now.
+          replace(linked);
+        }
+      }
+    };
   }
 
   public void onReplace(ReplaceListener listener) {
@@ -90,7 +122,12 @@ public final class World {
 
   /** The meshes and images of the scene's nodes. */
   public Assets assets() {
-    return assets;
+    return files.assets();
+  }
+
+  /** What rays and collisions search the meshes by; made where it is needed, for all to share. */
+  public MeshBvhs meshes() {
+    return meshes;
   }
 
   public Viewer viewer() {
@@ -116,7 +153,32 @@ public final class World {
     return bindables.bound("X3DBackgroundNode").map(BackdropReader::read).orElse(Backdrop.BLACK);
   }
 
-  /** The time of the last step in seconds; NaN before the first. */
+  /**
+   * The pointing device moved, or its button went down or up. Evaluated in the next step, before
+   * its events are carried. Thread-safe.
+   */
+  public void point(Pointer pointer) {
+    pointed.add(pointer);
+  }
+
+  /**
+   * The SFTime at which the world's time is 0. X3D counts time from 1970 (X3D 4.0, 4.4.8.3), so
+   * that a startTime of 0 is long past. This one is fixed, so that the same walk gives the same
+   * events.
+   */
+  public static final double EPOCH = 1L << 30;
+
+  /**
+   * Counts from another time, for programs that set times by the clock on the wall. Before the
+   * first step.
+   *
+   * @param seconds since 1970 at the world's time 0
+   */
+  public void epoch(double seconds) {
+    epoch = seconds;
+  }
+
+  /** The time of the last step in seconds of the world's own time; NaN before the first. */
   public double time() {
     return time;
   }
@@ -127,21 +189,52 @@ public final class World {
   }
 
   /**
-   * Runs a task that changes the scene: at once when no step is under way or this is the stepping
-   * thread, else at the beginning of the next step. Tasks of one thread keep their order.
-   * Thread-safe.
+   * Runs a task that changes the scene, so that it is done when this returns: at once when no step
+   * is under way or this is the stepping thread, else when the step has ended. Should that take
+   * longer than a second, since a listener waits for this very thread, the task is left to the
+   * beginning of the next step. Tasks run in the order in which they came. Thread-safe.
    */
   public void execute(Runnable task) {
     if (lock.isHeldByCurrentThread()) {
       task.run();
-    } else if (!posted.isEmpty() || !lock.tryLock()) {
-      posted.add(task);
-    } else {
+    } else if (lockWithinASecond()) {
       try {
+        runDeferred();
         task.run();
       } finally {
         lock.unlock();
       }
+    } else {
+      deferred.add(task);
+    }
+  }
+
+  private boolean lockWithinASecond() {
+    try {
+      return lock.tryLock() || lock.tryLock(1, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  /** Tasks whose callers are gone: what they throw can only be reported. */
+  private void runDeferred() {
+    for (Runnable task = deferred.poll(); task != null; task = deferred.poll()) {
+      ApplicationCode.call(problems, Location.of(scene.url()), "a change of the scene", task);
+    }
+  }
+
+  /**
+   * Runs a task, such as drawing, while no other thread changes the world. For the stepping thread,
+   * between steps.
+   */
+  public void hold(Runnable task) {
+    lock.lock();
+    try {
+      task.run();
+    } finally {
+      lock.unlock();
     }
   }
 
@@ -178,16 +271,10 @@ public final class World {
   private void frame(double now, ViewerMotion motion) {
     double dt = Double.isNaN(time) ? 0 : Math.max(0, now - time);
     time = now;
-    cascade.at(now);
-    for (int open = posted.size(); open > 0; open--) {
-      Runnable task = posted.poll();
-      if (task != null) {
-        task.run();
-      }
-    }
-    cascade.run();
-    instances.update();
-    bindables.update(cascade);
+    cascade.at(epoch + now);
+    runDeferred();
+    runPosted();
+    settle();
     if (!running) {
       return;
     }
@@ -196,39 +283,63 @@ public final class World {
     Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
     instances.view(viewer.position(), up, cascade);
     instances.update();
-    WorldFrame frame = new WorldFrame(now, viewer, instances);
+    pointing.frame(drain(pointed), viewer, cascade);
+    WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
     for (FrameNode node : frameNodes()) {
       node.frame(frame, cascade);
     }
-    cascade.run();
-    instances.update();
+    settle();
   }
 
-  private List<FrameNode> frameNodes() {
-    if (frameNodesOf != instances.structureVersion()) {
-      frameNodesOf = instances.structureVersion();
-      List<FrameNode> found = new ArrayList<>();
-      collect(instances.root(), found);
-      frameNodes = found.stream().distinct().toList();
-    }
-    return frameNodes;
-  }
-
-  private static void collect(GroupInstance group, List<FrameNode> found) {
-    for (Instance child : group.children()) {
-      if (child instanceof GroupInstance inner) {
-        collect(inner, found);
-      } else if (child.node() instanceof FrameNode node) {
-        found.add(node);
+  /** Those of this moment; what they post in turn waits for the next frame. */
+  private void runPosted() {
+    for (int open = posted.size(); open > 0; open--) {
+      Runnable task = posted.poll();
+      if (task != null) {
+        task.run();
       }
     }
   }
 
+  /** Carries the events sent, and brings up to date what follows the scene. */
+  private void settle() {
+    cascade.run();
+    instances.update();
+    bindables.update(cascade);
+    cascade.run(); // Nodes that came or went may have been bound or unbound.
+    instances.update();
+    frameNodes();
+    files.update();
+  }
+
+  private static <T> List<T> drain(Queue<T> queue) {
+    List<T> drained = new ArrayList<>();
+    for (T next = queue.poll(); next != null; next = queue.poll()) {
+      drained.add(next);
+    }
+    return drained;
+  }
+
+  /** The nodes that look at every frame; follows the structure of the scene. */
+  private List<FrameNode> frameNodes() {
+    if (frameNodesOf != instances.structureVersion()) {
+      frameNodesOf = instances.structureVersion();
+      SceneWalk walk = SceneWalk.of(scene, instances);
+      frameNodes = walk.frameNodes();
+      files.watch(walk.inlines());
+      pointing.touchable(walk.touchable());
+    }
+    return frameNodes;
+  }
+
   /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */
   public void goTo(Node viewpoint) {
-    bindables.bind(viewpoint, cascade);
-    cascade.run();
-    follower.jump();
+    hold(
+        () -> {
+          bindables.bind(viewpoint, cascade);
+          cascade.run();
+          follower.jump();
+        });
   }
 
   /** All viewpoints of the scene in document order. */
@@ -250,7 +361,7 @@ public final class World {
   }
 
   /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */
-  public Matrix4d placeOf(Node viewpoint) {
+  public Matrix4dc placeOf(Node viewpoint) {
     return follower.placeOf(viewpoint);
   }
 }

@@ -7,16 +7,26 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
+import java.util.Objects;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Which files a scene may name: those in its own folder and below, and those in the folder {@value
- * #INLINE_FOLDER} beside its folder, where this project keeps the versions of objects. Never the
- * network.
+ * Which files a scene may name: those in the folder of the scene that the user opened and below it,
+ * and those in a folder {@value #INLINE_FOLDER} beside that folder and below it, where the thesis
+ * keeps the versions of objects ({@code scenes/} and {@code inlineNodes/} are siblings). The same
+ * holds for the files that those name in turn. Links are followed and must not lead outside. Never
+ * the network.
+ *
+ * <p>Messages name a file relative to the scene's folder as the user wrote it.
  */
 public final class ContentRoot {
   public static final String INLINE_FOLDER = "inlineNodes";
+
+  /** At least two letters before the colon: a single one is a drive of Windows. */
+  private static final Pattern SCHEME = Pattern.compile("[a-zA-Z][a-zA-Z0-9+.-]+:");
+
+  private static final Pattern FILE_SCHEME = Pattern.compile("(?i)file:");
 
   /** Why a url is not opened, or the file that it names. */
   public sealed interface Target {
@@ -28,16 +38,19 @@ public final class ContentRoot {
     record Refused(String reason) implements Target {}
   }
 
+  private final Path named;
   private final Path folder;
   private final Path inlineFolder;
 
   /**
-   * @param sceneFolder the folder of the scene that the user named
+   * @param sceneFolder the folder of the scene that the user opened, as the user names it
    */
   public ContentRoot(Path sceneFolder) {
+    named = sceneFolder;
     folder = real(sceneFolder);
     Path above = folder.getParent();
-    inlineFolder = real((above == null ? folder : above).resolve(INLINE_FOLDER));
+    // Not its real path: were it a link, it would open what it leads to.
+    inlineFolder = (above == null ? folder : above).resolve(INLINE_FOLDER);
   }
 
   /**
@@ -48,14 +61,17 @@ public final class ContentRoot {
     String trimmed = url.strip();
     int fragment = trimmed.indexOf('#');
     String location = fragment < 0 ? trimmed : trimmed.substring(0, fragment);
-    String lower = location.toLowerCase(Locale.ROOT);
-    if (lower.matches("[a-z][a-z0-9+.-]+:.*") && !lower.startsWith("file:")) {
+    boolean absolute = FILE_SCHEME.matcher(location).lookingAt();
+    if (!absolute && SCHEME.matcher(location).lookingAt()) {
       return new Target.Refused(
           "is on the network or of a scheme that is not read: only files are");
     }
+    if (location.isEmpty()) {
+      return new Target.Refused("names no file");
+    }
     Path path;
     try {
-      path = lower.startsWith("file:") ? absolute(location) : relative(location, base);
+      path = absolute ? Path.of(URI.create(location)) : relative(location, base);
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
       return new Target.Refused("is no file name");
     }
@@ -63,21 +79,22 @@ public final class ContentRoot {
     if (!real.startsWith(folder) && !real.startsWith(inlineFolder)) {
       return new Target.Refused("points outside the scene's folder");
     }
+    if (Files.isDirectory(real)) {
+      return new Target.Refused("is a folder");
+    }
     if (!Files.isRegularFile(real)) {
       return new Target.Refused("is missing" + similar(path));
     }
     return new Target.File(real);
   }
 
-  private static Path absolute(String location) {
-    return Path.of(URI.create(location));
-  }
-
+  /** Urls are percent-encoded; yet a file that has the name as it is written is meant first. */
   private static Path relative(String location, Path base) {
-    String decoded =
-        location.indexOf('%') < 0
-            ? location
-            : URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
+    Path literal = base.resolve(location.replace('\\', '/'));
+    if (location.indexOf('%') < 0 || Files.exists(literal)) {
+      return literal;
+    }
+    String decoded = URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
     return base.resolve(decoded.replace('\\', '/'));
   }
 
@@ -88,14 +105,7 @@ public final class ContentRoot {
     } catch (IOException e) {
       Path absolute = path.toAbsolutePath().normalize();
       Path parent = absolute.getParent();
-      if (parent == null || Files.notExists(parent)) {
-        return absolute;
-      }
-      try {
-        return parent.toRealPath().resolve(absolute.getFileName());
-      } catch (IOException stillNot) {
-        return absolute;
-      }
+      return parent == null ? absolute : real(parent).resolve(absolute.getFileName());
     }
   }
 
@@ -109,12 +119,20 @@ public final class ContentRoot {
     try (Stream<Path> files = Files.list(parent)) {
       return files
           .map(file -> String.valueOf(file.getFileName()))
-          .filter(file -> file.equalsIgnoreCase(name.toString()))
-          .findFirst()
+          .filter(file -> file.equalsIgnoreCase(name.toString()) && !file.equals(name.toString()))
+          .min(String::compareTo)
           .map(file -> " (there is " + file + ": upper and lower case differ)")
           .orElse("");
     } catch (IOException e) {
-      return "";
+      return ""; // It stays without a hint where the folder cannot be listed.
     }
+  }
+
+  /** A file as messages name it. */
+  public String display(Path real) {
+    if (!Objects.equals(folder.getRoot(), real.getRoot())) {
+      return real.toString();
+    }
+    return named.resolve(folder.relativize(real)).normalize().toString();
   }
 }

@@ -35,51 +35,58 @@ final class FloatScanner {
   /** Reads all numbers and returns how many there are. */
   int scan(char[] text, int start, int end, Flaws flaws) {
     int count = 0;
-    int at = start;
-    while (true) {
-      while (at < end && Words.separates(text[at])) {
-        at++;
-      }
-      if (at == end) {
-        return count;
-      }
+    for (int at = Words.skipSeparators(text, start, end);
+        at < end;
+        at = Words.skipSeparators(text, at, end)) {
       if (count == values.length) {
         values = Arrays.copyOf(values, 2 * count);
       }
-      int word = at;
-      boolean negative = text[at] == '-';
-      if (negative || text[at] == '+') {
-        at++;
-      }
-      int from = at;
-      long number = 0;
-      int digit;
+      at = number(text, start, at, end, count++, flaws);
+    }
+    return count;
+  }
+
+  /**
+   * Reads one number and returns where it ends. A method of its own, since the virtual machine
+   * takes compiled code for a new call much sooner than within a loop that runs for a whole file.
+   */
+  private int number(char[] text, int start, int word, int end, int index, Flaws flaws) {
+    int at = word;
+    boolean negative = text[at] == '-';
+    if (negative || text[at] == '+') {
+      at++;
+    }
+    int from = at;
+    long number = 0;
+    int digit;
+    while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
+      number = 10 * number + digit;
+      at++;
+    }
+    int digits = at - from;
+    int scale = 0;
+    if (at < end && text[at] == '.') {
+      at++;
+      int point = at;
       while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
         number = 10 * number + digit;
         at++;
       }
-      int digits = at - from;
-      int scale = 0;
-      if (at < end && text[at] == '.') {
-        at++;
-        int point = at;
-        while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
-          number = 10 * number + digit;
-          at++;
-        }
-        scale = at - point;
-        digits += scale;
-      }
-      if (at == end || Words.separates(text[at])) {
-        if (number <= FLOAT_DIGITS && scale <= 10 && digits <= 18 && digits > 0) {
-          float value = number / FLOAT_TENS[scale];
-          values[count++] = negative ? -value : value;
-          continue;
-        }
-      }
-      at = Words.skipWord(text, word, end);
-      values[count++] = rare(text, start, word, at, number, digits, scale, flaws);
+      scale = at - point;
+      digits += scale;
     }
+    if ((at == end || Words.separates(text[at]))
+        && number <= FLOAT_DIGITS
+        && scale <= 10
+        && digits <= 18
+        && digits > 0) {
+      float value = number / FLOAT_TENS[scale];
+      values[index] = negative ? -value : value;
+      return at;
+    }
+    at = Words.skipWord(text, word, end);
+    values[index] = rare(text, start, word, at, number, digits, scale, flaws);
+    return at;
   }
 
   /** A number that is long, has an exponent or is none. */

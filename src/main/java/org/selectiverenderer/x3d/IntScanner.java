@@ -17,38 +17,40 @@ final class IntScanner {
   /** Reads all numbers and returns how many there are. */
   int scan(char[] text, int start, int end, Flaws flaws) {
     int count = 0;
-    int at = start;
-    while (true) {
-      while (at < end && Words.separates(text[at])) {
-        at++;
-      }
-      if (at == end) {
-        return count;
-      }
+    for (int at = Words.skipSeparators(text, start, end);
+        at < end;
+        at = Words.skipSeparators(text, at, end)) {
       if (count == values.length) {
         values = Arrays.copyOf(values, 2 * count);
       }
-      int word = at;
-      boolean negative = text[at] == '-';
-      if (negative || text[at] == '+') {
-        at++;
-      }
-      int from = at;
-      int number = 0;
-      int digit;
-      while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
-        number = 10 * number + digit;
-        at++;
-      }
-      int digits = at - from;
-      // Nine digits always fit.
-      if (digits > 0 && digits <= 9 && (at == end || Words.separates(text[at]))) {
-        values[count++] = negative ? -number : number;
-      } else {
-        at = Words.skipWord(text, word, end);
-        values[count++] = rare(text, start, word, at, flaws);
-      }
+      at = number(text, start, at, end, count++, flaws);
     }
+    return count;
+  }
+
+  /** Reads one number and returns where it ends; apart for the reason that FloatScanner gives. */
+  private int number(char[] text, int start, int word, int end, int index, Flaws flaws) {
+    int at = word;
+    boolean negative = text[at] == '-';
+    if (negative || text[at] == '+') {
+      at++;
+    }
+    int from = at;
+    int number = 0;
+    int digit;
+    while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
+      number = 10 * number + digit;
+      at++;
+    }
+    int digits = at - from;
+    // Nine digits always fit.
+    if (digits > 0 && digits <= 9 && (at == end || Words.separates(text[at]))) {
+      values[index] = negative ? -number : number;
+      return at;
+    }
+    at = Words.skipWord(text, word, end);
+    values[index] = rare(text, start, word, at, flaws);
+    return at;
   }
 
   private static int rare(char[] text, int start, int word, int end, Flaws flaws) {

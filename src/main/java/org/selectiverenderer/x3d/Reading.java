@@ -5,7 +5,6 @@ import java.util.Set;
 
 /** What the parts of one reader share while a file is read. */
 final class Reading {
-  private static final int MESSAGE_LENGTH = 500;
   private static final int LONGEST_NAME = 100;
 
   final NodeCatalogue catalogue;
@@ -59,7 +58,7 @@ final class Reading {
       return;
     }
     reported++;
-    problems.add(new Problem(problem.severity(), problem.location(), printable(problem.message())));
+    problems.add(problem);
   }
 
   // Beyond the problems that are listed, looking for places and names would be work for nothing; a
@@ -81,17 +80,6 @@ final class Reading {
     return Spelling.nearest(name, candidates)
         .map(found -> " (did you mean " + found + "?)")
         .orElse("");
-  }
-
-  /** A message is one line of a bearable length, whatever names the file has. */
-  private static String printable(String message) {
-    StringBuilder line = new StringBuilder(message.length());
-    message
-        .codePoints()
-        .limit(MESSAGE_LENGTH)
-        .map(c -> Character.isISOControl(c) ? '?' : c)
-        .forEach(line::appendCodePoint);
-    return message.length() > MESSAGE_LENGTH ? line + "..." : line.toString();
   }
 
   void startReplay() {

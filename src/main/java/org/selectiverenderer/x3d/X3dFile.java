@@ -29,6 +29,22 @@ public record X3dFile(
     List<Import> imports,
     List<Export> exports) {
 
+  /** A file of one node, for what is to be read of a node without a file of its own. */
+  public static X3dFile of(ParsedNode node, double unitLength) {
+    return new X3dFile(
+        node.location().file(),
+        "",
+        "",
+        Map.of(),
+        List.of(),
+        List.of(new Unit("length", "", unitLength)),
+        List.of(node),
+        Map.of(),
+        List.of(),
+        List.of(),
+        List.of());
+  }
+
   public record Meta(String name, String content) {}
 
   public record Unit(String category, String name, double conversionFactor) {}

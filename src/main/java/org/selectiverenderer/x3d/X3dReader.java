@@ -68,6 +68,18 @@ public final class X3dReader {
   }
 
   /**
+   * Reads a stream of known length to its end; the caller closes it.
+   *
+   * @param source the name that problems call it by
+   * @param size in bytes, about; saves copying
+   * @throws IOException if the stream itself fails
+   */
+  public X3dFile read(String source, InputStream in, long size, Problems problems)
+      throws IOException {
+    return parse(source, SceneBytes.read(in, size, limits), problems);
+  }
+
+  /**
    * Reads a file that is in memory.
    *
    * @param source the name that problems call it by
@@ -80,6 +92,10 @@ public final class X3dReader {
     Location whole = Location.of(source);
     if (bytes.refused() != null) {
       problems.error(whole, bytes.refused());
+      return empty(source);
+    }
+    if (bytes.cut() != null && bytes.length() == 0) {
+      problems.error(whole, bytes.cut() + "; nothing can be shown");
       return empty(source);
     }
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());

@@ -37,6 +37,7 @@ final class RunningScene implements AutoCloseable {
     loader =
         new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
     world = new World(load(nodes), problems);
+    world.epoch(0); // So that tests may name the times of their frames.
     browser = new EmbeddedBrowser(world, loader, line -> {}, Map.of());
   }
 

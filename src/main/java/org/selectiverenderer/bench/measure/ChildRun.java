@@ -21,6 +21,9 @@ record ChildRun(String mainClass, int runs) {
   /** Width and height of the picture: that of the peers' figures. */
   private static final String SIZE = "1024x768";
 
+  /** Property by which the launcher tells the flags of {@code run}, separated by commas. */
+  private static final String FLAGS = "selective-renderer.run-flags";
+
   /** Medians over the runs. */
   record Result(
       double loadMs, double startMs, double fps, double p50, double p99, double rss, JsonNode gl) {}
@@ -69,6 +72,8 @@ record ChildRun(String mainClass, int runs) {
     List<String> command = new ArrayList<>();
     command.add(ProcessHandle.current().info().command().orElse("java"));
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    String flags = System.getProperty(FLAGS, "");
+    command.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
     command.addAll(List.of("run", scene.scene().toString()));
     command.addAll(List.of("--offscreen", "--size", SIZE, "--samples", "0"));

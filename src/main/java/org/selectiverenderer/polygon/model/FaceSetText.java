@@ -1,7 +1,9 @@
 package org.selectiverenderer.polygon.model;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
@@ -96,7 +98,7 @@ final class FaceSetText {
   private Stream stream(float[] values, int size, int places) {
     Map<String, Integer> known = new HashMap<>();
     int[] idOfVertex = new int[mesh.vertexCount()];
-    java.util.Arrays.fill(idOfVertex, -1);
+    Arrays.fill(idOfVertex, -1);
     int[] ids = new int[mesh.indices().length];
     StringBuilder all = new StringBuilder(24 * mesh.vertexCount());
     StringBuilder tuple = new StringBuilder();
@@ -120,7 +122,7 @@ final class FaceSetText {
     return new Stream(all, ids);
   }
 
-  private void index(String name, @org.jspecify.annotations.Nullable Stream stream) {
+  private void index(String name, @Nullable Stream stream) {
     if (stream == null) {
       return;
     }
@@ -134,7 +136,7 @@ final class FaceSetText {
     text.append('\'');
   }
 
-  private void values(String element, @org.jspecify.annotations.Nullable Stream stream) {
+  private void values(String element, @Nullable Stream stream) {
     if (stream != null) {
       text.append("        <").append(element).append("='").append(stream.values());
       text.append("'/>\n");

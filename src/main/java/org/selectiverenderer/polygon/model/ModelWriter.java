@@ -1,8 +1,10 @@
 package org.selectiverenderer.polygon.model;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.X3dFile;
@@ -133,22 +135,20 @@ public final class ModelWriter {
     return Math.max(0, Math.min(9, digits));
   }
 
-  private static boolean allOf(
-      Set<String> types, @org.jspecify.annotations.Nullable NodeView node) {
+  private static boolean allOf(Set<String> types, @Nullable NodeView node) {
     return node == null
         || types.contains(node.type().name())
             && children(node).stream().allMatch(child -> allOf(types, child));
   }
 
-  private static boolean noneOf(
-      Set<String> types, @org.jspecify.annotations.Nullable NodeView node) {
+  private static boolean noneOf(Set<String> types, @Nullable NodeView node) {
     return node == null
         || !types.contains(node.type().name())
             && children(node).stream().allMatch(child -> noneOf(types, child));
   }
 
   private static List<NodeView> children(NodeView node) {
-    List<NodeView> children = new java.util.ArrayList<>();
+    List<NodeView> children = new ArrayList<>();
     for (FieldDefinition field : node.type().fields()) {
       Object value = node.value(field.index());
       if (value instanceof NodeView child) {

@@ -3,6 +3,7 @@ package org.selectiverenderer.polygon.model;
 import java.nio.file.Path;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.selectiverenderer.x3d.FieldAccess;
 import org.selectiverenderer.x3d.FieldDefinition;
@@ -102,7 +103,7 @@ final class NodeText {
 
   private Object turned(FieldDefinition field, Object value, Path folder) {
     if (field.type() != FieldType.MFString
-        || !field.name().toLowerCase(java.util.Locale.ROOT).endsWith("url")) {
+        || !field.name().toLowerCase(Locale.ROOT).endsWith("url")) {
       return value;
     }
     String[] urls = ((String[]) value).clone();

@@ -2,6 +2,7 @@ package org.selectiverenderer.polygon.model;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Objects;
 
 /** Relative urls, seen from another folder. */
 public final class Urls {
@@ -32,8 +33,7 @@ public final class Urls {
   public static String between(Path folder, Path file) {
     Path start = folder.toAbsolutePath().normalize();
     Path end = file.toAbsolutePath().normalize();
-    Path relative =
-        java.util.Objects.equals(start.getRoot(), end.getRoot()) ? start.relativize(end) : end;
+    Path relative = Objects.equals(start.getRoot(), end.getRoot()) ? start.relativize(end) : end;
     return relative.toString().replace('\\', '/');
   }
 }

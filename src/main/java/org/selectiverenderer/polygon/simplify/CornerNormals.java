@@ -1,5 +1,7 @@
 package org.selectiverenderer.polygon.simplify;
 
+import java.util.Arrays;
+
 /**
  * Finds the normal of each corner of a reduced mesh. A vertex on an edge has a normal for each side
  * in the original; when edges have gone, the side that a triangle belongs to may be another than
@@ -40,7 +42,7 @@ final class CornerNormals {
   /** Which vertices have the normal of all their triangles: those of facets. */
   private static boolean[] flat(JoinedMesh mesh) {
     boolean[] flat = new boolean[mesh.vertexCount()];
-    java.util.Arrays.fill(flat, true);
+    Arrays.fill(flat, true);
     double[] face = new double[3];
     for (int t = 0; t < mesh.polygons(); t++) {
       Areas.normal(mesh.vertices(), mesh.indices(), t, face);

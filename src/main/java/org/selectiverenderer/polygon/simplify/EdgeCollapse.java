@@ -41,7 +41,7 @@ final class EdgeCollapse {
         meshopt_SimplifyPermissive
             | (freedom == Freedom.ANY_PIECE ? meshopt_SimplifyPrune : 0)
             | (style.regular ? meshopt_SimplifyRegularizeLight : 0);
-    float[] weighed = weights(style.normalWeight);
+    float[] weighed = weights(mesh, style.normalWeight);
     int count = mesh.vertexCount();
     // The attributes begin after the first position, so the last vertex needs room to spare.
     FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length + JoinedMesh.NORMAL);
@@ -83,8 +83,11 @@ final class EdgeCollapse {
     }
   }
 
-  private static float[] weights(float normal) {
-    return new float[] {normal, normal, normal, COLOR, COLOR, COLOR, COLOR, TEX_COORD, TEX_COORD};
+  /** Nothing for what no vertex has: every attribute with a weight costs time. */
+  private static float[] weights(JoinedMesh mesh, float normal) {
+    float color = mesh.has(JoinedMesh.COLOR, JoinedMesh.TEX_COORD) ? COLOR : 0;
+    float texCoord = mesh.has(JoinedMesh.TEX_COORD, JoinedMesh.PART) ? TEX_COORD : 0;
+    return new float[] {normal, normal, normal, color, color, color, color, texCoord, texCoord};
   }
 
   private static void protect(boolean[] seams, ByteBuffer locks) {

@@ -61,10 +61,24 @@ final class EdgeSplits {
     while (splits.triangleCount < polygons && splits.split(polygons - splits.triangleCount)) {
       // Each adds one or two.
     }
+    return splits.mesh();
+  }
+
+  /** The same form with so many more positions, each with one or two more polygons. */
+  static JoinedMesh withMore(int positions, JoinedMesh mesh, double scale) {
+    EdgeSplits splits = new EdgeSplits(mesh, scale);
+    int added = 0;
+    while (added < positions && splits.split(2)) {
+      added++;
+    }
+    return splits.mesh();
+  }
+
+  private JoinedMesh mesh() {
     return new JoinedMesh(
-        Arrays.copyOf(splits.vertices, JoinedMesh.STRIDE * splits.vertexCount),
-        Arrays.copyOf(splits.indices, 3 * splits.triangleCount),
-        Arrays.copyOf(splits.origins, splits.vertexCount));
+        Arrays.copyOf(vertices, JoinedMesh.STRIDE * vertexCount),
+        Arrays.copyOf(indices, 3 * triangleCount),
+        Arrays.copyOf(origins, vertexCount));
   }
 
   private boolean split(int most) {

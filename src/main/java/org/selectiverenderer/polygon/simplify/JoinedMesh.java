@@ -98,6 +98,18 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return (int) vertices[STRIDE * vertex + PART];
   }
 
+  /** Whether any vertex has a value that is not 0 between two places of its record. */
+  boolean has(int from, int to) {
+    for (int vertex = 0; vertex < vertices.length; vertex += STRIDE) {
+      for (int i = vertex + from; i < vertex + to; i++) {
+        if (vertices[i] != 0) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /** The largest side of the box round the triangles; 0 without triangles. */
   double extent() {
     double largest = 0;

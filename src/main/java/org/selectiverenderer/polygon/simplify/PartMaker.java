@@ -13,7 +13,10 @@ final class PartMaker {
   private final JoinedMesh reduced;
   private final CornerNormals corners;
   private final double[] face = new double[3];
-  private final Map<Long, Integer> known = new HashMap<>();
+
+  // Vertices made so far: those with the normal of the vertex itself, and others.
+  private final int[] own;
+  private final Map<Long, Integer> others = new HashMap<>();
 
   private float[] positions = new float[48];
   private float[] normals = new float[48];
@@ -21,11 +24,15 @@ final class PartMaker {
   private float[] texCoords = new float[32];
   private int vertexCount;
 
-  PartMaker(Mesh part, JoinedMesh original, JoinedMesh reduced, CornerNormals corners) {
+  /**
+   * @param own an entry of -1 for each vertex, as which it is left
+   */
+  PartMaker(Mesh part, JoinedMesh original, JoinedMesh reduced, CornerNormals corners, int[] own) {
     this.part = part;
     this.original = original;
     this.reduced = reduced;
     this.corners = corners;
+    this.own = own;
   }
 
   /**
@@ -39,6 +46,11 @@ final class PartMaker {
       for (int i = 3 * triangle; i < 3 * triangle + 3; i++) {
         indices[count++] = vertex(reduced.indices()[i], triangle);
       }
+    }
+    for (int triangle : triangles) {
+      own[reduced.indices()[3 * triangle]] = -1;
+      own[reduced.indices()[3 * triangle + 1]] = -1;
+      own[reduced.indices()[3 * triangle + 2]] = -1;
     }
     float[] finalPositions = Arrays.copyOf(positions, 3 * vertexCount);
     return new Mesh(
@@ -58,9 +70,15 @@ final class PartMaker {
 
   private int vertex(int vertex, int triangle) {
     int source = part.normals() == null ? 0 : corners.source(reduced, vertex, face);
+    if (source == reduced.origins()[vertex] || part.normals() == null) {
+      if (own[vertex] < 0) {
+        own[vertex] = add(vertex, source);
+      }
+      return own[vertex];
+    }
     // The normal of a plane is the triangle's own.
     long key = (long) vertex << 32 | (source < 0 ? 0x80000000L | triangle : source);
-    return known.computeIfAbsent(key, unused -> add(vertex, source));
+    return others.computeIfAbsent(key, unused -> add(vertex, source));
   }
 
   private int add(int vertex, int source) {

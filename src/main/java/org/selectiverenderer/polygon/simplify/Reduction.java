@@ -15,8 +15,15 @@ final class Reduction {
 
   private static final int LOWER_TRIES = 6;
 
+  private static final int POSITION_TRIES = 9;
+
   /** Up to so many polygons all styles are tried and compared. */
-  private static final int COMPARED = 60_000;
+  private static final int COMPARED = 25_000;
+
+  /** A model larger than this is brought to so many times the polygons wanted first. */
+  private static final int LARGE = 5_000;
+
+  private static final int AHEAD = 4;
 
   private final JoinedMesh original;
   private final Likeness likeness;
@@ -38,7 +45,8 @@ final class Reduction {
     if (original.polygons() <= polygons) {
       return original;
     }
-    boolean compare = original.polygons() <= COMPARED;
+    JoinedMesh base = base(polygons);
+    boolean compare = base.polygons() <= COMPARED;
     List<JoinedMesh> found = new ArrayList<>();
     JoinedMesh best = original;
     JoinedMesh fewest = original;
@@ -46,7 +54,7 @@ final class Reduction {
       if (!found.isEmpty() && (!compare || freedom.compareTo(Freedom.ANY_PIECE) > 0)) {
         break;
       }
-      for (JoinedMesh start : starts(freedom, fewest, polygons)) {
+      for (JoinedMesh start : starts(freedom, base, fewest, polygons)) {
         best = Approach.nearer(best, start, polygons);
         for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
           JoinedMesh mesh = new Approach(polygons, scale, bounds, freedom, style).from(start);
@@ -80,14 +88,67 @@ final class Reduction {
         : Approach.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
   }
 
+  private JoinedMesh base(int polygons) {
+    long ahead = (long) AHEAD * polygons;
+    if (original.polygons() <= LARGE || ahead >= Math.min(original.polygons(), COMPARED)) {
+      return original;
+    }
+    JoinedMesh base =
+        EdgeCollapse.run(
+                original,
+                AHEAD * polygons,
+                EdgeCollapse.ANY_ERROR,
+                Freedom.KEEP_SEAMS,
+                Style.BALANCED)
+            .rounded(scale, bounds);
+    return base.polygons() > polygons ? base : original;
+  }
+
+  /**
+   * A mesh with about that number of positions: of the counts of polygons that have been tried, the
+   * one between them is tried next; what is missing in the end comes from splitting edges.
+   *
+   * @param has the positions of the original
+   */
+  JoinedMesh toPositions(int wanted, int has) {
+    int few = 0;
+    int many = original.polygons();
+    double ofFew = 0;
+    double ofMany = has;
+    JoinedMesh below = null;
+    for (int i = 0; i < POSITION_TRIES && many - few > 1; i++) {
+      // By proportion at first; every third time the middle, which never gets stuck.
+      double share = i % 3 == 2 ? 0.5 : (wanted - ofFew) / (ofMany - ofFew);
+      int ask = few + (int) Math.round(share * (many - few));
+      ask = Math.max(few + 1, Math.min(many - 1, ask));
+      JoinedMesh mesh = to(ask);
+      int positions = Seams.positions(mesh);
+      if (Simplified.near(positions, wanted)) {
+        return mesh;
+      }
+      if (positions > wanted) {
+        many = ask;
+        ofMany = positions;
+      } else {
+        few = ask;
+        ofFew = positions;
+        below = mesh;
+      }
+    }
+    return below == null
+        ? to(many)
+        : EdgeSplits.withMore(wanted - Seams.positions(below), below, scale);
+  }
+
   /**
    * Where to start from.
    *
    * @param fewest the mesh with fewest polygons, but enough of them, so far
    */
-  private List<JoinedMesh> starts(Freedom freedom, JoinedMesh fewest, int polygons) {
+  private List<JoinedMesh> starts(
+      Freedom freedom, JoinedMesh base, JoinedMesh fewest, int polygons) {
     return switch (freedom) {
-      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> List.of(original);
+      case KEEP_SEAMS, ANY_EDGE, ANY_PIECE -> List.of(base);
       case FEWER_PIECES -> List.of(Pieces.withoutSmallest(fewest, polygons));
       case ANY_SURFACE ->
           DoubleStream.of(CLUSTERED)

@@ -15,7 +15,6 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  * the same result every time.
  */
 public final class Simplifier {
-  private static final int VERTEX_TRIES = 8;
   private static final int ERROR_TRIES = 12;
   private static final double ALL_GONE = 0.6;
 
@@ -59,7 +58,8 @@ public final class Simplifier {
             ? vertices.count()
             : (int) Math.round(has * ((Goal.VertexPercent) goal).percent() / 100);
     check(wanted, has, "vertices");
-    return toVertices(parts, original, reduction, has, Math.max(1, wanted));
+    JoinedMesh reduced = has <= wanted ? original : reduction.toPositions(Math.max(1, wanted), has);
+    return result(parts, original, reduced, Simplified.near(Seams.positions(reduced), wanted));
   }
 
   private static void check(int wanted, int has, String what) {
@@ -67,28 +67,6 @@ public final class Simplifier {
       throw new IllegalArgumentException(
           "the model has only %d %s, fewer than %d".formatted(has, what, wanted));
     }
-  }
-
-  /** A collapse takes a vertex and, inside a surface, two polygons. */
-  private static Simplified toVertices(
-      List<Mesh> parts, JoinedMesh original, Reduction reduction, int has, int wanted) {
-    JoinedMesh best = original;
-    int nearest = has;
-    long ask = Math.round((double) original.polygons() * wanted / has);
-    for (int i = 0; i < VERTEX_TRIES && !Simplified.near(nearest, wanted); i++) {
-      JoinedMesh reduced = reduction.to((int) Math.max(1, Math.min(ask, original.polygons())));
-      int vertices = Seams.positions(reduced);
-      if (Math.abs(vertices - wanted) < Math.abs(nearest - wanted)) {
-        best = reduced;
-        nearest = vertices;
-      }
-      long next = ask - 2L * (vertices - wanted);
-      if (next == ask || next < 1) {
-        break;
-      }
-      ask = next;
-    }
-    return result(parts, original, best, Simplified.near(nearest, wanted));
   }
 
   /** The collapse's own estimate is no bound, so what comes out is measured. */
@@ -119,9 +97,11 @@ public final class Simplifier {
       List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
     int[][] triangles = byPart(reduced, parts.size());
     CornerNormals corners = new CornerNormals(original);
+    int[] own = new int[reduced.vertexCount()];
+    Arrays.fill(own, -1);
     List<Mesh> meshes = new ArrayList<>();
     for (int p = 0; p < triangles.length; p++) {
-      meshes.add(new PartMaker(parts.get(p), original, reduced, corners).mesh(triangles[p]));
+      meshes.add(new PartMaker(parts.get(p), original, reduced, corners, own).mesh(triangles[p]));
     }
     return new Simplified(
         List.copyOf(meshes),

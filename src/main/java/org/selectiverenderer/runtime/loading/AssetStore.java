@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.loading;
 
-import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.WeakHashMap;
 import java.util.function.Function;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
@@ -11,11 +11,12 @@ import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * Meshes and images by node: those made while loading, and those made later for nodes that are new
- * or changed. Thread-safe.
+ * or changed. Nodes that nobody else holds are let go. Thread-safe.
  */
 final class AssetStore implements Assets {
-  private final Map<Node, Optional<Mesh>> meshes = new IdentityHashMap<>();
-  private final Map<Node, Optional<Texture.Image>> images = new IdentityHashMap<>();
+  // Nodes are compared by identity; nothing kept here leads back to its node.
+  private final Map<Node, Optional<Mesh>> meshes = new WeakHashMap<>();
+  private final Map<Node, Optional<Texture.Image>> images = new WeakHashMap<>();
   private final Function<Node, Optional<Mesh>> tessellate;
   private final Function<Node, Optional<Texture.Image>> decode;
 
@@ -31,6 +32,11 @@ final class AssetStore implements Assets {
 
   synchronized void putImage(Node texture, Optional<Texture.Image> image) {
     images.put(texture, image);
+  }
+
+  /** Whether it is known which image a texture has, or that it has none. */
+  synchronized boolean hasImage(Node texture) {
+    return images.containsKey(texture);
   }
 
   @Override

@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.X3dFile;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
@@ -18,33 +18,48 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  * file that is inlined ten times is read once. Filled by several threads, read when all are done.
  *
  * @param path the real path; for text without a file, the folder it counts as being in
+ * @param folder against which its urls are resolved
  * @param problems found in this file, kept apart so that they can be reported in document order
+ * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
 record FileContent(
     Path path,
+    Path folder,
     X3dFile file,
-    Problems problems,
-    Map<NodeView, Optional<Mesh>> meshes,
-    Map<NodeView, Optional<Texture.Image>> images,
-    Map<ParsedNode, FileReference> inlines) {
+    FileProblems problems,
+    Map<ParsedNode, Optional<Mesh>> meshes,
+    Map<ParsedNode, Optional<Texture.Image>> images,
+    Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
-  /** The file that an Inline turned out to name. */
-  interface FileReference {
-    /** Its content; empty when it could not be read. To be called when all threads are done. */
-    Optional<FileContent> content();
+  /** What became of reading a file. */
+  sealed interface Outcome {
+    /** It could be read, however much is wrong with it. */
+    record Read(FileContent content) implements Outcome {}
+
+    /**
+     * It could not.
+     *
+     * @param sentence what is wrong, with the file's name
+     */
+    record Failed(String sentence) implements Outcome {}
   }
 
-  FileContent(Path path, X3dFile file, Problems problems) {
+  FileContent(Path path, Path folder, X3dFile file) {
     this(
         path,
+        folder,
         file,
-        problems,
+        new FileProblems(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>());
   }
 
-  List<Problem> problemList() {
-    return problems.list();
+  void error(Location location, String message) {
+    problems.addAll(List.of(new Problem(Problem.Severity.ERROR, location, message)));
+  }
+
+  void info(Location location, String message) {
+    problems.addAll(List.of(new Problem(Problem.Severity.INFO, location, message)));
   }
 }

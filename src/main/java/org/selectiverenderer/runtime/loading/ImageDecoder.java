@@ -1,11 +1,14 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.awt.image.BufferedImage;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
+import java.util.concurrent.atomic.AtomicLong;
+import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -17,13 +20,16 @@ final class ImageDecoder {
   /** Pixels above which an image is refused, before memory is spent on it: 8192 x 8192. */
   static final long MAX_PIXELS = 1L << 26;
 
+  /** Bytes per pixel while an image is being read: as decoded by the library, and as kept. */
+  private static final int BYTES = 8;
+
   private ImageDecoder() {}
 
   /**
-   * @throws IOException with a clause that reads after the file's name, when it is no image that
-   *     can be read
+   * @param budget bytes that may still be spent on images; lessened by this one
+   * @throws IOException when it is no image that can be read; {@link Failure#clause} says why
    */
-  static Texture.Image read(Path file) throws IOException {
+  static Texture.Image read(Path file, AtomicLong budget) throws IOException {
     try (InputStream in = Files.newInputStream(file);
         ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
@@ -33,16 +39,25 @@ final class ImageDecoder {
       ImageReader reader = readers.next();
       try {
         reader.setInput(stream, true, true);
-        long pixels = (long) reader.getWidth(0) * reader.getHeight(0);
-        if (pixels > MAX_PIXELS) {
-          throw new IOException("has " + pixels + " pixels, more than " + MAX_PIXELS);
-        }
+        spend((long) reader.getWidth(0) * reader.getHeight(0), budget);
         return convert(reader.read(0));
-      } catch (RuntimeException e) {
+      } catch (IIOException | EOFException | RuntimeException e) {
+        // The library's readers throw what they like at damaged files.
         throw new IOException("is a damaged image", e);
       } finally {
         reader.dispose();
       }
+    }
+  }
+
+  private static void spend(long pixels, AtomicLong budget) throws IOException {
+    if (pixels > MAX_PIXELS) {
+      throw new IOException(
+          "has %s pixels, more than the %s that an image may have".formatted(pixels, MAX_PIXELS));
+    }
+    if (budget.addAndGet(-BYTES * pixels) < 0) {
+      budget.addAndGet(BYTES * pixels);
+      throw new IOException("has %s pixels, for which there is no more memory".formatted(pixels));
     }
   }
 
@@ -91,7 +106,7 @@ final class ImageDecoder {
     long pixels = (long) width * height;
     if (pixels > MAX_PIXELS || image.length - 3 < pixels) {
       throw new IOException(
-          "names %d x %d pixels and holds %d".formatted(width, height, image.length - 3));
+          "names %s x %s pixels and holds %s".formatted(width, height, image.length - 3));
     }
     byte[] rgba = new byte[(int) pixels * 4];
     for (int i = 0; i < pixels; i++) {

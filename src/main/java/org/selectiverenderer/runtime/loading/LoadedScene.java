@@ -6,6 +6,11 @@ import org.selectiverenderer.runtime.scene.Scene;
 /**
  * A scene ready to run.
  *
- * @param assets the meshes and images of its nodes, made while loading
+ * @param loader that made it, and reads what its Inlines and textures come to name while it runs
  */
-public record LoadedScene(Scene scene, Assets assets) {}
+public record LoadedScene(Scene scene, SceneLoader loader) {
+  /** The meshes and images of its nodes. */
+  public Assets assets() {
+    return loader.assets();
+  }
+}

@@ -2,21 +2,22 @@ package org.selectiverenderer.runtime.loading;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.nodes.InlineNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.FieldType;
 import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.NodeType;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
@@ -24,61 +25,83 @@ import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.X3dFile;
 
 /**
- * Makes running scenes of files that are read, Inlines filled with scenes of their own. Reports the
- * problems of each file when it is first met, in document order.
+ * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
+ * serves one load.
  */
 final class SceneBuilder {
-  /**
-   * Nodes above which the rest of a scene is left out, so that Inlines cannot multiply for ever.
-   */
-  static final int MAX_NODES = 8_000_000;
+  /** Nodes within nodes, those of Inlines counted: as deep as the instance tree goes. */
+  static final int MAX_DEPTH = 1000;
+
+  /** Inlines within Inlines. */
+  static final int MAX_INLINES = 100;
+
+  /** What a scene in an Inline costs besides its nodes, in nodes. */
+  private static final int SCENE_COST = 30;
 
   private final NodeFactory factory;
   private final NodeType groupType;
-  private final AssetStore assets;
-  private final Problems problems;
-  private final Set<FileContent> reported = new HashSet<>();
-  private final Set<String> keptOnly = new HashSet<>();
+  private final SceneStore store;
+  private final ContentRoot root;
+  private final int maxNodes;
+  private final List<FileContent> files = new ArrayList<>();
+  private final Set<FileContent> known = Collections.newSetFromMap(new IdentityHashMap<>());
   private int nodes;
+  private boolean tooMany;
+  private int depth;
 
-  SceneBuilder(NodeCatalogue catalogue, NodeFactory factory, AssetStore assets, Problems problems) {
+  /**
+   * @param maxNodes nodes above which the rest is left out, so that Inlines cannot multiply for
+   *     ever
+   */
+  SceneBuilder(
+      NodeFactory factory, NodeType groupType, SceneStore store, ContentRoot root, int maxNodes) {
     this.factory = factory;
-    this.groupType = catalogue.get("Group");
-    this.assets = assets;
-    this.problems = problems;
+    this.groupType = groupType;
+    this.store = store;
+    this.root = root;
+    this.maxNodes = maxNodes;
   }
 
   /**
-   * @param including the files that this one is inlined by, outermost first
+   * @param above the files that this one is inlined by, outermost first
    */
-  Scene build(FileContent content, List<Path> including) {
-    if (reported.add(content)) {
-      content.problemList().forEach(problems::add);
+  Scene build(FileContent content, List<Path> above) {
+    if (known.add(content)) {
+      files.add(content);
     }
-    return new FileBuilder(content, including).build();
+    return new FileBuilder(content, above).build();
+  }
+
+  /** Tells the problems of all files built, in the order in which they were first met. */
+  void report(Problems to) {
+    files.forEach(content -> content.problems().list().forEach(to::add));
   }
 
   /** Builds one file: DEF names and routes are its own. */
   private final class FileBuilder {
     private final FileContent content;
-    private final List<Path> files;
+    private final Origin origin;
     private final Scene scene;
-    private final Map<ParsedNode, Node> named = new IdentityHashMap<>();
+    private final Map<ParsedNode, Node> made;
 
-    FileBuilder(FileContent content, List<Path> including) {
+    FileBuilder(FileContent content, List<Path> above) {
       this.content = content;
-      files = new ArrayList<>(including);
-      files.add(content.path());
       X3dFile file = content.file();
-      Node root = factory.make(groupType, null, Location.of(file.source()));
+      // Nearly no growing: a node with a name has some without in it.
+      made = new IdentityHashMap<>(4 * file.named().size() + 32);
+      List<Path> including = new ArrayList<>(above);
+      including.add(content.path());
+      origin = new Origin(root, content.folder(), List.copyOf(including), Scene.unitLength(file));
+      Node top = factory.make(groupType, null, Location.of(file.source()));
+      store.origin(top, origin);
       scene =
           new Scene(
-              root,
+              top,
               file.source(),
               file.version(),
               file.profile(),
               file.components(),
-              Scene.unitLength(file));
+              origin.unitLength());
     }
 
     Scene build() {
@@ -90,7 +113,7 @@ final class SceneBuilder {
       file.named()
           .forEach(
               (name, parsed) -> {
-                Node node = named.get(parsed);
+                Node node = made.get(parsed);
                 if (node != null) {
                   scene.name(name, node);
                 }
@@ -98,13 +121,24 @@ final class SceneBuilder {
       file.exports().forEach(export -> scene.exports().put(export.as(), export.localDef()));
       file.imports().forEach(this::importNode);
       for (X3dFile.ParsedRoute route : file.routes()) {
-        Node from = named.get(route.from());
-        Node to = named.get(route.to());
-        if (from != null && to != null) {
-          scene.addRoute(new Route(from, route.fromField(), to, route.toField()));
+        Optional<Node> from = end(route.from());
+        Optional<Node> to = end(route.to());
+        if (from.isPresent() && to.isPresent()) {
+          scene.addRoute(new Route(from.get(), route.fromField(), to.get(), route.toField()));
         }
       }
       return scene;
+    }
+
+    /** A node at an end of a route; one that stands in no other is made for its sake. */
+    private Optional<Node> end(ParsedNode parsed) {
+      Node known = made.get(parsed);
+      if (known != null) {
+        return Optional.of(known);
+      }
+      Optional<Node> loose = make(parsed);
+      loose.ifPresent(scene::addLoose);
+      return loose;
     }
 
     private void importNode(X3dFile.Import wanted) {
@@ -118,7 +152,7 @@ final class SceneBuilder {
                       Optional.ofNullable(inner.exports().get(wanted.importedDef()))
                           .flatMap(inner::find));
       if (node.isEmpty()) {
-        problems.error(
+        content.error(
             wanted.location(),
             "IMPORT finds no node exported as %s by Inline %s and is left out"
                 .formatted(wanted.importedDef(), wanted.inlineDef()));
@@ -128,27 +162,44 @@ final class SceneBuilder {
     }
 
     private Optional<Node> make(ParsedNode parsed) {
-      Node known = named.get(parsed);
+      Node known = made.get(parsed);
       if (known != null) {
         return Optional.of(known);
       }
-      if (++nodes > MAX_NODES) {
-        if (nodes == MAX_NODES + 1) {
-          problems.error(
-              parsed.location(),
-              "the scene has more than %d nodes; the rest is left out".formatted(MAX_NODES));
-        }
+      if (!affordable(parsed)) {
         return Optional.empty();
       }
+      depth++;
       Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
-      named.put(parsed, node);
-      for (FieldDefinition field : parsed.type().fields()) {
-        if (parsed.given(field.index())) {
-          node.init(field.index(), convert(field, parsed));
+      made.put(parsed, node);
+      List<FieldDefinition> fields = parsed.type().fields();
+      for (int i = 0; i < fields.size(); i++) {
+        if (parsed.given(i)) {
+          node.init(i, convert(fields.get(i), parsed));
         }
       }
       attach(parsed, node);
+      depth--;
       return Optional.of(node);
+    }
+
+    private boolean affordable(ParsedNode parsed) {
+      if (depth >= MAX_DEPTH) {
+        content.error(
+            parsed.location(),
+            "nodes and Inlines are nested more than %s deep; the %s is left out"
+                .formatted(MAX_DEPTH, parsed.type().name()));
+        return false;
+      }
+      nodes += parsed.type().name().equals("Inline") ? SCENE_COST : 1;
+      if (nodes > maxNodes && !tooMany) {
+        tooMany = true;
+        content.error(
+            parsed.location(),
+            "with its Inlines the scene has more than %s nodes, an Inline counted as %s; the rest is left out"
+                .formatted(maxNodes, SCENE_COST));
+      }
+      return !tooMany;
     }
 
     private Object convert(FieldDefinition field, ParsedNode parsed) {
@@ -167,30 +218,43 @@ final class SceneBuilder {
     }
 
     private void attach(ParsedNode parsed, Node node) {
-      Optional.ofNullable(content.meshes().get(parsed)).ifPresent(mesh -> assets.put(node, mesh));
+      Optional.ofNullable(content.meshes().get(parsed))
+          .ifPresent(mesh -> store.assets().put(node, mesh));
       Optional.ofNullable(content.images().get(parsed))
-          .ifPresent(image -> assets.putImage(node, image));
+          .ifPresent(image -> store.assets().putImage(node, image));
       if (node instanceof InlineNode inline) {
+        store.origin(inline, origin);
         Optional.ofNullable(content.inlines().get(parsed))
-            .flatMap(FileContent.FileReference::content)
-            .ifPresent(inner -> fill(inline, inner));
+            .ifPresent(outcome -> fill(inline, outcome.join()));
+      } else if (node.type().name().equals("ImageTexture")) {
+        store.origin(node, origin);
       }
-      if (!factory.actsOn(node.type()) && keptOnly.add(node.type().name())) {
-        problems.info(
+      if (store.firstKept(node.type())) {
+        content.info(
             node.location(),
             "%s is kept in the scene; nothing is done with it yet".formatted(node.type().name()));
       }
     }
 
-    private void fill(InlineNode inline, FileContent inner) {
-      if (files.contains(inner.path())) {
-        problems.error(
-            inline.location(),
-            "Inline %s includes itself and is left out".formatted(inner.file().source()));
+    private void fill(InlineNode inline, Outcome outcome) {
+      if (outcome instanceof Outcome.Failed failed) {
+        content.error(inline.location(), failed.sentence() + "; the Inline is left out");
         return;
       }
-      Scene included = SceneBuilder.this.build(inner, files);
-      inline.fill(included, included.unitLength() / scene.unitLength());
+      FileContent inner = ((Outcome.Read) outcome).content();
+      String name = inner.file().source();
+      if (origin.including().contains(inner.path())) {
+        content.error(
+            inline.location(), "%s includes itself; the Inline is left out".formatted(name));
+      } else if (origin.including().size() > MAX_INLINES) {
+        content.error(
+            inline.location(),
+            "Inlines are nested more than %s deep; the Inline of %s is left out"
+                .formatted(MAX_INLINES, name));
+      } else {
+        Scene included = SceneBuilder.this.build(inner, origin.including());
+        inline.fill(included, included.unitLength() / scene.unitLength());
+      }
     }
   }
 }

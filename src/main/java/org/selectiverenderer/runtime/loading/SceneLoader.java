@@ -1,25 +1,35 @@
 package org.selectiverenderer.runtime.loading;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import org.joml.FrustumIntersection;
+import org.joml.Matrix4d;
+import org.joml.Matrix4f;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.loading.FileContent.Outcome;
+import org.selectiverenderer.runtime.nodes.InlineNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.x3d.X3dFile;
 import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Tessellator;
 
@@ -34,10 +44,12 @@ public final class SceneLoader implements AutoCloseable {
   private final X3dReader reader;
   private final Tessellator tessellator = new Tessellator();
   private final Problems problems;
-  private final AssetStore assets;
-  private final ExecutorService executor;
+  private final SceneStore store;
+  private final int maxNodes;
+  private final ForkJoinPool threads;
 
   /**
+   * @param limits of each file; the limit of nodes also holds for a scene with all its Inlines
    * @param problems hears what is wrong with the files read
    */
   public SceneLoader(
@@ -46,21 +58,50 @@ public final class SceneLoader implements AutoCloseable {
     this.factory = factory;
     this.problems = problems;
     reader = new X3dReader(catalogue, limits);
-    assets = new AssetStore(node -> tessellator.tessellate(node, problems), this::image);
+    maxNodes = limits.maxNodes();
+    AssetStore assets =
+        new AssetStore(
+            node -> tessellator.tessellate(node, problems),
+            node ->
+                node.type().name().equals("PixelTexture")
+                    ? ImageFiles.pixels(node, problems)
+                    : Optional.empty());
+    store = new SceneStore(assets, factory::actsOn);
+    threads = threads();
+    threads.execute(SceneLoader::loadMatrices);
+  }
+
+  /**
+   * Loads JOML's classes while the first file is read. They are of an old format, which class-data
+   * sharing passes over, so that it takes some 20 ms, which the world would otherwise wait for.
+   */
+  private static void loadMatrices() {
+    Matrix4d matrix = new Matrix4d().translationRotate(new Vector3d(), new Quaterniond());
+    new FrustumIntersection(new Matrix4f(matrix));
+  }
+
+  /**
+   * A thread works on what it has itself begun last, the geometry of the file just read, before it
+   * takes from others what those began first, the largest files: what is in the cache is finished,
+   * and what takes long is begun early.
+   */
+  private static ForkJoinPool threads() {
     AtomicInteger count = new AtomicInteger();
-    executor =
-        Executors.newFixedThreadPool(
-            Runtime.getRuntime().availableProcessors(),
-            task -> {
-              Thread thread = new Thread(task, "scene-loader-" + count.incrementAndGet());
-              thread.setDaemon(true);
-              return thread;
-            });
+    return new ForkJoinPool(
+        Runtime.getRuntime().availableProcessors(),
+        pool -> {
+          ForkJoinWorkerThread thread =
+              ForkJoinPool.defaultForkJoinWorkerThreadFactory.newThread(pool);
+          thread.setName("scene-loader-" + count.incrementAndGet());
+          return thread;
+        },
+        null,
+        false);
   }
 
   /** The meshes and images of all scenes of this loader. */
   public Assets assets() {
-    return assets;
+    return store.assets();
   }
 
   public NodeCatalogue catalogue() {
@@ -77,14 +118,22 @@ public final class SceneLoader implements AutoCloseable {
    * @throws IOException with a one-line message when the file itself cannot be read
    */
   public LoadedScene load(Path file) throws IOException {
+    return load(file, problems);
+  }
+
+  /**
+   * As {@link #load(Path)}.
+   *
+   * @param hears hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(Path file, Problems hears) throws IOException {
     if (Files.isDirectory(file)) {
       throw new IOException(file + " is a folder, not a scene");
     }
+    Path parent = file.getParent();
+    Path folder = parent == null ? Path.of("") : parent;
     try (InputStream in = Files.newInputStream(file)) {
-      Path real = file.toRealPath();
-      return build(load(file.toString(), in, real, folderOf(file)), file.toString());
-    } catch (NoSuchFileException e) {
-      throw new NoSuchFileException(file + ": there is no such file");
+      return load(file.toString(), in, Files.size(file), file.toRealPath(), folder, hears);
     }
   }
 
@@ -95,41 +144,146 @@ public final class SceneLoader implements AutoCloseable {
    * @param folder against which its urls are resolved
    */
   public LoadedScene load(String name, InputStream in, Path folder) throws IOException {
-    return build(load(name, new BufferedInputStream(in), folder, folder), name);
+    return load(name, in, folder, problems);
   }
 
-  private static Path folderOf(Path file) {
-    Path parent = file.getParent();
-    return parent == null ? Path.of("") : parent;
+  /**
+   * As {@link #load(String, InputStream, Path)}.
+   *
+   * @param hears hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(String name, InputStream in, Path folder, Problems hears)
+      throws IOException {
+    return load(name, in, 0, folder, folder, hears);
   }
 
-  private FileContent load(String name, InputStream in, Path path, Path folder) throws IOException {
-    ContentRoot root = new ContentRoot(folder.toAbsolutePath());
-    return new FileLoader(reader, tessellator, executor, root).load(name, in, path, folder);
+  private LoadedScene load(
+      String name, InputStream in, long size, Path path, Path folder, Problems hears)
+      throws IOException {
+    ContentRoot root = new ContentRoot(folder);
+    TaskGroup tasks = new TaskGroup(threads);
+    FileContent content =
+        new FileLoader(reader, tessellator, tasks, root).first(name, in, size, path, folder);
+    TaskGroup.await(tasks.end());
+    return new LoadedScene(build(content, root, List.of(), hears), this);
   }
 
-  private LoadedScene build(FileContent content, String name) {
-    Scene scene = new SceneBuilder(catalogue, factory, assets, problems).build(content, List.of());
-    return new LoadedScene(scene, assets);
+  private Scene build(FileContent content, ContentRoot root, List<Path> above, Problems hears) {
+    SceneBuilder builder = new SceneBuilder(factory, catalogue.get("Group"), store, root, maxNodes);
+    Scene scene = builder.build(content, above);
+    builder.report(hears);
+    return scene;
   }
 
-  /** Images of nodes that were not part of a file when it was loaded. */
-  private Optional<Texture.Image> image(Node texture) {
-    if (!texture.type().name().equals("PixelTexture")) {
-      return Optional.empty();
+  SceneStore store() {
+    return store;
+  }
+
+  /**
+   * What has been read in the background.
+   *
+   * @param value empty when it could not be read
+   * @param problems with it, in order
+   */
+  record Arrival<T>(Optional<T> value, List<Problem> problems) {}
+
+  /** Reads the file that an Inline names and all that it names in turn. */
+  CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, Origin origin) {
+    return read(
+        inline,
+        origin,
+        (content, hears) -> {
+          Scene holder = build(content, origin.root(), origin.above(), hears);
+          return ((InlineNode) holder.root().nodes("children").get(0)).content();
+        });
+  }
+
+  /** Reads the image that an ImageTexture names. */
+  CompletableFuture<Arrival<Texture.Image>> image(ParsedNode texture, Origin origin) {
+    return read(
+        texture,
+        origin,
+        (content, hears) -> {
+          content.problems().list().forEach(hears::add);
+          return content.images().getOrDefault(texture, Optional.empty());
+        });
+  }
+
+  /** What is made of the files read. */
+  @FunctionalInterface
+  private interface Making<T> {
+    Optional<T> make(FileContent content, Problems hears);
+  }
+
+  /** Reads what a node names, as if it were the only one of its file. */
+  private <T> CompletableFuture<Arrival<T>> read(ParsedNode node, Origin origin, Making<T> making) {
+    TaskGroup tasks = new TaskGroup(threads);
+    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
+    FileContent content =
+        new FileContent(origin.file(), origin.folder(), X3dFile.of(node, origin.unitLength()));
+    tasks.start(() -> loader.follow(content));
+    return arrival(tasks, node, hears -> making.make(content, hears));
+  }
+
+  /** Reads the scene that an Anchor links to; it may name what the scene with the Anchor may. */
+  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, Origin origin) {
+    TaskGroup tasks = new TaskGroup(threads);
+    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
+    AtomicReference<Function<Problems, Optional<Scene>>> making =
+        new AtomicReference<>(hears -> Optional.empty());
+    tasks.start(
+        () -> {
+          UrlChoice choice =
+              UrlChoice.of(anchor, origin.root(), origin.folder(), "the viewer stays here");
+          if (choice instanceof UrlChoice.File file) {
+            CompletableFuture<Outcome> outcome = loader.file(file.path());
+            making.set(hears -> scene(outcome.join(), anchor, origin.root(), hears));
+          } else {
+            making.set(
+                hears -> {
+                  hears.add(((UrlChoice.None) choice).problem());
+                  return Optional.empty();
+                });
+          }
+        });
+    return arrival(tasks, anchor, hears -> making.get().apply(hears));
+  }
+
+  private Optional<Scene> scene(
+      Outcome outcome, ParsedNode anchor, ContentRoot root, Problems hears) {
+    if (outcome instanceof Outcome.Read read) {
+      return Optional.of(build(read.content(), root, List.of(), hears));
     }
-    try {
-      return Optional.of(ImageDecoder.pixels(texture.ints("image")));
-    } catch (IOException e) {
-      problems.error(
-          texture.location(),
-          "the image of the PixelTexture %s; the texture is left out".formatted(e.getMessage()));
-      return Optional.empty();
-    }
+    hears.error(
+        anchor.location(), ((Outcome.Failed) outcome).sentence() + "; the viewer stays here");
+    return Optional.empty();
+  }
+
+  private <T> CompletableFuture<Arrival<T>> arrival(
+      TaskGroup tasks, ParsedNode node, Function<Problems, Optional<T>> making) {
+    return tasks
+        .end()
+        .thenApplyAsync(
+            over -> {
+              Problems hears = new Problems();
+              return new Arrival<>(making.apply(hears), hears.list());
+            },
+            threads)
+        .exceptionally(
+            failure -> {
+              Throwable cause = failure.getCause() == null ? failure : failure.getCause();
+              Problem problem =
+                  new Problem(
+                      Problem.Severity.ERROR,
+                      node.location(),
+                      "what the %s names could not be read (%s); it is left out"
+                          .formatted(node.type().name(), cause));
+              return new Arrival<>(Optional.empty(), List.of(problem));
+            });
   }
 
   @Override
   public void close() {
-    executor.shutdownNow();
+    threads.shutdown();
   }
 }

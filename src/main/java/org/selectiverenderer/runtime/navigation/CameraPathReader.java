@@ -156,7 +156,7 @@ public final class CameraPathReader {
     if (cells.size() != width) {
       fault(
           new Location(file, line, 1),
-          "the row has %d values where the header names %d columns%s"
+          "the row has %s values where the header names %s columns%s"
               .formatted(
                   cells.size(),
                   width,

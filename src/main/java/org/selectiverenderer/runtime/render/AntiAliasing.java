@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.render;
 
+import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
 /** How many samples per pixel smooth the edges where nobody asked for a number. */
 public final class AntiAliasing {
@@ -11,9 +13,16 @@ public final class AntiAliasing {
 
   /**
    * {@value #SMOOTH} on a graphics card, none where a processor draws: there, lights that are
-   * computed for every sample make frames five times as long. Touches GL, so a display is needed.
+   * computed for every sample make frames five times as long.
+   *
+   * @throws GlUnavailableException if there is no display or no OpenGL 3.3
    */
   public static int forMotion() {
-    return GLProfile.get(GLProfile.GL3).isHardwareRasterizer() ? SMOOTH : 0;
+    try {
+      return GLProfile.get(GLProfile.GL3).isHardwareRasterizer() ? SMOOTH : 0;
+    } catch (GLException | LinkageError e) {
+      throw new GlUnavailableException(
+          "OpenGL 3.3 cannot be used on this display: " + e.getMessage(), e);
+    }
   }
 }

@@ -1,8 +1,10 @@
 package org.selectiverenderer.runtime.render;
 
 import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLException;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 import org.selectiverenderer.runtime.render.context.Screenshot;
@@ -35,6 +37,10 @@ public final class OffscreenView implements AutoCloseable {
     OffscreenContext context = OffscreenContext.open();
     try {
       return new OffscreenView(context, new OffscreenTarget(context.gl(), width, height, samples));
+    } catch (GLException e) {
+      context.close();
+      throw new GlUnavailableException(
+          "a picture of that size cannot be drawn: " + e.getMessage(), e);
     } catch (RuntimeException e) {
       context.close();
       throw e;

@@ -13,14 +13,23 @@ import org.selectiverenderer.runtime.scene.Node;
  */
 final class WorldPainter {
   private final SceneRenderer renderer = new SceneRenderer(2);
+  private Drawn drawn = new Drawn(0, 0);
 
   /** Sends all meshes and textures of the world to the graphics card. */
   void prepare(GL3 gl, World world) {
-    renderer.prepare(gl, world.instances());
+    world.hold(() -> renderer.prepare(gl, world.instances()));
   }
 
-  /** Draws over a whole target of that size; returns what was drawn. */
+  /**
+   * Draws over a whole target of that size while no other thread changes the world; returns what
+   * was drawn.
+   */
   Drawn paint(GL3 gl, World world, int width, int height) {
+    world.hold(() -> drawn = paintHeld(gl, world, width, height));
+    return drawn;
+  }
+
+  private Drawn paintHeld(GL3 gl, World world, int width, int height) {
     renderer.prepare(gl, world.instances());
     Optional<Node> info = world.bindables().bound("NavigationInfo");
     DepthRange range =

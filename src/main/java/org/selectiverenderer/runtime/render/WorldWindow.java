@@ -10,6 +10,7 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.FrameSource;
+import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.RenderWindow;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
 import org.selectiverenderer.x3d.geometry.TextMesher;
@@ -23,7 +24,8 @@ public final class WorldWindow {
 
   public WorldWindow(WindowOptions options, WorldHost host) {
     this.host = host;
-    window = new RenderWindow(options, new Frames(), host::input);
+    Frames frames = new Frames();
+    window = new RenderWindow(options, frames, frames::input);
   }
 
   /**
@@ -50,8 +52,16 @@ public final class WorldWindow {
   private final class Frames implements FrameSource {
     private final WorldPainter painter = new WorldPainter();
     private final Overlay overlay = new Overlay(new TextMesher());
+    private final PointerTracker pointer = new PointerTracker();
     private Optional<World> world = Optional.empty();
     private @Nullable FrameSize size;
+
+    void input(InputEvent event) {
+      host.input(event);
+      if (world.isPresent() && size != null) {
+        pointer.input(event, world.get(), size);
+      }
+    }
 
     @Override
     public void start(GL3 gl) {

@@ -40,7 +40,8 @@ public final class EmbeddedBrowserFactory implements BrowserFactoryImpl {
             "Full",
             Map.of(),
             1);
-    World world = new World(new LoadedScene(empty, loader.assets()), problems);
+    World world = new World(new LoadedScene(empty, loader), problems);
+    world.epoch(System.currentTimeMillis() / 1000.0);
     EmbeddedBrowser browser =
         new EmbeddedBrowser(
             world, loader, consumer(parameters, CONSOLE, String.class), Map.of("Renderer", "none"));

@@ -3,6 +3,8 @@ package org.selectiverenderer.runtime.sai;
 import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.scene.ApplicationCode;
+import org.selectiverenderer.x3d.Location;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DComponent;
 
@@ -32,7 +34,12 @@ final class EmbeddedComponent implements X3DComponent {
   private void run() {
     long start = System.nanoTime();
     for (long frame = 0; open; frame++) {
-      world.step((System.nanoTime() - start) * 1e-9, (viewer, time, dt) -> {});
+      double now = (System.nanoTime() - start) * 1e-9;
+      ApplicationCode.call(
+          world.problems(),
+          Location.of(world.scene().url()),
+          "a frame",
+          () -> world.step(now, (viewer, time, dt) -> {}));
       LockSupport.parkNanos(start + (frame + 1) * FRAME_NANOS - System.nanoTime());
     }
   }

@@ -4,8 +4,13 @@ import org.selectiverenderer.x3d.FieldDefinition;
 import org.web3d.x3d.sai.X3DFieldDefinition;
 import org.web3d.x3d.sai.X3DFieldTypes;
 
-/** A field of the catalogue, as the SAI describes it. */
-record EmbeddedFieldDefinition(FieldDefinition field) implements X3DFieldDefinition {
+/**
+ * A field of the catalogue, as the SAI describes it.
+ *
+ * @param typeNumber of {@link X3DFieldTypes}
+ */
+record EmbeddedFieldDefinition(FieldDefinition field, int typeNumber)
+    implements X3DFieldDefinition {
   @Override
   public String getName() {
     return field.name();
@@ -23,7 +28,7 @@ record EmbeddedFieldDefinition(FieldDefinition field) implements X3DFieldDefinit
 
   @Override
   public int getFieldType() {
-    return SaiTypes.fieldType(field.type());
+    return typeNumber;
   }
 
   @Override

@@ -5,10 +5,10 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DRoute;
 
 /** A route, as the SAI describes it. Equal when it connects the same fields. */
-record EmbeddedRoute(EmbeddedBrowser browser, Route route) implements X3DRoute {
+record EmbeddedRoute(Binding binding, Route route) implements X3DRoute {
   @Override
   public X3DNode getSourceNode() {
-    return browser.wrap(route.from());
+    return binding.wrapped(route.from());
   }
 
   @Override
@@ -18,7 +18,7 @@ record EmbeddedRoute(EmbeddedBrowser browser, Route route) implements X3DRoute {
 
   @Override
   public X3DNode getDestinationNode() {
-    return browser.wrap(route.to());
+    return binding.wrapped(route.to());
   }
 
   @Override

@@ -5,41 +5,48 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.Location;
 import org.web3d.x3d.sai.ComponentInfo;
 import org.web3d.x3d.sai.ImportedNodeException;
 import org.web3d.x3d.sai.InvalidExecutionContextException;
 import org.web3d.x3d.sai.InvalidNodeException;
-import org.web3d.x3d.sai.InvalidProtoException;
-import org.web3d.x3d.sai.InvalidReadableFieldException;
-import org.web3d.x3d.sai.InvalidRouteException;
-import org.web3d.x3d.sai.InvalidWritableFieldException;
-import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.ProfileInfo;
-import org.web3d.x3d.sai.X3DExternProtoDeclaration;
 import org.web3d.x3d.sai.X3DNode;
-import org.web3d.x3d.sai.X3DProtoDeclaration;
-import org.web3d.x3d.sai.X3DProtoInstance;
 import org.web3d.x3d.sai.X3DRoute;
-import org.web3d.x3d.sai.X3DScene;
 
-/** A scene behind the SAI. */
-final class EmbeddedScene implements X3DScene {
-  private final EmbeddedBrowser browser;
+/**
+ * A scene behind the SAI. Until it is shown it is the application's: changes are done at once, by
+ * whatever thread. From then on changes of nodes and routes go through the world as writes do.
+ */
+final class EmbeddedScene extends SceneWithoutPrototypes {
+  private final Binding binding;
+  private final SceneMaker maker;
   private final Scene scene;
+  private final String worldUrl;
   private final int children;
-  private boolean disposed;
+  private volatile boolean shown;
+  private volatile boolean disposed;
 
-  EmbeddedScene(EmbeddedBrowser browser, Scene scene) {
-    this.browser = browser;
+  /**
+   * @param scene whose lists of names are read and written with its lock held
+   * @param worldUrl full address, or empty
+   */
+  EmbeddedScene(Binding binding, SceneMaker maker, Scene scene, String worldUrl) {
+    this.binding = binding;
+    this.maker = maker;
     this.scene = scene;
+    this.worldUrl = worldUrl;
     children = scene.root().type().indexOf("children");
+  }
+
+  Binding binding() {
+    return binding;
   }
 
   Scene scene() {
@@ -47,11 +54,48 @@ final class EmbeddedScene implements X3DScene {
     return scene;
   }
 
-  private void check() {
-    browser.check();
+  boolean isOf(Scene other) {
+    return scene == other;
+  }
+
+  /** The world is about to show the scene. */
+  void show() {
+    shown = true;
+  }
+
+  @Override
+  void check() {
+    binding.check();
     if (disposed) {
       throw new InvalidExecutionContextException("the scene is disposed of");
     }
+  }
+
+  /** Changes routes or nodes: in the world's order if it shows the scene. */
+  private void change(Runnable change) {
+    if (shown) {
+      binding.execute(() -> locked(change));
+    } else {
+      locked(change);
+    }
+  }
+
+  private void locked(Runnable change) {
+    synchronized (scene) {
+      change.run();
+    }
+  }
+
+  private <T> T read(Supplier<T> reading) {
+    check();
+    synchronized (scene) {
+      return reading.get();
+    }
+  }
+
+  private void write(Runnable change) {
+    check();
+    locked(change);
   }
 
   @Override
@@ -69,11 +113,7 @@ final class EmbeddedScene implements X3DScene {
   @Override
   public @Nullable ProfileInfo getProfile() {
     check();
-    try {
-      return browser.getProfile(scene.profile());
-    } catch (NotSupportedException e) {
-      return null; // A file may leave its profile out or misspell it: the SAI has null for that.
-    }
+    return maker.profile(scene.profile());
   }
 
   @Override
@@ -85,139 +125,94 @@ final class EmbeddedScene implements X3DScene {
   @Override
   public String getWorldURL() {
     check();
-    return scene.url();
+    return worldUrl;
   }
 
   @Override
   public X3DRoute[] getRoutes() {
-    check();
-    return scene.routes().stream()
-        .map(route -> new EmbeddedRoute(browser, route))
-        .toArray(X3DRoute[]::new);
+    return read(
+        () ->
+            scene.routes().stream()
+                .map(route -> new EmbeddedRoute(binding, route))
+                .toArray(X3DRoute[]::new));
   }
 
   @Override
   public X3DRoute addRoute(
       X3DNode fromNode, String readableField, X3DNode toNode, String writableField) {
     check();
-    Node from = browser.unwrapped(fromNode);
-    Node to = browser.unwrapped(toNode);
-    FieldDefinition out =
-        from.type()
-            .output(readableField)
-            .orElseThrow(
-                () -> new InvalidReadableFieldException(from + " sends no " + readableField));
-    FieldDefinition in =
-        to.type()
-            .input(writableField)
-            .orElseThrow(
-                () -> new InvalidWritableFieldException(to + " receives no " + writableField));
-    if (out.type() != in.type()) {
-      throw new InvalidRouteException(
-          "%s of %s cannot be routed to %s of %s: the types %s and %s differ"
-              .formatted(out.name(), from, in.name(), to, out.type(), in.type()));
-    }
-    Route route = new Route(from, out.index(), to, in.index());
-    browser.execute(() -> scene.addRoute(route));
-    return new EmbeddedRoute(browser, route);
+    Route route =
+        Routes.between(
+            binding.unwrapped(fromNode), readableField, binding.unwrapped(toNode), writableField);
+    change(() -> scene.addRoute(route));
+    return new EmbeddedRoute(binding, route);
   }
 
   @Override
   public void removeRoute(X3DRoute route) {
     check();
     if (route instanceof EmbeddedRoute embedded) {
-      browser.execute(() -> scene.removeRoute(embedded.route()));
+      change(() -> scene.removeRoute(embedded.route()));
     }
-  }
-
-  @Override
-  public String[] getProtosNames() {
-    check();
-    return new String[0];
-  }
-
-  @Override
-  public X3DProtoDeclaration getProtoDeclaration(String name) {
-    check();
-    throw noPrototype(name);
-  }
-
-  @Override
-  public void updateProtoDeclaration(String name, X3DProtoDeclaration declaration) {
-    check();
-    throw noPrototype(name);
-  }
-
-  @Override
-  public void removeProtoDeclaration(String name) {
-    check();
-  }
-
-  @Override
-  public String[] getExternProtoNames() {
-    check();
-    return new String[0];
-  }
-
-  @Override
-  public X3DExternProtoDeclaration getExternProtoDeclaration(String name) {
-    check();
-    throw noPrototype(name);
-  }
-
-  @Override
-  public void updateExternProtoDeclaration(String name, X3DExternProtoDeclaration declaration) {
-    check();
-    throw noPrototype(name);
-  }
-
-  @Override
-  public void removeExternProtoDeclaration(String name) {
-    check();
-  }
-
-  private static InvalidProtoException noPrototype(String name) {
-    return new InvalidProtoException(
-        "there is no prototype %s: instances are expanded while a file is read".formatted(name));
   }
 
   @Override
   public String[] getNamedNodes() {
-    check();
-    return scene.named().keySet().toArray(String[]::new);
+    return read(() -> scene.named().keySet().toArray(String[]::new));
   }
 
   @Override
   public X3DNode getNamedNode(String name) {
+    return read(
+        () ->
+            binding.wrapped(
+                scene
+                    .find(name)
+                    .or(() -> Optional.ofNullable(scene.imported().get(name)))
+                    .orElseThrow(
+                        () -> new InvalidNodeException("no node has the DEF name " + name))));
+  }
+
+  @Override
+  public void updateNamedNode(String name, X3DNode node) {
     check();
-    return browser.wrap(
-        scene
-            .find(name)
-            .or(() -> Optional.ofNullable(scene.imported().get(name)))
-            .orElseThrow(() -> new InvalidNodeException("no node has the DEF name " + name)));
+    Node named = binding.unwrapped(node);
+    write(
+        () -> {
+          if (scene.imported().containsKey(name)) {
+            throw new ImportedNodeException(name + " is the name of an imported node");
+          }
+          scene.name(name, named);
+        });
+  }
+
+  @Override
+  public void removeNamedNode(String name) {
+    write(() -> scene.unname(name));
   }
 
   @Override
   public X3DNode getImportedNode(String name) {
-    check();
-    Node node = scene.imported().get(name);
-    if (node == null) {
-      throw new InvalidNodeException("no node is imported as " + name);
-    }
-    return browser.wrap(node);
+    return read(
+        () -> {
+          Node node = scene.imported().get(name);
+          if (node == null) {
+            throw new InvalidNodeException("no node is imported as " + name);
+          }
+          return binding.wrapped(node);
+        });
   }
 
   @Override
   public void removeImportedNode(String name) {
-    check();
-    browser.execute(() -> scene.imported().remove(name));
+    write(() -> scene.imported().remove(name));
   }
 
   @Override
   public void updateImportedNode(String exportedName, String name, X3DNode inline) {
     check();
     Node node =
-        Optional.of(browser.unwrapped(inline))
+        Optional.of(binding.unwrapped(inline))
             .filter(InlineNode.class::isInstance)
             .flatMap(candidate -> ((InlineNode) candidate).content())
             .flatMap(
@@ -225,125 +220,102 @@ final class EmbeddedScene implements X3DScene {
                     Optional.ofNullable(inner.exports().get(exportedName)).flatMap(inner::find))
             .orElseThrow(
                 () -> new ImportedNodeException("the Inline exports no node as " + exportedName));
-    browser.execute(() -> scene.imported().put(name, node));
+    write(() -> scene.imported().put(name, node));
   }
 
   @Override
-  public void updateNamedNode(String name, X3DNode node) {
-    check();
-    if (scene.imported().containsKey(name)) {
-      throw new ImportedNodeException(name + " is the name of an imported node");
-    }
-    Node unwrapped = browser.unwrapped(node);
-    browser.execute(() -> scene.name(name, unwrapped));
+  public X3DNode getExportedNode(String name) {
+    return read(
+        () ->
+            binding.wrapped(
+                Optional.ofNullable(scene.exports().get(name))
+                    .flatMap(scene::find)
+                    .orElseThrow(
+                        () -> new InvalidNodeException("no node is exported as " + name))));
   }
 
   @Override
-  public void removeNamedNode(String name) {
-    check();
-    browser.execute(() -> scene.unname(name));
+  public String[] getExportedNodes() {
+    return read(() -> scene.exports().keySet().toArray(String[]::new));
   }
 
   @Override
-  public X3DNode[] getRootNodes() {
-    check();
-    return scene.root().nodes("children").stream().map(browser::wrap).toArray(X3DNode[]::new);
+  public void updateExportedNode(String name, @Nullable String exportedName) {
+    write(
+        () -> {
+          if (scene.find(name).isEmpty()) {
+            throw new InvalidNodeException("no node has the DEF name " + name);
+          }
+          scene.exports().put(exportedName == null ? name : exportedName, name);
+        });
+  }
+
+  @Override
+  public void removeExportedNode(String exportedName) {
+    write(() -> scene.exports().remove(exportedName));
+  }
+
+  @Override
+  public void addMetaData(String name, String value) {
+    write(() -> scene.meta().put(name, value));
+  }
+
+  @Override
+  public Map<String, String> getMetaData() {
+    return read(() -> new LinkedHashMap<>(scene.meta()));
+  }
+
+  @Override
+  public void removeMetaData(String name) {
+    write(() -> scene.meta().remove(name));
   }
 
   @Override
   public X3DNode createNode(String name) {
     check();
-    return browser
-        .catalogue()
-        .find(name)
-        .map(
-            type ->
-                browser.wrapNew(
-                    browser.factory().make(type, null, Location.of("(made by the application)"))))
+    return maker
+        .node(name)
         .orElseThrow(() -> new InvalidNodeException("there is no node type " + name));
   }
 
   @Override
-  public X3DProtoInstance createProto(String name) {
-    check();
-    throw noPrototype(name);
-  }
-
-  @Override
-  public void dispose() {
-    disposed = true;
-  }
-
-  @Override
-  public void addMetaData(String name, String value) {
-    check();
-    browser.execute(() -> scene.meta().put(name, value));
-  }
-
-  @Override
-  public Map<String, String> getMetaData() {
-    check();
-    return new LinkedHashMap<>(scene.meta());
-  }
-
-  @Override
-  public void removeMetaData(String name) {
-    check();
-    browser.execute(() -> scene.meta().remove(name));
-  }
-
-  @Override
-  public X3DNode getExportedNode(String name) {
-    check();
-    return browser.wrap(
-        Optional.ofNullable(scene.exports().get(name))
-            .flatMap(scene::find)
-            .orElseThrow(() -> new InvalidNodeException("no node is exported as " + name)));
-  }
-
-  @Override
-  public String[] getExportedNodes() {
-    check();
-    return scene.exports().keySet().toArray(String[]::new);
-  }
-
-  @Override
-  public void updateExportedNode(String name, @Nullable String exportedName) {
-    check();
-    if (scene.find(name).isEmpty()) {
-      throw new InvalidNodeException("no node has the DEF name " + name);
-    }
-    String as = exportedName == null ? name : exportedName;
-    browser.execute(() -> scene.exports().put(as, name));
-  }
-
-  @Override
-  public void removeExportedNode(String exportedName) {
-    check();
-    browser.execute(() -> scene.exports().remove(exportedName));
+  public X3DNode[] getRootNodes() {
+    return read(
+        () ->
+            scene.root().nodes("children").stream().map(binding::wrapped).toArray(X3DNode[]::new));
   }
 
   @Override
   public void addRootNode(X3DNode node) {
     check();
-    Node added = browser.unwrapped(node);
-    browser.execute(
-        () -> {
-          List<Node> roots = new ArrayList<>(scene.root().nodes("children"));
-          roots.add(added);
-          browser.write(scene.root(), children, List.copyOf(roots));
-        });
+    Node added = binding.unwrapped(node);
+    changeRoots(roots -> roots.add(added));
   }
 
   @Override
   public void removeRootNode(X3DNode node) {
     check();
-    Node removed = browser.unwrapped(node);
-    browser.execute(
+    Node removed = binding.unwrapped(node);
+    changeRoots(roots -> roots.remove(removed));
+  }
+
+  private void changeRoots(Predicate<List<Node>> change) {
+    change(
         () -> {
           List<Node> roots = new ArrayList<>(scene.root().nodes("children"));
-          roots.remove(removed);
-          browser.write(scene.root(), children, List.copyOf(roots));
+          if (!change.test(roots)) {
+            return;
+          }
+          if (shown) {
+            binding.sendNow(scene.root(), children, List.copyOf(roots));
+          } else {
+            scene.root().init(children, List.copyOf(roots));
+          }
         });
+  }
+
+  @Override
+  public void dispose() {
+    disposed = true;
   }
 }

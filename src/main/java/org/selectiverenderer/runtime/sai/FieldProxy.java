@@ -3,160 +3,224 @@ package org.selectiverenderer.runtime.sai;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
-import java.util.Objects;
+import java.util.Arrays;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.scene.FieldListener;
+import org.selectiverenderer.runtime.scene.ApplicationCode;
+import org.selectiverenderer.runtime.scene.ListenerOfField;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.FieldAccess;
 import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
 import org.web3d.x3d.sai.InvalidReadableFieldException;
-import org.web3d.x3d.sai.MField;
+import org.web3d.x3d.sai.InvalidWritableFieldException;
 import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEvent;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 
-/** A field behind the interface of its type: SFInt32, MFString ... */
-final class FieldProxy implements InvocationHandler {
-  private final EmbeddedBrowser browser;
-  private final NodeProxy owner;
-  private final FieldDefinition definition;
-  private final X3DField proxy;
-  private @Nullable Object userData;
+/**
+ * A field behind the interface of its type: SFInt32, MFString ... Two objects of one field are
+ * equal; the node keeps only one that has listeners or data attached, and hands that out from then
+ * on.
+ */
+final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls.Target {
+  private static final Object[] NO_ARGUMENTS = {};
+  private static final X3DFieldEventListener[] NONE = {};
 
-  FieldProxy(EmbeddedBrowser browser, NodeProxy owner, FieldDefinition definition) {
-    this.browser = browser;
+  private final NodeProxy owner;
+  private final EmbeddedFieldDefinition definition;
+  private final X3DField proxy;
+
+  /** Null, a listener, or an array of more than one that is never written into. */
+  private volatile @Nullable Object listeners;
+
+  private volatile @Nullable Object userData;
+
+  FieldProxy(NodeProxy owner, EmbeddedFieldDefinition definition) {
     this.owner = owner;
     this.definition = definition;
     proxy =
         (X3DField)
             Proxy.newProxyInstance(
                 X3DField.class.getClassLoader(),
-                new Class<?>[] {interfaceOf(definition.type())},
+                new Class<?>[] {owner.binding().types().interfaceOf(definition.field().type())},
                 this);
+  }
+
+  NodeProxy owner() {
+    return owner;
   }
 
   X3DField proxy() {
     return proxy;
   }
 
-  private Class<?> interfaceOf(FieldType type) {
-    return browser
-        .types()
-        .find(type.name())
-        .orElse(type.multiple() ? MField.class : X3DField.class);
+  @Override
+  public int field() {
+    return definition.field().index();
   }
 
   @Override
   public @Nullable Object invoke(Object self, Method method, Object @Nullable [] arguments) {
-    Object[] a = arguments == null ? new Object[0] : arguments;
+    Object[] a = arguments == null ? NO_ARGUMENTS : arguments;
+    switch (method.getName()) {
+      case "equals":
+        return sameField(a[0]);
+      case "hashCode":
+        return 31 * owner.node().hashCode() + field();
+      case "toString":
+        return definition.field().toString();
+      default:
+        owner.check();
+    }
     return switch (method.getName()) {
-      case "equals" -> self == a[0];
-      case "hashCode" -> System.identityHashCode(self);
-      case "toString" -> definition.toString();
-      case "getDefinition" -> new EmbeddedFieldDefinition(definition);
+      case "getDefinition" -> definition;
       case "isReadable" -> readable();
-      case "isWritable" -> owner.writable(definition);
+      case "isWritable" -> owner.writable(definition.field());
       case "addX3DEventListener" -> {
-        if (definition.access().sendsEvents()) {
-          owner.node().addListener(definition.index(), adapt(a[0]));
-        }
+        add((X3DFieldEventListener) a[0]);
         yield null;
       }
       case "removeX3DEventListener" -> {
-        owner.node().removeListener(definition.index(), adapt(a[0]));
+        remove((X3DFieldEventListener) a[0]);
         yield null;
       }
       case "setUserData" -> {
-        userData = a[0];
+        attach(a[0]);
         yield null;
       }
-      case "getUserData" -> userData;
-      default -> access(method.getName(), a);
+      case "getUserData" -> {
+        FieldProxy kept = kept();
+        yield kept == null ? null : kept.userData;
+      }
+      default ->
+          FieldCalls.call(
+              method.getName(), definition.field().type(), a, this, owner.binding().values());
     };
   }
 
-  private @Nullable Object access(String method, Object[] a) {
-    FieldType type = definition.type();
-    Values values = browser.values();
-    return switch (method) {
-      case "getSize" -> Values.size(type, value());
-      case "getValue" -> {
-        if (a.length == 0) {
-          yield type.isNode() ? browser.wrap((Node) value()) : value();
-        }
-        values.toArgument(type, value(), a[0]);
-        yield null;
-      }
-      case "get1Value" -> {
-        if (a.length == 1) {
-          yield values.element(type, value(), (Integer) a[0]);
-        }
-        values.element(type, value(), (Integer) a[0], a[1]);
-        yield null;
-      }
-      case "setValue" ->
-          type == FieldType.SFImage
-              ? write(ImageValues.of((Integer) a[0], (Integer) a[1], (Integer) a[2], (int[]) a[3]))
-              : write(
-                  a.length == 1
-                      ? values.fromArgument(type, a[0])
-                      : values.first(type, (Integer) a[0], a[1]));
-      case "append" -> write(values.splice(type, value(), Values.size(type, value()), 0, a[0]));
-      case "clear" -> write(type.zero());
-      case "insertValue" -> write(values.splice(type, value(), (Integer) a[0], 0, a[1]));
-      case "removeValue" -> write(values.splice(type, value(), (Integer) a[0], 1, null));
-      case "set1Value" -> write(values.splice(type, value(), (Integer) a[0], 1, a[1]));
-      default -> ImageValues.call(method, a, (int[]) value(), this::write);
-    };
+  private boolean sameField(@Nullable Object other) {
+    return other != null
+        && Proxy.isProxyClass(other.getClass())
+        && Proxy.getInvocationHandler(other) instanceof FieldProxy field
+        && field.owner == owner
+        && field.definition == definition;
   }
 
   private boolean readable() {
-    return definition.access() != FieldAccess.INPUT_ONLY;
+    return definition.field().access() != FieldAccess.INPUT_ONLY;
   }
 
-  private @Nullable Object value() {
+  @Override
+  public @Nullable Object value() {
     if (!readable()) {
       throw new InvalidReadableFieldException(
-          "%s of %s is inputOnly and has no value".formatted(definition.name(), owner));
+          "%s of %s is inputOnly and has no value".formatted(definition.getName(), owner));
     }
-    return owner.node().value(definition.index());
+    return owner.node().value(field());
   }
 
-  private @Nullable Object write(@Nullable Object value) {
-    owner.write(definition, value);
-    return null;
+  @Override
+  public void change(UnaryOperator<@Nullable Object> change) {
+    FieldDefinition field = definition.field();
+    if (!owner.writable(field)) {
+      throw new InvalidWritableFieldException(
+          "%s of %s is %s%s"
+              .formatted(
+                  field.name(),
+                  owner,
+                  field.access().spelling(),
+                  field.access() == FieldAccess.INITIALIZE_ONLY
+                      ? " and the node is in use"
+                      : " and takes no value"));
+    }
+    owner.change(field, change);
   }
 
-  private FieldListener adapt(Object listener) {
-    return new Adapter(this, (X3DFieldEventListener) listener);
+  /** The object of this field that the node keeps, if any. */
+  private @Nullable FieldProxy kept() {
+    return owner.node().listener(field()) instanceof FieldProxy kept && kept.owner == owner
+        ? kept
+        : null;
   }
 
-  /** Equal for the same listener of the same field, so that it can be removed. */
-  private static final class Adapter implements FieldListener {
-    private final FieldProxy field;
-    private final X3DFieldEventListener listener;
-
-    Adapter(FieldProxy field, X3DFieldEventListener listener) {
-      this.field = field;
-      this.listener = listener;
+  private FieldProxy keep() {
+    FieldProxy kept = kept();
+    if (kept == null) {
+      owner.node().addListener(field(), this);
+      return this;
     }
+    return kept;
+  }
 
-    @Override
-    public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
-      listener.readableFieldChanged(new X3DFieldEvent(field.proxy, time, field.userData));
+  private void dropIfUnused() {
+    if (listeners == null && userData == null) {
+      owner.node().removeListener(field(), this);
     }
+  }
 
-    @Override
-    public boolean equals(@Nullable Object other) {
-      return other instanceof Adapter adapter
-          && adapter.field == field
-          && adapter.listener == listener;
+  private void attach(@Nullable Object data) {
+    synchronized (owner.node()) {
+      FieldProxy kept = data == null ? kept() : keep();
+      if (kept != null) {
+        kept.userData = data;
+        kept.dropIfUnused();
+      }
     }
+  }
 
-    @Override
-    public int hashCode() {
-      return Objects.hash(System.identityHashCode(field), System.identityHashCode(listener));
+  private void add(X3DFieldEventListener listener) {
+    synchronized (owner.node()) {
+      FieldProxy kept = keep();
+      X3DFieldEventListener[] before = kept.all();
+      if (before.length == 0) {
+        kept.listeners = listener;
+      } else if (!Arrays.asList(before).contains(listener)) {
+        X3DFieldEventListener[] after = Arrays.copyOf(before, before.length + 1);
+        after[before.length] = listener;
+        kept.listeners = after;
+      }
+    }
+  }
+
+  private void remove(X3DFieldEventListener listener) {
+    synchronized (owner.node()) {
+      FieldProxy kept = kept();
+      if (kept != null) {
+        X3DFieldEventListener[] after =
+            Arrays.stream(kept.all())
+                .filter(other -> !other.equals(listener))
+                .toArray(X3DFieldEventListener[]::new);
+        kept.listeners = after.length > 1 ? after : after.length == 1 ? after[0] : null;
+        kept.dropIfUnused();
+      }
+    }
+  }
+
+  private X3DFieldEventListener[] all() {
+    Object now = listeners;
+    if (now == null) {
+      return NONE;
+    }
+    return now instanceof X3DFieldEventListener[] several
+        ? several
+        : new X3DFieldEventListener[] {(X3DFieldEventListener) now};
+  }
+
+  /** Calls the listeners in order; one that was removed meanwhile is not called any more. */
+  @Override
+  public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
+    if (listeners == null || owner.gone()) {
+      return;
+    }
+    X3DFieldEvent event = new X3DFieldEvent(proxy, time, userData);
+    for (X3DFieldEventListener listener : all()) {
+      if (Arrays.asList(all()).contains(listener)) {
+        ApplicationCode.call(
+            owner.binding().problems(),
+            node.location(),
+            "a listener of " + definition.getName(),
+            () -> listener.readableFieldChanged(event));
+      }
     }
   }
 }

@@ -1,9 +1,11 @@
 package org.selectiverenderer.runtime.sai;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
 import java.awt.image.RenderedImage;
+import java.awt.image.WritableRaster;
 import java.util.Arrays;
-import java.util.function.Consumer;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.web3d.x3d.sai.InvalidFieldValueException;
 
@@ -19,9 +21,9 @@ final class ImageValues {
       throw new InvalidFieldValueException(
           "an image has a size of 0 or more and 0 to 4 components");
     }
-    if (pixels.length < width * height) {
+    if ((long) width * height > pixels.length) {
       throw new InvalidFieldValueException(
-          "%d x %d pixels are announced, %d are given".formatted(width, height, pixels.length));
+          "%s x %s pixels are announced, %s are given".formatted(width, height, pixels.length));
     }
     int[] value = new int[3 + width * height];
     value[0] = width;
@@ -31,26 +33,47 @@ final class ImageValues {
     return value;
   }
 
-  static @Nullable Object call(String method, Object[] a, int[] value, Consumer<int[]> write) {
+  /** A field's value as an application gives it in one array. */
+  static int[] checked(int[] value) {
+    if (value.length < 3) {
+      throw new InvalidFieldValueException("an image begins with width, height and components");
+    }
+    return of(value[0], value[1], value[2], Arrays.copyOfRange(value, 3, value.length));
+  }
+
+  static @Nullable Object call(String method, Object[] a, FieldCalls.Target field) {
     switch (method) {
       case "getWidth" -> {
-        return value[0];
+        return value(field)[0];
       }
       case "getHeight" -> {
-        return value[1];
+        return value(field)[1];
       }
       case "getComponents" -> {
-        return value[2];
+        return value(field)[2];
       }
-      case "getPixels" -> System.arraycopy(value, 3, a[0], 0, value.length - 3);
+      case "getPixels" -> {
+        int[] value = value(field);
+        System.arraycopy(value, 3, a[0], 0, value.length - 3);
+      }
       case "getImage" -> {
-        return image(value);
+        return image(value(field));
       }
-      case "setImage" -> write.accept(fromImage((RenderedImage) a[0]));
-      case "setSubImage" -> write.accept(withPart(value, a));
+      case "setImage" -> {
+        int[] image = fromImage((RenderedImage) a[0]);
+        field.change(old -> image);
+      }
+      case "setSubImage" -> {
+        int[] part = fromImage((RenderedImage) a[0]);
+        field.change(old -> withPart((int[]) Objects.requireNonNull(old), part, a));
+      }
       default -> throw new UnsupportedOperationException(method);
     }
     return null;
+  }
+
+  private static int[] value(FieldCalls.Target field) {
+    return (int[]) Objects.requireNonNull(field.value());
   }
 
   private static BufferedImage image(int[] value) {
@@ -93,25 +116,54 @@ final class ImageValues {
     if (rendered instanceof BufferedImage image) {
       return image;
     }
-    BufferedImage image =
-        new BufferedImage(rendered.getWidth(), rendered.getHeight(), BufferedImage.TYPE_INT_ARGB);
-    rendered.copyData(image.getRaster());
-    return image;
+    WritableRaster pixels = rendered.copyData(null).createWritableTranslatedChild(0, 0);
+    ColorModel colours = rendered.getColorModel();
+    return new BufferedImage(colours, pixels, colours.isAlphaPremultiplied(), null);
   }
 
   /** The field's image with a rectangle of another one put in. */
-  private static int[] withPart(int[] value, Object[] a) {
+  private static int[] withPart(int[] value, int[] part, Object[] a) {
     int width = (Integer) a[1];
     int height = (Integer) a[2];
-    int[] part = fromImage((RenderedImage) a[0]);
+    int fromX = (Integer) a[3];
+    int fromY = (Integer) a[4];
+    int toX = (Integer) a[5];
+    int toY = (Integer) a[6];
+    check(part, fromX, fromY, width, height);
+    check(value, toX, toY, width, height);
     int[] result = Arrays.copyOf(value, value.length);
     for (int y = 0; y < height; y++) {
       for (int x = 0; x < width; x++) {
-        int from = 3 + ((Integer) a[4] + y) * part[0] + (Integer) a[3] + x;
-        int to = 3 + ((Integer) a[6] + y) * value[0] + (Integer) a[5] + x;
-        result[to] = part[from];
+        int rgba = part[3 + (fromY + y) * part[0] + fromX + x];
+        result[3 + (toY + y) * value[0] + toX + x] = reduced(rgba, value[2]);
       }
     }
     return result;
+  }
+
+  private static void check(int[] image, int x, int y, int width, int height) {
+    if (x < 0 || y < 0 || width < 0 || height < 0) {
+      throw new InvalidFieldValueException("a part of an image has no negative place or size");
+    }
+    if ((long) x + width > image[0] || (long) y + height > image[1]) {
+      throw new InvalidFieldValueException(
+          "a part of %s x %s at %s, %s exceeds an image of %s x %s"
+              .formatted(width, height, x, y, image[0], image[1]));
+    }
+  }
+
+  /** A pixel with the components that another image has. */
+  private static int reduced(int rgba, int components) {
+    int alpha = rgba & 0xFF;
+    int rgb = rgba >>> 8;
+    // Luminance as in ITU-R BT.601.
+    int grey =
+        Math.round(0.299f * (rgb >>> 16) + 0.587f * (rgb >>> 8 & 0xFF) + 0.114f * (rgb & 0xFF));
+    return switch (components) {
+      case 1 -> grey;
+      case 2 -> grey << 8 | alpha;
+      case 3 -> rgb;
+      default -> rgba;
+    };
   }
 }

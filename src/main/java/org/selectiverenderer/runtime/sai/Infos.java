@@ -37,8 +37,12 @@ final class Infos {
     return PROFILES.stream().map(this::profile).toArray(ProfileInfo[]::new);
   }
 
+  boolean knows(String profile) {
+    return PROFILES.contains(profile);
+  }
+
   ProfileInfo profile(String name) {
-    if (!PROFILES.contains(name)) {
+    if (!knows(name)) {
       throw new NotSupportedException("there is no profile " + name);
     }
     return new Profile(name, components());
@@ -59,9 +63,22 @@ final class Infos {
     int highest = levels.getOrDefault(name, 0);
     if (level < 1 || level > highest) {
       throw new NotSupportedException(
-          "component %s is supported up to level %d".formatted(name, highest));
+          "component %s is supported up to level %s".formatted(name, highest));
     }
     return new Component(name, level);
+  }
+
+  /** Which optional parts of the SAI there are (ISO/IEC 19775-2, 6.2.4). */
+  static Map<String, Object> browserProperties() {
+    return Map.of(
+        "ABSTRACT_NODES", true,
+        "CONCRETE_NODES", true,
+        "EXTERNAL_INTERACTIONS", true,
+        "PROTOTYPE_CREATE", false,
+        "DOM_IMPORT", true,
+        "XML_ENCODING", true,
+        "CLASSIC_VRML_ENCODING", false,
+        "BINARY_ENCODING", false);
   }
 
   private record Component(String name, int level) implements ComponentInfo {
@@ -87,7 +104,7 @@ final class Infos {
 
     @Override
     public String toX3DString() {
-      return "<component name=\"%s\" level=\"%d\"/>".formatted(name, level);
+      return "<component name=\"%s\" level=\"%s\"/>".formatted(name, level);
     }
   }
 

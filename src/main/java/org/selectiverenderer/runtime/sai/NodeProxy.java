@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.sai;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
-import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.FieldAccess;
@@ -12,35 +12,37 @@ import org.selectiverenderer.x3d.FieldType;
 import org.web3d.x3d.sai.InvalidFieldException;
 import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.InvalidOperationTimingException;
-import org.web3d.x3d.sai.InvalidWritableFieldException;
 import org.web3d.x3d.sai.X3DField;
-import org.web3d.x3d.sai.X3DFieldDefinition;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * A node behind the interface of its type. Methods are read by the naming rule that the SAI package
- * states: {@code getX}, {@code setX}, {@code getNumX}.
+ * A node behind the interface of its type; {@link NodeMethod} says what each method means. Kept
+ * small, since a scene may have hundreds of thousands.
  */
 final class NodeProxy implements InvocationHandler {
-  private final EmbeddedBrowser browser;
+  private static final Object[] NO_ARGUMENTS = {};
+
+  private final Binding binding;
   private final Node node;
   private final X3DNode proxy;
-  private final @Nullable FieldProxy[] fields;
-  private boolean realized;
-  private boolean disposed;
+  private volatile boolean realized;
+  private volatile boolean disposed;
 
   /**
    * @param realized whether the node is part of a scene: its initializeOnly fields are fixed
    */
-  NodeProxy(EmbeddedBrowser browser, Node node, boolean realized) {
-    this.browser = browser;
+  NodeProxy(Binding binding, Node node, boolean realized) {
+    this.binding = binding;
     this.node = node;
     this.realized = realized;
-    fields = new FieldProxy[node.type().fields().size()];
     proxy =
         (X3DNode)
             Proxy.newProxyInstance(
-                X3DNode.class.getClassLoader(), browser.types().interfacesOf(node.type()), this);
+                X3DNode.class.getClassLoader(), binding.kind(node).interfaces(), this);
+  }
+
+  Binding binding() {
+    return binding;
   }
 
   Node node() {
@@ -55,108 +57,105 @@ final class NodeProxy implements InvocationHandler {
     realized = true;
   }
 
-  @Override
-  public @Nullable Object invoke(Object self, Method method, Object @Nullable [] arguments) {
-    Object[] a = arguments == null ? new Object[0] : arguments;
-    switch (method.getName()) {
-      case "equals":
-        return self == a[0];
-      case "hashCode":
-        return System.identityHashCode(self);
-      case "toString":
-        return node.toString();
-      default:
-        break;
-    }
+  /** Whether the node or its browser was disposed of. */
+  boolean gone() {
+    return disposed || binding.disposed();
+  }
+
+  /** Refuses further use of a node or a browser that was disposed of. */
+  void check() {
+    binding.check();
     if (disposed) {
       throw new InvalidNodeException(node + " is disposed of");
     }
-    browser.check();
-    return switch (method.getName()) {
-      case "getNodeName" -> node.type().name();
-      case "getNodeType", "getImplementationTypes" -> SaiTypes.nodeTypes(node.type());
-      case "getFieldDefinitions" ->
-          node.type().fields().stream()
-              .map(EmbeddedFieldDefinition::new)
-              .toArray(X3DFieldDefinition[]::new);
-      case "getField" -> field((String) a[0]);
-      case "realize" -> {
-        realized = true;
-        yield null;
+  }
+
+  @Override
+  public @Nullable Object invoke(Object self, Method method, Object @Nullable [] arguments) {
+    Object[] a = arguments == null ? NO_ARGUMENTS : arguments;
+    NodeMethod meaning = binding.kind(node).meaning(method);
+    return switch (meaning.operation()) {
+      case EQUALS -> self == a[0];
+      case HASH_CODE -> System.identityHashCode(self);
+      case TO_STRING -> node.toString();
+      default -> {
+        check();
+        yield call(meaning, a);
       }
-      case "isRealized" -> realized;
-      case "dispose" -> {
-        disposed = true;
-        yield null;
-      }
-      default -> access(method, a);
     };
   }
 
+  private @Nullable Object call(NodeMethod meaning, Object[] a) {
+    switch (meaning.operation()) {
+      case NODE_NAME:
+        return node.type().name();
+      case NODE_TYPE:
+        return binding.kind(node).numbers();
+      case DEFINITIONS:
+        return binding.kind(node).definitions();
+      case FIELD:
+        return field((String) a[0]);
+      case REALIZE:
+        realized = true;
+        return null;
+      case IS_REALIZED:
+        return realized;
+      case DISPOSE:
+        dispose();
+        return null;
+      case WRITE:
+        write(target(meaning), a[0]);
+        return null;
+      default:
+        return read(meaning, a);
+    }
+  }
+
+  /** The SAI's object goes, the node stays: who asks for it again gets another object. */
+  private void dispose() {
+    disposed = true;
+    synchronized (node) {
+      node.companion(null);
+    }
+  }
+
   private X3DField field(String name) {
-    FieldDefinition definition =
-        node.type()
-            .field(name)
-            .or(() -> node.type().input(name))
-            .or(() -> node.type().output(name))
-            .orElseThrow(
-                () -> new InvalidFieldException(node.type().name() + " has no field " + name));
-    FieldProxy field = fields[definition.index()];
+    EmbeddedFieldDefinition definition = binding.kind(node).definition(name);
+    return node.listener(definition.field().index()) instanceof FieldProxy known
+            && known.owner() == this
+        ? known.proxy()
+        : new FieldProxy(this, definition).proxy();
+  }
+
+  private @Nullable Object read(NodeMethod meaning, Object[] a) {
+    FieldDefinition field = meaning.field();
     if (field == null) {
-      field = new FieldProxy(browser, this, definition);
-      fields[definition.index()] = field;
+      throw new InvalidFieldException(node.type().name() + " has no field " + meaning.name());
     }
-    return field.proxy();
-  }
-
-  private @Nullable Object access(Method method, Object[] a) {
-    String name = method.getName();
-    if (name.equals("addChildren") || name.equals("removeChildren")) {
-      FieldDefinition field = node.type().fields().get(node.type().indexOf(name));
-      write(field, browser.values().fromArgument(field.type(), a[0]));
-      return null;
-    }
-    if (name.startsWith("set")) {
-      FieldDefinition field = target(name.substring(3));
-      write(field, browser.values().fromArgument(field.type(), a[0]));
-      return null;
-    }
-    boolean count = name.startsWith("getNum") && a.length == 0 && isCount(name.substring(6));
-    FieldDefinition field = source(name.substring(count ? 6 : 3));
     Object value = node.value(field.index());
-    if (count) {
-      return Values.size(field.type(), value);
+    return switch (meaning.operation()) {
+      case COUNT -> Values.size(field.type(), value);
+      case READ -> field.type() == FieldType.SFNode ? binding.wrap((Node) value) : value;
+      default -> {
+        binding.values().toArgument(field.type(), value, a[0]);
+        yield null;
+      }
+    };
+  }
+
+  private FieldDefinition target(NodeMethod meaning) {
+    if (meaning.field() != null && writable(meaning.field())) {
+      return meaning.field();
     }
-    if (a.length == 0) {
-      return field.type() == FieldType.SFNode ? browser.wrap((Node) value) : value;
+    if (meaning.input() != null) {
+      return meaning.input();
     }
-    browser.values().toArgument(field.type(), value, a[0]);
-    return null;
-  }
-
-  private boolean isCount(String x) {
-    return find(x).map(field -> field.type().multiple()).orElse(false);
-  }
-
-  private Optional<FieldDefinition> find(String x) {
-    String lower = Character.toLowerCase(x.charAt(0)) + x.substring(1);
-    return node.type().field(lower).or(() -> node.type().field(lower + "_changed"));
-  }
-
-  private FieldDefinition source(String x) {
-    return find(x)
-        .orElseThrow(() -> new InvalidFieldException(node.type().name() + " has no field " + x));
-  }
-
-  private FieldDefinition target(String x) {
-    String lower = Character.toLowerCase(x.charAt(0)) + x.substring(1);
-    return node.type()
-        .field(lower)
-        .filter(this::writable)
-        .or(() -> node.type().field("set_" + lower))
-        .or(() -> node.type().field(lower))
-        .orElseThrow(
-            () -> new InvalidFieldException(node.type().name() + " has no field " + lower));
+    if (meaning.field() == null) {
+      throw new InvalidFieldException(node.type().name() + " has no field " + meaning.name());
+    }
+    throw new InvalidOperationTimingException(
+        "%s of %s is %s and the node is in use"
+            .formatted(meaning.name(), node, meaning.field().access().spelling()));
   }
 
   boolean writable(FieldDefinition field) {
@@ -164,20 +163,25 @@ final class NodeProxy implements InvocationHandler {
         || (field.access() == FieldAccess.INITIALIZE_ONLY && !realized);
   }
 
-  /** Sends a value to a field, or gives an unrealized node its initial value. */
-  void write(FieldDefinition field, @Nullable Object value) {
-    if (!writable(field)) {
-      String message =
-          "%s of %s is %s".formatted(field.name(), node.type().name(), field.access().spelling());
-      throw field.access() == FieldAccess.INITIALIZE_ONLY
-          ? new InvalidOperationTimingException(message + " and the node is in use")
-          : new InvalidWritableFieldException(message);
-    }
-    if (field.access() == FieldAccess.INITIALIZE_ONLY) {
-      node.init(field.index(), value);
+  private void write(FieldDefinition field, @Nullable Object argument) {
+    Object value = binding.values().fromArgument(field.type(), argument);
+    change(field, old -> value);
+  }
+
+  /**
+   * Sends a new value to a writable field. A node that is not realized yet is nobody's but the
+   * application's: it takes the value at once, whatever the world does, and sends no event.
+   */
+  void change(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
+    if (!realized && field.access() != FieldAccess.INPUT_ONLY) {
+      node.init(field.index(), changed(field, change));
     } else {
-      browser.write(node, field.index(), value);
+      binding.execute(() -> binding.sendNow(node, field.index(), changed(field, change)));
     }
+  }
+
+  private @Nullable Object changed(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
+    return Values.accepted(field, change.apply(node.value(field.index())));
   }
 
   @Override

@@ -1,7 +1,6 @@
 package org.selectiverenderer.runtime.scene;
 
 import java.util.ArrayDeque;
-import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.Problems;
 
@@ -24,7 +23,7 @@ public final class Cascade {
   private record First(Node node, int field, @Nullable Object value, boolean input) {}
 
   private record Notification(
-      FieldListener listener, Node node, int field, @Nullable Object value, double time) {}
+      FieldListener listener, Node node, int field, @Nullable Object value) {}
 
   private final ArrayDeque<Delivery> deliveries = new ArrayDeque<>();
   private final ArrayDeque<First> waiting = new ArrayDeque<>();
@@ -107,10 +106,14 @@ public final class Cascade {
   }
 
   void notify(FieldListener listener, Node node, int field, @Nullable Object value) {
-    notifications.add(new Notification(listener, node, field, value, time));
+    notifications.add(new Notification(listener, node, field, value));
   }
 
-  /** Calls the listeners of everything that was sent, until they send no more. */
+  /**
+   * Calls the listeners of everything that was sent, until they send no more. They hear the time
+   * stamp of now: what was sent between two frames belongs to the one that delivers it. Should one
+   * end in an error that {@link ApplicationCode} lets through, the rest are called in the next run.
+   */
   public void run() {
     if (running) {
       return; // A listener asked for it; the run that called it goes on.
@@ -133,15 +136,10 @@ public final class Cascade {
   }
 
   private void call(Notification next) {
-    try {
-      next.listener.fieldChanged(next.node, next.field, next.value, next.time);
-    } catch (RuntimeException | LinkageError e) {
-      problems.error(
-          next.node.location(),
-          "a listener of %s failed and was passed over: %s"
-              .formatted(
-                  next.node.type().fields().get(next.field).name(),
-                  Optional.ofNullable(e.getMessage()).orElse(e.getClass().getSimpleName())));
-    }
+    ApplicationCode.call(
+        problems,
+        next.node.location(),
+        "a listener of " + next.node.type().fields().get(next.field).name(),
+        () -> next.listener.fieldChanged(next.node, next.field, next.value, time));
   }
 }

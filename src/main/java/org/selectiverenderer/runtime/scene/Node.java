@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.scene;
 
+import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -18,9 +19,14 @@ import org.selectiverenderer.x3d.NodeView;
 public class Node implements NodeView {
   private static final Route[] NO_ROUTES = {};
   private static final NodeObserver[] NO_OBSERVERS = {};
-  private static final Listening[] NO_LISTENERS = {};
+  private static final ListenerOfField[] NO_LISTENERS = {};
 
-  private record Listening(int field, FieldListener listener) {}
+  private record Listening(int field, FieldListener listener) implements ListenerOfField {
+    @Override
+    public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
+      listener.fieldChanged(node, index, value, time);
+    }
+  }
 
   private final NodeType type;
   private final Location location;
@@ -29,7 +35,7 @@ public class Node implements NodeView {
   private Route[] routes = NO_ROUTES;
   private @Nullable NodeObserver[] observers = NO_OBSERVERS;
   private int observerCount;
-  private Listening[] listeners = NO_LISTENERS;
+  private ListenerOfField[] listeners = NO_LISTENERS;
   private long @Nullable [] sentIn;
   private @Nullable Object companion;
   private @Nullable Cascade sentBy;
@@ -85,7 +91,7 @@ public class Node implements NodeView {
     return companion;
   }
 
-  public final void companion(Object object) {
+  public final void companion(@Nullable Object object) {
     companion = object;
   }
 
@@ -119,6 +125,8 @@ public class Node implements NodeView {
     if (!firstIn(cascade, field)) {
       return;
     }
+    // Other threads may read fields at any time: they must not see an array before its elements.
+    VarHandle.releaseFence();
     values[field] = value;
     tellObservers(field);
     for (Route route : routes) {
@@ -126,15 +134,15 @@ public class Node implements NodeView {
         cascade.deliver(route.to(), route.toField(), value);
       }
     }
-    for (Listening listening : listeners) {
-      if (listening.field == field) {
-        cascade.notify(listening.listener, this, field, value);
+    for (ListenerOfField listener : listeners) {
+      if (listener.field() == field) {
+        cascade.notify(listener, this, field, value);
       }
     }
   }
 
-  /** Makes observers look at a field again, without an event. */
-  protected final void tellObservers(int field) {
+  /** Makes observers look at a field again, without an event: what it leads to has changed. */
+  public final void tellObservers(int field) {
     for (int i = 0; i < observerCount; i++) {
       observers[i].changed(this, field);
     }
@@ -181,11 +189,27 @@ public class Node implements NodeView {
 
   /** Listeners are called in the order in which they were added. */
   public final void addListener(int field, FieldListener listener) {
-    listeners = append(listeners, new Listening(field, listener));
+    listeners = append(listeners, ofField(field, listener));
   }
 
   public final void removeListener(int field, FieldListener listener) {
-    listeners = remove(listeners, new Listening(field, listener));
+    listeners = remove(listeners, ofField(field, listener));
+  }
+
+  /** The first listener of a field, or null. */
+  public final @Nullable FieldListener listener(int field) {
+    for (ListenerOfField listener : listeners) {
+      if (listener.field() == field) {
+        return listener;
+      }
+    }
+    return null;
+  }
+
+  private static ListenerOfField ofField(int field, FieldListener listener) {
+    return listener instanceof ListenerOfField own && own.field() == field
+        ? own
+        : new Listening(field, listener);
   }
 
   private static <T> T[] append(T[] array, T element) {

@@ -25,6 +25,7 @@ public final class Scene {
   private final Map<String, Node> imported = new LinkedHashMap<>();
   private final Map<String, String> exports = new LinkedHashMap<>();
   private final Set<Route> routes = new LinkedHashSet<>();
+  private final Set<Node> loose = new LinkedHashSet<>();
 
   /**
    * @param root a Group that holds the scene's top nodes in its {@code children}
@@ -111,6 +112,18 @@ public final class Scene {
   /** Exported name to DEF name, from EXPORT statements. */
   public Map<String, String> exports() {
     return exports;
+  }
+
+  /**
+   * Nodes that stand in no other and take part by routes only, such as the clock of a prototype: of
+   * a prototype's body only the first node takes the instance's place (X3D 4.0, 4.4.4.3).
+   */
+  public Set<Node> loose() {
+    return Collections.unmodifiableSet(loose);
+  }
+
+  public void addLoose(Node node) {
+    loose.add(node);
   }
 
   public List<Route> routes() {

@@ -148,6 +148,18 @@ class SimplifierTest {
   }
 
   @Test
+  void aNumberOfVerticesIsMetByPiecesToo() {
+    List<Mesh> pieces =
+        IntStream.range(0, 40).mapToObj(i -> Shapes.field(2 * i, 2, (x, z) -> 0, false)).toList();
+
+    for (int vertices : new int[] {300, 161, 77, 12}) {
+      Simplified reduced = simplifier.simplify(pieces, new Goal.Vertices(vertices));
+      assertThat(reduced.met()).as("%d vertices", vertices).isTrue();
+      assertThat(ModelSize.of(reduced.parts()).vertices()).isEqualTo(reduced.vertices());
+    }
+  }
+
+  @Test
   void aPercentageOfVerticesIsMet() {
     Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.VertexPercent(25));
 

@@ -43,7 +43,7 @@ public final class OffscreenTarget {
     int status = gl.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER);
     if (status != GL.GL_FRAMEBUFFER_COMPLETE) {
       throw new GLException(
-          "a frame buffer of %d x %d with %d samples cannot be made (status 0x%x)"
+          "a frame buffer of %s x %s with %s samples cannot be made (status 0x%x)"
               .formatted(width, height, sampleCount, status));
     }
     return new Buffer(frame[0], render[0], render[1]);

@@ -1,0 +1,66 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import org.selectiverenderer.app.SaiRunner;
+import org.web3d.x3d.sai.X3DException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** For docs/xj3d.md; not in the help, since {@code run} does more with the browser inside. */
+@Command(
+    name = "sai",
+    hidden = true,
+    description = {
+      "Shows a scene in whatever browser the Scene Access Interface finds, such as Xj3D, and prints"
+          + " what happens.",
+      "Ends when its window is closed; without a window, at the end of standard input."
+    },
+    footer = "  ./selective-renderer sai scenes/trashcan.x3d")
+final class SaiCommand extends CliCommand {
+  @Parameters(paramLabel = "SCENE", description = "the X3D scene")
+  private Path scene = Path.of("");
+
+  @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  private final InputStream in;
+
+  /**
+   * @param in without a window, its end is the end of the run
+   */
+  SaiCommand(Console console, InputStream in) {
+    super(console);
+    this.in = in;
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    if (!Files.isRegularFile(scene)) {
+      throw new IOException(scene + ": there is no such file");
+    }
+    CountDownLatch closed = new CountDownLatch(1);
+    String url = scene.toAbsolutePath().normalize().toUri().toString();
+    try (SaiRunner runner = SaiRunner.open(url, condition.settings(), this::print)) {
+      if (runner.showWindow(closed::countDown)) {
+        closed.await();
+      } else {
+        in.transferTo(java.io.OutputStream.nullOutputStream());
+      }
+      return ExitStatus.DONE;
+    } catch (X3DException e) {
+      throw new IOException(scene + ": " + e.getMessage(), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return ExitStatus.DONE;
+    }
+  }
+
+  private void print(String line) {
+    console().out().println(line);
+    console().out().flush();
+  }
+}

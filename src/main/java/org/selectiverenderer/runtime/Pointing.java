@@ -1,0 +1,98 @@
+package org.selectiverenderer.runtime;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.TouchDispatch;
+import org.selectiverenderer.runtime.navigation.MeshBvhs;
+import org.selectiverenderer.runtime.navigation.RayCaster;
+import org.selectiverenderer.runtime.navigation.Viewer;
+import org.selectiverenderer.runtime.scene.Cascade;
+
+/**
+ * Takes the pointing device to the TouchSensors and Anchors of a scene. What it says between two
+ * frames is evaluated in order, so that no click is lost, and its last word again in every frame,
+ * since viewer and scene move under it. An Anchor is activated when the button is released where it
+ * was pressed.
+ */
+final class Pointing {
+  private final InstanceTree instances;
+  private final MeshBvhs meshes;
+  private @Nullable RayCaster rays;
+  private final Consumer<GroupInstance> activated;
+  private final TouchDispatch touch = new TouchDispatch();
+  private Pointer last = Pointer.AWAY;
+  private Optional<GroupInstance> pressedOn = Optional.empty();
+  private boolean touchable;
+
+  /**
+   * @param activated hears of an Anchor that the user clicked on
+   */
+  Pointing(InstanceTree instances, MeshBvhs meshes, Consumer<GroupInstance> activated) {
+    this.instances = instances;
+    this.activated = activated;
+    this.meshes = meshes;
+  }
+
+  /** Whether there is a TouchSensor or an Anchor: without any, no ray is cast. */
+  void touchable(boolean anything) {
+    touchable = anything;
+  }
+
+  /**
+   * @param since what the device said since the last frame, oldest first
+   */
+  void frame(List<Pointer> since, Viewer viewer, Cascade cascade) {
+    if (!touchable) {
+      last = since.isEmpty() ? last : since.get(since.size() - 1);
+      return;
+    }
+    if (since.isEmpty()) {
+      point(last, viewer, cascade);
+    } else {
+      since.forEach(pointer -> point(pointer, viewer, cascade));
+    }
+  }
+
+  private void point(Pointer pointer, Viewer viewer, Cascade cascade) {
+    Optional<TouchDispatch.Hit> hit =
+        pointer
+            .direction()
+            .map(direction -> viewer.orientation().transform(direction, new Vector3d()))
+            .flatMap(
+                (Vector3dc ray) -> rays().cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
+            .map(Pointing::touched);
+    touch.point(hit, pointer.pressed(), cascade);
+    Optional<GroupInstance> anchor = hit.flatMap(at -> TouchDispatch.anchor(at.shape()));
+    if (pointer.pressed() && !last.pressed()) {
+      pressedOn = anchor;
+    } else if (!pointer.pressed() && last.pressed()) {
+      pressedOn.filter(on -> anchor.filter(now -> now == on).isPresent()).ifPresent(activated);
+      pressedOn = Optional.empty();
+    }
+    last = pointer;
+  }
+
+  private RayCaster rays() {
+    if (rays == null) {
+      rays = new RayCaster(instances, meshes);
+    }
+    return rays;
+  }
+
+  private static TouchDispatch.Hit touched(RayCaster.Hit hit) {
+    Vector2d texCoord = hit.texCoord();
+    return new TouchDispatch.Hit(
+        hit.shape(),
+        hit.point(),
+        hit.normal(),
+        texCoord == null ? 0 : (float) texCoord.x,
+        texCoord == null ? 0 : (float) texCoord.y);
+  }
+}

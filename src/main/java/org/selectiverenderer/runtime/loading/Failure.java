@@ -1,0 +1,24 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+
+/** Says why a file cannot be read. */
+final class Failure {
+  private Failure() {}
+
+  /** A clause that reads after the file's name. */
+  static String clause(IOException failure) {
+    if (failure instanceof AccessDeniedException) {
+      return "may not be read";
+    }
+    if (failure instanceof NoSuchFileException) {
+      return "is gone";
+    }
+    String reason =
+        failure instanceof FileSystemException file ? file.getReason() : failure.getMessage();
+    return reason == null ? "cannot be read" : reason;
+  }
+}

@@ -1,0 +1,127 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.Collection;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.nodes.InlineNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * The files that a running scene comes to name: Inlines whose {@code load} or {@code url} changes
+ * (X3D 4.0, 9.4.2), textures with another url, Anchors that are followed. All are read on the
+ * loader's threads; what was there stays until the new is there, and takes its place on the
+ * stepping thread. No frame waits for a disk. When something cannot be read, that is a problem, and
+ * the node is empty.
+ *
+ * <p>Belongs to the thread that steps the world.
+ */
+public final class LiveFiles {
+  private final LoadedScene loaded;
+  private final Problems problems;
+  private final Consumer<Runnable> post;
+  private final LiveInlines inlines;
+  private final LiveImages images;
+
+  /**
+   * @param problems hears what is wrong with the files read
+   * @param post runs a task on the stepping thread
+   */
+  public LiveFiles(LoadedScene loaded, Problems problems, Consumer<Runnable> post) {
+    this.loaded = loaded;
+    this.problems = problems;
+    this.post = post;
+    inlines = new LiveInlines(this);
+    images = new LiveImages(this, loaded.loader().store().assets());
+  }
+
+  /** The meshes and images of the scene's nodes, those that arrive later too. */
+  public Assets assets() {
+    return images;
+  }
+
+  /** Tells which Inlines are in the scene, whenever its structure has changed. */
+  public void watch(Collection<InlineNode> present) {
+    inlines.watch(present);
+  }
+
+  /** Begins to read what the events of a frame have asked for. */
+  public void update() {
+    inlines.update();
+  }
+
+  /**
+   * Reads the scene that an Anchor links to.
+   *
+   * @param anchor whose {@code url} is followed
+   * @param arrived takes the scene on the stepping thread; not called when there is none
+   */
+  public void open(Node anchor, Consumer<LoadedScene> arrived) {
+    request(
+        loaded.loader().link(copy(anchor), origin(anchor)),
+        scene -> arrived.accept(new LoadedScene(scene, loaded.loader())),
+        () -> {});
+  }
+
+  /** Reads the file that an Inline names now. */
+  void inline(InlineNode inline, Consumer<Optional<Scene>> arrived) {
+    request(
+        loaded.loader().inline(copy(inline), origin(inline)),
+        scene -> arrived.accept(Optional.of(scene)),
+        () -> arrived.accept(Optional.empty()));
+  }
+
+  /** Reads the file that a texture names now. */
+  void image(Node texture, Consumer<Optional<Texture.Image>> arrived) {
+    request(
+        loaded.loader().image(copy(texture), origin(texture)),
+        image -> arrived.accept(Optional.of(image)),
+        () -> arrived.accept(Optional.empty()));
+  }
+
+  /** Whether the node came with a file, and what it then named has been read. */
+  boolean fromFile(Node node) {
+    return loaded.loader().store().origin(node).isPresent();
+  }
+
+  /** Metres per unit of the file in which a node stands. */
+  double unitLength(Node node) {
+    return origin(node).unitLength();
+  }
+
+  private <T> void request(
+      CompletableFuture<SceneLoader.Arrival<T>> reading, Consumer<T> arrived, Runnable failed) {
+    reading.thenAccept(
+        arrival ->
+            post.accept(
+                () -> {
+                  for (Problem problem : arrival.problems()) {
+                    problems.add(problem);
+                  }
+                  arrival.value().ifPresentOrElse(arrived, failed);
+                }));
+  }
+
+  /** A node that an application made belongs to the scene that runs. */
+  private Origin origin(Node node) {
+    SceneStore store = loaded.loader().store();
+    return store
+        .origin(node)
+        .or(() -> store.origin(loaded.scene().root()))
+        .orElseGet(Origin::workingFolder);
+  }
+
+  /** A node as it is now, for other threads. */
+  private static ParsedNode copy(Node node) {
+    ParsedNode copy = new ParsedNode(node.type(), node.name(), node.location());
+    int url = node.type().indexOf("url");
+    copy.put(url, ((String[]) node.value(url)).clone());
+    return copy;
+  }
+}

@@ -1,0 +1,73 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.WeakHashMap;
+import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * The assets of a running scene. The image of an ImageTexture that is new or has another url
+ * arrives later; until then the one before is shown.
+ */
+final class LiveImages implements Assets {
+  private final LiveFiles files;
+  private final AssetStore store;
+
+  /** The url whose image a texture has or is waiting for. */
+  private final Map<Node, String[]> requested = new WeakHashMap<>();
+
+  LiveImages(LiveFiles files, AssetStore store) {
+    this.files = files;
+    this.store = store;
+  }
+
+  @Override
+  public Optional<Mesh> mesh(Node geometry) {
+    return store.mesh(geometry);
+  }
+
+  @Override
+  public Optional<Texture.Image> image(Node texture) {
+    if (fromFile(texture) && !requested.containsKey(texture)) {
+      if (store.hasImage(texture)) {
+        requested.put(texture, texture.strings("url"));
+      } else {
+        request(texture);
+      }
+    }
+    return store.image(texture);
+  }
+
+  @Override
+  public void changed(Node geometryOrTexture) {
+    if (!fromFile(geometryOrTexture)) {
+      store.changed(geometryOrTexture);
+    } else if (requested.get(geometryOrTexture) != geometryOrTexture.strings("url")) {
+      request(geometryOrTexture);
+    }
+  }
+
+  private static boolean fromFile(Node node) {
+    return node.type().name().equals("ImageTexture");
+  }
+
+  private void request(Node texture) {
+    String[] url = texture.strings("url");
+    requested.put(texture, url);
+    if (url.length > 0) {
+      files.image(texture, image -> arrived(texture, url, image));
+    } else {
+      store.putImage(texture, Optional.empty());
+    }
+  }
+
+  private void arrived(Node texture, String[] url, Optional<Texture.Image> image) {
+    if (requested.get(texture) == url) {
+      store.putImage(texture, image);
+      texture.tellObservers(texture.type().indexOf("url"));
+    }
+  }
+}

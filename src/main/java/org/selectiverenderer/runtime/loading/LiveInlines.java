@@ -1,0 +1,111 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.InlineNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeObserver;
+import org.selectiverenderer.runtime.scene.Scene;
+
+/**
+ * Fills the Inlines of a running scene anew when their fields change. {@code load FALSE} empties
+ * one at once; its content is kept and is back at once with {@code load TRUE} unless the url has
+ * changed meanwhile. Of several changes in a row the last one counts.
+ */
+final class LiveInlines {
+  private final LiveFiles files;
+  private final Map<InlineNode, Watch> watched = new IdentityHashMap<>();
+  private final List<Watch> changed = new ArrayList<>();
+
+  LiveInlines(LiveFiles files) {
+    this.files = files;
+  }
+
+  void watch(Collection<InlineNode> present) {
+    Set<InlineNode> now = Collections.newSetFromMap(new IdentityHashMap<>());
+    now.addAll(present);
+    watched
+        .values()
+        .removeIf(
+            watch -> {
+              boolean gone = !now.contains(watch.inline);
+              if (gone) {
+                watch.inline.removeObserver(watch);
+                watch.requested = null;
+              }
+              return gone;
+            });
+    for (InlineNode inline : present) {
+      watched.computeIfAbsent(inline, Watch::new);
+    }
+  }
+
+  void update() {
+    List<Watch> now = List.copyOf(changed);
+    changed.clear();
+    now.forEach(Watch::update);
+  }
+
+  /** One Inline. */
+  private final class Watch implements NodeObserver {
+    private final InlineNode inline;
+    private final int load;
+
+    /** The url whose content the Inline has, or is waiting for; null for none. */
+    private String @Nullable [] requested;
+
+    /** Whether it is waiting. */
+    private boolean waiting;
+
+    Watch(InlineNode inline) {
+      this.inline = inline;
+      load = inline.type().indexOf("load");
+      inline.addObserver(this);
+      if (files.fromFile(inline) && inline.bool("load") || inline.content().isPresent()) {
+        requested = url();
+      } else {
+        changed.add(this);
+      }
+    }
+
+    private String[] url() {
+      return inline.strings("url");
+    }
+
+    @Override
+    public void changed(Node node, int field) {
+      if (field == load || field == inline.urlField()) {
+        changed.add(this);
+      }
+    }
+
+    void update() {
+      String[] wanted = url();
+      if (!inline.bool("load")) {
+        if (waiting) {
+          requested = null;
+          waiting = false;
+        }
+      } else if (requested != wanted) {
+        requested = wanted;
+        waiting = true;
+        files.inline(inline, content -> arrived(wanted, content));
+      }
+    }
+
+    private void arrived(String[] url, Optional<Scene> content) {
+      if (requested == url && waiting) {
+        waiting = false;
+        double scale = content.map(Scene::unitLength).orElse(1.0) / files.unitLength(inline);
+        inline.refill(content.orElse(null), content.isPresent() ? scale : 1);
+      }
+    }
+  }
+}

@@ -1,0 +1,52 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.WeakHashMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.NodeType;
+
+/**
+ * What a loader knows of the nodes that it made, as long as they live: assets, and where the urls
+ * of Inlines and textures lead. Thread-safe.
+ */
+final class SceneStore {
+  private final AssetStore assets;
+  private final Predicate<NodeType> actedOn;
+  private final Map<Node, Origin> origins = new WeakHashMap<>();
+  private final Set<NodeType> keptOnly = ConcurrentHashMap.newKeySet();
+
+  /**
+   * @param actedOn whether anything is done with nodes of a type
+   */
+  SceneStore(AssetStore assets, Predicate<NodeType> actedOn) {
+    this.assets = assets;
+    this.actedOn = actedOn;
+  }
+
+  AssetStore assets() {
+    return assets;
+  }
+
+  /** Keeps where a node comes from. */
+  void origin(Node node, Origin origin) {
+    synchronized (origins) {
+      origins.put(node, origin);
+    }
+  }
+
+  /** Where a node comes from; empty for one that an application made. */
+  Optional<Origin> origin(Node node) {
+    synchronized (origins) {
+      return Optional.ofNullable(origins.get(node));
+    }
+  }
+
+  /** Whether this is the first node of a type with which nothing is done. */
+  boolean firstKept(NodeType type) {
+    return !actedOn.test(type) && keptOnly.add(type);
+  }
+}

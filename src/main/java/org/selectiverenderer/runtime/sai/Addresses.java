@@ -1,0 +1,60 @@
+package org.selectiverenderer.runtime.sai;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Pattern;
+
+/** Between addresses as applications write them, file names or URLs, and files. */
+final class Addresses {
+  /** Two letters at least, since one is a drive of Windows. */
+  private static final Pattern SCHEME = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]+:.*");
+
+  private Addresses() {}
+
+  /**
+   * The file at an address.
+   *
+   * @throws IOException with a one-line message if it is no address of a file
+   */
+  static Path path(String url) throws IOException {
+    try {
+      if (url.regionMatches(true, 0, "file:", 0, 5)) {
+        return Path.of(URI.create(url));
+      }
+      if (SCHEME.matcher(url).matches()) {
+        throw new IOException(url + ": only files are read, nothing is fetched");
+      }
+      return Path.of(url);
+    } catch (IllegalArgumentException | FileSystemNotFoundException e) {
+      throw new IOException(url + " is no address of a file: " + e.getMessage(), e);
+    }
+  }
+
+  /** The folder that addresses of a scene are relative to, given the scene's own or a folder. */
+  static Path folder(String baseUrl) throws IOException {
+    Path path = path(baseUrl);
+    if (baseUrl.isBlank() || Files.isDirectory(path)) {
+      return path;
+    }
+    Path parent = path.getParent();
+    return parent == null ? Path.of("") : parent;
+  }
+
+  /** The full address of what was read from a file of that name; empty for any other source. */
+  static String urlOf(String source) {
+    try {
+      Path file = path(source);
+      return Files.isRegularFile(file) ? url(file) : "";
+    } catch (IOException e) {
+      return ""; // The name of a source is made for messages and need not be that of a file.
+    }
+  }
+
+  /** A file's full address. */
+  static String url(Path file) {
+    return file.toAbsolutePath().normalize().toUri().toString();
+  }
+}

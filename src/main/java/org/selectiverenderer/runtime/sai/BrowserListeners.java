@@ -1,0 +1,40 @@
+package org.selectiverenderer.runtime.sai;
+
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.scene.ApplicationCode;
+import org.selectiverenderer.x3d.Location;
+import org.web3d.x3d.sai.BrowserEvent;
+import org.web3d.x3d.sai.BrowserListener;
+
+/** Who hears of a browser's beginnings and ends, in the order in which they came. Thread-safe. */
+final class BrowserListeners {
+  private final World world;
+  private final CopyOnWriteArrayList<BrowserListener> listeners = new CopyOnWriteArrayList<>();
+
+  BrowserListeners(World world) {
+    this.world = world;
+  }
+
+  void add(BrowserListener listener) {
+    listeners.addIfAbsent(listener);
+  }
+
+  void remove(BrowserListener listener) {
+    listeners.remove(listener);
+  }
+
+  void clear() {
+    listeners.clear();
+  }
+
+  void tell(BrowserEvent event) {
+    for (BrowserListener listener : listeners) {
+      ApplicationCode.call(
+          world.problems(),
+          Location.of(world.scene().url()),
+          "a browser listener",
+          () -> listener.browserChanged(event));
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package org.selectiverenderer.runtime.sai;
+
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.NodeType;
+import org.web3d.x3d.sai.InvalidFieldException;
+import org.web3d.x3d.sai.X3DFieldDefinition;
+import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.X3DNodeTypes;
+
+/**
+ * What the SAI objects of all nodes of one type share: their interfaces, numbers and field
+ * definitions, and what their methods mean. Thread-safe.
+ */
+final class NodeKind {
+  private final NodeType type;
+  private final Class<?>[] interfaces;
+  private final int[] numbers;
+  private final EmbeddedFieldDefinition[] definitions;
+  private final Map<Method, NodeMethod> methods = new ConcurrentHashMap<>();
+
+  NodeKind(NodeType type, SaiTypes types) {
+    this.type = type;
+    interfaces = interfacesOf(type);
+    numbers =
+        type.ancestors().stream()
+            .sorted()
+            .flatMap(name -> SaiTypes.constant(X3DNodeTypes.class, name).stream())
+            .mapToInt(Integer::intValue)
+            .toArray();
+    definitions =
+        type.fields().stream().map(types::describe).toArray(EmbeddedFieldDefinition[]::new);
+  }
+
+  private static Class<?>[] interfacesOf(NodeType type) {
+    List<Class<?>> all = new ArrayList<>();
+    all.add(X3DNode.class);
+    SaiTypes.find(type.component().toLowerCase(Locale.ROOT) + "." + type.name())
+        .ifPresent(all::add);
+    type.ancestors().stream().sorted().forEach(name -> SaiTypes.find(name).ifPresent(all::add));
+    return all.stream().distinct().toArray(Class<?>[]::new);
+  }
+
+  /**
+   * X3DNode, the interface of the type itself, and those of its abstract types. Not to write to.
+   */
+  Class<?>[] interfaces() {
+    return interfaces;
+  }
+
+  /** The constants of its abstract types. */
+  int[] numbers() {
+    return numbers.clone();
+  }
+
+  X3DFieldDefinition[] definitions() {
+    X3DFieldDefinition[] all = new X3DFieldDefinition[definitions.length];
+    System.arraycopy(definitions, 0, all, 0, all.length);
+    return all;
+  }
+
+  EmbeddedFieldDefinition definition(FieldDefinition field) {
+    return definitions[field.index()];
+  }
+
+  /**
+   * A field by its name or that of its events.
+   *
+   * @throws InvalidFieldException if there is none
+   */
+  EmbeddedFieldDefinition definition(String name) {
+    return type.field(name)
+        .or(() -> type.input(name))
+        .or(() -> type.output(name))
+        .map(this::definition)
+        .orElseThrow(() -> new InvalidFieldException(type.name() + " has no field " + name));
+  }
+
+  NodeMethod meaning(Method method) {
+    NodeMethod known = methods.get(method);
+    return known != null
+        ? known
+        : methods.computeIfAbsent(method, missing -> NodeMethod.of(missing, type));
+  }
+}

@@ -1,0 +1,71 @@
+package org.selectiverenderer.runtime.loading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicLong;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.runtime.instance.Texture;
+
+class ImageDecoderTest {
+  @TempDir private Path folder;
+
+  private Texture.Image decode(int type, int... argb) throws IOException {
+    BufferedImage image = new BufferedImage(2, argb.length / 2, type);
+    image.setRGB(0, 0, 2, argb.length / 2, argb, 0, 2);
+    Path file = folder.resolve("a.png");
+    ImageIO.write(image, "png", file.toFile());
+    return ImageDecoder.read(file, new AtomicLong(Long.MAX_VALUE));
+  }
+
+  @Test
+  void theFirstRowIsTheLowest() throws IOException {
+    Texture.Image image =
+        decode(BufferedImage.TYPE_INT_RGB, 0xFF010203, 0xFF040506, 0xFF070809, 0xFF0A0B0C);
+    assertThat(image.rgba()).containsExactly(7, 8, 9, -1, 10, 11, 12, -1, 1, 2, 3, -1, 4, 5, 6, -1);
+    assertThat(image.components()).isEqualTo(3);
+  }
+
+  @Test
+  void componentsAreCountedAsTheFileHasThem() throws IOException {
+    assertThat(decode(BufferedImage.TYPE_INT_ARGB, 0x80FF0000, -1).components()).isEqualTo(4);
+    assertThat(decode(BufferedImage.TYPE_BYTE_GRAY, 0xFF808080, -1).components()).isEqualTo(1);
+  }
+
+  @Test
+  void imagesThatWouldTakeMoreThanTheBudgetAreRefused() throws IOException {
+    AtomicLong budget = new AtomicLong(40);
+    Path file = folder.resolve("a.png");
+    ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+    assertThat(ImageDecoder.read(file, budget).width()).isEqualTo(2);
+    assertThatThrownBy(() -> ImageDecoder.read(file, budget))
+        .hasMessage("has 4 pixels, for which there is no more memory");
+    assertThat(budget).hasValue(8);
+  }
+
+  @Test
+  void pixelsOfOneToFourComponents() throws IOException {
+    assertThat(ImageDecoder.pixels(new int[] {1, 1, 1, 0x12}).rgba())
+        .containsExactly(0x12, 0x12, 0x12, -1);
+    assertThat(ImageDecoder.pixels(new int[] {1, 1, 2, 0x1234}).rgba())
+        .containsExactly(0x12, 0x12, 0x12, 0x34);
+    assertThat(ImageDecoder.pixels(new int[] {1, 1, 3, 0x123456}).rgba())
+        .containsExactly(0x12, 0x34, 0x56, -1);
+    assertThat(ImageDecoder.pixels(new int[] {1, 1, 4, 0x12345678}).rgba())
+        .containsExactly(0x12, 0x34, 0x56, 0x78);
+  }
+
+  @Test
+  void pixelsWithoutSizeAreNoImage() {
+    assertThatThrownBy(() -> ImageDecoder.pixels(new int[0])).isInstanceOf(IOException.class);
+    assertThatThrownBy(() -> ImageDecoder.pixels(new int[] {1 << 20, 1 << 20, 3}))
+        .isInstanceOf(IOException.class);
+    assertThatThrownBy(() -> ImageDecoder.pixels(new int[] {-1, 1, 3}))
+        .isInstanceOf(IOException.class);
+  }
+}

@@ -1,0 +1,277 @@
+package org.selectiverenderer.runtime.loading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.InlineNode;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+
+/** The test is the stepping thread: what arrives in the background waits in a queue for it. */
+@Timeout(60)
+class LiveFilesTest {
+  @TempDir private Path folder;
+  private final BlockingQueue<Runnable> arrivals = new LinkedBlockingQueue<>();
+  private final Problems problems = new Problems();
+  private final Cascade cascade = new Cascade(problems);
+  private final SceneLoader loader =
+      new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+  private LoadedScene loaded;
+  private LiveFiles files;
+  private InstanceTree tree;
+
+  @BeforeEach
+  void writeScenes() throws IOException {
+    for (int boxes = 1; boxes <= 4; boxes++) {
+      write("boxes%d.x3d".formatted(boxes), "<Shape><Box/></Shape>".repeat(boxes));
+    }
+  }
+
+  @AfterEach
+  void close() {
+    loader.close();
+  }
+
+  private static String scene(String nodes) {
+    return "<X3D version='4.0'><Scene>\n" + nodes + "</Scene></X3D>";
+  }
+
+  private void write(String name, String nodes) throws IOException {
+    Files.writeString(folder.resolve(name), scene(nodes));
+  }
+
+  private void load(String nodes) throws IOException {
+    byte[] text = scene(nodes).getBytes(StandardCharsets.UTF_8);
+    loaded = loader.load("test.x3d", new ByteArrayInputStream(text), folder);
+    files = new LiveFiles(loaded, problems, arrivals::add);
+    tree = new InstanceTree((GroupingNode) loaded.scene().root(), files.assets());
+    watch();
+    files.update();
+  }
+
+  private void watch() {
+    files.watch(
+        loaded.scene().named().values().stream()
+            .filter(InlineNode.class::isInstance)
+            .map(InlineNode.class::cast)
+            .toList());
+  }
+
+  private Node node(String name) {
+    return loaded.scene().find(name).orElseThrow();
+  }
+
+  private void set(String name, String field, Object value) {
+    cascade.send(node(name), node(name).type().indexOf(field), value);
+    frame();
+  }
+
+  /** What a frame does: events are carried, the tree follows, files are asked for. */
+  private void frame() {
+    cascade.run();
+    tree.update();
+    files.update();
+  }
+
+  private void arrive() throws InterruptedException {
+    arrivals.take().run();
+    frame();
+  }
+
+  private static String[] url(String... urls) {
+    return urls;
+  }
+
+  private void assertBoxes(int boxes) {
+    assertThat(tree.shownPolygons()).isEqualTo(12L * boxes);
+  }
+
+  @Test
+  void anInlineThatIsNotLoadedAtFirstIsFilledWhenItIsTurnedOn() throws Exception {
+    load("<Inline DEF='I' load='false' url='\"boxes2.x3d\"'/>");
+    assertBoxes(0);
+    set("I", "load", true);
+    assertBoxes(0);
+    arrive();
+    assertBoxes(2);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void turnedOffItIsEmptyAtOnceAndTurnedOnAgainItIsBackAtOnce() throws Exception {
+    load("<Inline DEF='I' url='\"boxes2.x3d\"'/>");
+    assertBoxes(2);
+    set("I", "load", false);
+    assertBoxes(0);
+    set("I", "load", true);
+    assertBoxes(2);
+    assertThat(arrivals).isEmpty();
+  }
+
+  @Test
+  void theOldContentStaysUntilTheNewIsThere() throws Exception {
+    load("<Inline DEF='I' url='\"boxes2.x3d\"'/>");
+    set("I", "url", url("boxes3.x3d"));
+    assertBoxes(2);
+    arrive();
+    assertBoxes(3);
+  }
+
+  @Test
+  void ofSeveralUrlsInARowTheLastCounts() throws Exception {
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    set("I", "url", url("boxes2.x3d"));
+    set("I", "url", url("boxes3.x3d"));
+    set("I", "url", url("boxes4.x3d"));
+    arrive();
+    arrive();
+    arrive();
+    assertBoxes(4);
+  }
+
+  @Test
+  void whatArrivesAfterItWasTurnedOffIsNotShown() throws Exception {
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    set("I", "url", url("boxes2.x3d"));
+    set("I", "load", false);
+    arrive();
+    assertBoxes(0);
+    set("I", "load", true);
+    arrive();
+    assertBoxes(2);
+  }
+
+  @Test
+  void whatCannotBeReadIsAProblemAndLeavesTheInlineEmpty() throws Exception {
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    set("I", "url", url("none.x3d"));
+    assertThat(problems.list()).isEmpty();
+    arrive();
+    assertBoxes(0);
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .containsExactly("test.x3d:2:1: Inline url 'none.x3d' is missing; the Inline is left out");
+    set("I", "url", url("boxes2.x3d"));
+    arrive();
+    assertBoxes(2);
+  }
+
+  @Test
+  void aRunningSceneMayNameNoMoreThanItsFileMight() throws Exception {
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    set("I", "url", url("../secret.x3d"));
+    arrive();
+    set("I", "url", url("http://example.org/a.x3d"));
+    arrive();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly(
+            "Inline url '../secret.x3d' points outside the scene's folder; the Inline is left out",
+            "Inline url 'http://example.org/a.x3d' is on the network or of a scheme that is not"
+                + " read: only files are; the Inline is left out");
+  }
+
+  @Test
+  void anInlineCannotComeToIncludeItsOwnFile() throws Exception {
+    write("outer.x3d", "<Inline DEF='Inner' url='\"boxes1.x3d\"'/>");
+    load("<Inline DEF='I' url='\"outer.x3d\"'/>");
+    InlineNode outer = (InlineNode) node("I");
+    Node inner = outer.content().orElseThrow().find("Inner").orElseThrow();
+    files.watch(List.of(outer, (InlineNode) inner));
+    cascade.send(inner, inner.type().indexOf("url"), url("outer.x3d"));
+    frame();
+    arrive();
+    assertBoxes(0);
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly(folder.resolve("outer.x3d") + " includes itself; the Inline is left out");
+  }
+
+  @Test
+  void lengthsAreConvertedBetweenTheUnitsOfTheFiles() throws Exception {
+    Files.writeString(
+        folder.resolve("centimetres.x3d"),
+        "<X3D version='4.0'><head><unit category='length' name='cm' conversionFactor='0.01'/></head>"
+            + "<Scene><Shape><Box/></Shape></Scene></X3D>");
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    set("I", "url", url("centimetres.x3d"));
+    arrive();
+    assertThat(tree.shapes().get(0).world().m00()).isEqualTo(0.01);
+  }
+
+  @Test
+  void anInlineMadeByAnApplicationIsFilledWhenItComesIntoTheScene() throws Exception {
+    load("<Group DEF='G'/>");
+    Node made =
+        loader.factory().make(loader.catalogue().get("Inline"), null, Location.of("(made)"));
+    made.init(made.type().indexOf("url"), url("boxes3.x3d"));
+    set("G", "children", List.of(made));
+    files.watch(List.of((InlineNode) made));
+    frame();
+    arrive();
+    assertBoxes(3);
+  }
+
+  @Test
+  void anInlineThatLeftTheSceneIsNoLongerFollowed() throws Exception {
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    files.watch(List.of());
+    set("I", "url", url("boxes2.x3d"));
+    assertThat(arrivals).isEmpty();
+  }
+
+  @Test
+  void anotherImageTakesTheOldOnesPlaceWhenItIsThere() throws Exception {
+    picture("a.png", 3);
+    picture("b.png", 5);
+    load("<Shape><Appearance><ImageTexture DEF='T' url='\"a.png\"'/></Appearance><Box/></Shape>");
+    assertThat(width()).isEqualTo(3);
+    set("T", "url", url("b.png"));
+    assertThat(width()).isEqualTo(3);
+    arrive();
+    assertThat(width()).isEqualTo(5);
+    set("T", "repeatS", false);
+    assertThat(arrivals).isEmpty();
+    assertThat(width()).isEqualTo(5);
+    set("T", "url", url("none.png"));
+    arrive();
+    assertThat(tree.shapes().get(0).surface().texture()).isNull();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .containsExactly(
+            "test.x3d:2:20: ImageTexture url 'none.png' is missing; the texture is left out");
+  }
+
+  private void picture(String name, int width) throws IOException {
+    BufferedImage image = new BufferedImage(width, 2, BufferedImage.TYPE_INT_RGB);
+    ImageIO.write(image, "png", folder.resolve(name).toFile());
+  }
+
+  private int width() {
+    Texture texture = tree.shapes().get(0).surface().texture();
+    return texture == null ? 0 : texture.image().width();
+  }
+}

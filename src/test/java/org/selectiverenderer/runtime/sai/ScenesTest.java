@@ -1,0 +1,389 @@
+package org.selectiverenderer.runtime.sai;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.web3d.x3d.sai.BrowserEvent;
+import org.web3d.x3d.sai.ComponentInfo;
+import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.ImportedNodeException;
+import org.web3d.x3d.sai.InvalidDocumentException;
+import org.web3d.x3d.sai.InvalidExecutionContextException;
+import org.web3d.x3d.sai.InvalidNodeException;
+import org.web3d.x3d.sai.InvalidProtoException;
+import org.web3d.x3d.sai.InvalidReadableFieldException;
+import org.web3d.x3d.sai.InvalidURLException;
+import org.web3d.x3d.sai.InvalidWritableFieldException;
+import org.web3d.x3d.sai.InvalidX3DException;
+import org.web3d.x3d.sai.NotSupportedException;
+import org.web3d.x3d.sai.SFFloat;
+import org.web3d.x3d.sai.X3DExecutionContext;
+import org.web3d.x3d.sai.X3DMetadataObject;
+import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.X3DRoute;
+import org.web3d.x3d.sai.X3DScene;
+import org.web3d.x3d.sai.core.MetadataSet;
+import org.web3d.x3d.sai.core.MetadataString;
+import org.web3d.x3d.sai.grouping.Switch;
+import org.web3d.x3d.sai.grouping.Transform;
+import org.web3d.x3d.sai.interpolation.PositionInterpolator;
+
+/** Scenes read, made, changed and shown. */
+class ScenesTest {
+  private static final String GOOD = SaiFixture.file("<Switch DEF='S' whichChoice='2'/>");
+
+  private @TempDir Path dir;
+  private final SaiFixture sai = new SaiFixture();
+  private final ExternalBrowser browser = sai.browser;
+
+  @AfterEach
+  void close() {
+    sai.close();
+  }
+
+  private Path write(String name, String text) throws IOException {
+    return Files.writeString(dir.resolve(name), text);
+  }
+
+  private List<Integer> events() {
+    List<Integer> ids = new ArrayList<>();
+    browser.addBrowserListener(event -> ids.add(event.getID()));
+    return ids;
+  }
+
+  @Test
+  void aSceneOfTextIsReadButNotShownYet() {
+    List<Integer> events = events();
+    X3DScene scene = browser.createX3DFromString(GOOD);
+    assertThat(scene.getNamedNodes()).containsExactly("S");
+    assertThat(scene.getWorldURL()).isEmpty();
+    assertThat(sai.scene().getRootNodes()).isEmpty();
+    assertThat(events).isEmpty();
+    browser.replaceWorld(scene);
+    assertThat(events).containsExactly(BrowserEvent.INITIALIZED);
+    assertThat(browser.getExecutionContext()).isSameAs(scene);
+  }
+
+  @Test
+  void badTextIsRefusedAndGoodTextIsNotAfterIt() {
+    for (String bad : List.of("", "#VRML V2.0 utf8", "no X3D", "<html/>", "<X3D><Scene><Box")) {
+      assertThatThrownBy(() -> browser.createX3DFromString(bad))
+          .as(bad)
+          .isInstanceOf(InvalidX3DException.class)
+          .hasMessageContaining("holds no scene that can be read");
+    }
+    assertThat(sai.problems.any()).isTrue();
+    assertThat(browser.createX3DFromString(SaiFixture.file("")).getRootNodes()).isEmpty();
+    assertThat(browser.createX3DFromString(GOOD).getRootNodes()).hasSize(1);
+  }
+
+  @Test
+  void aSceneWithProblemsKeepsWhatCanBeRead() {
+    X3DScene scene = browser.createX3DFromString(SaiFixture.file("<Group/><Nothing/>"));
+    assertThat(scene.getRootNodes()).hasSize(1);
+    assertThat(sai.complaints()).anyMatch(message -> message.contains("Nothing"));
+  }
+
+  @Test
+  void aStreamIsReadWithAddressesRelativeToItsOwn() throws IOException {
+    write("inner.x3d", SaiFixture.file("<Group/>"));
+    String text = SaiFixture.file("<Inline url='\"inner.x3d\"'/>");
+    for (String base : List.of(dir.toString(), dir.resolve("outer.x3d").toUri().toString())) {
+      X3DScene scene = browser.createX3DFromStream(base, stream(text));
+      assertThat(scene.getWorldURL()).isEqualTo(base);
+    }
+    assertThat(sai.problems.any()).isFalse();
+    assertThatThrownBy(() -> browser.createX3DFromStream("", stream("")))
+        .isInstanceOf(InvalidX3DException.class);
+    IOException broken = new IOException("broken");
+    InputStream failing =
+        new InputStream() {
+          @Override
+          public int read() throws IOException {
+            throw broken;
+          }
+        };
+    assertThatThrownBy(() -> browser.createX3DFromStream("", failing)).isSameAs(broken);
+  }
+
+  private static InputStream stream(String text) {
+    return new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void theFirstAddressThatCanBeReadCounts() throws IOException {
+    Path file = write("scene.x3d", GOOD);
+    for (String url : List.of(file.toString(), file.toUri().toString())) {
+      X3DScene scene =
+          browser.createX3DFromURL(new String[] {dir.resolve("no.x3d").toString(), url});
+      assertThat(scene.getNamedNodes()).containsExactly("S");
+      assertThat(scene.getWorldURL()).isEqualTo(file.toUri().toString());
+    }
+  }
+
+  @Test
+  void addressesThatCannotBeReadAreRefusedInOneSentence() throws IOException {
+    String[][] bad = {
+      {}, {dir.resolve("no.x3d").toString()}, {"https://example.org/scene.x3d"}, {"file:no uri"},
+    };
+    for (String[] urls : bad) {
+      assertThatThrownBy(() -> browser.createX3DFromURL(urls))
+          .isInstanceOf(InvalidURLException.class);
+    }
+    String empty = write("empty.x3d", "").toString();
+    assertThatThrownBy(() -> browser.createX3DFromURL(new String[] {empty}))
+        .isInstanceOf(InvalidX3DException.class);
+  }
+
+  @Test
+  void loadingAnAddressShowsItsScene() throws IOException {
+    List<Integer> events = events();
+    browser.loadURL(new String[] {write("scene.x3d", GOOD).toString()}, Map.of());
+    assertThat(sai.node("S", Switch.class).getWhichChoice()).isEqualTo(2);
+    assertThat(events).containsExactly(BrowserEvent.INITIALIZED);
+  }
+
+  @Test
+  void loadingThatFailsIsTold() throws IOException {
+    List<Integer> events = events();
+    String[] missing = {dir.resolve("no.x3d").toString()};
+    assertThatThrownBy(() -> browser.loadURL(missing, null))
+        .isInstanceOf(InvalidURLException.class);
+    String[] bad = {write("bad.x3d", "nothing").toString()};
+    assertThatThrownBy(() -> browser.loadURL(bad, null)).isInstanceOf(InvalidX3DException.class);
+    assertThat(events).containsExactly(BrowserEvent.URL_ERROR, BrowserEvent.URL_ERROR);
+  }
+
+  @Test
+  void documentsAreImported() throws Exception {
+    Document document =
+        DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(stream(GOOD));
+    assertThat(browser.importDocument(document).getNamedNodes()).containsExactly("S");
+    assertThat(browser.importDocument(document.getDocumentElement()).getNamedNodes()).hasSize(1);
+    Document other = DocumentBuilderFactory.newInstance().newDocumentBuilder().newDocument();
+    other.appendChild(other.createElement("html"));
+    assertThatThrownBy(() -> browser.importDocument(other))
+        .isInstanceOf(InvalidDocumentException.class);
+    assertThatThrownBy(() -> browser.importDocument(null))
+        .isInstanceOf(InvalidDocumentException.class);
+  }
+
+  @Test
+  void aSceneBuiltFromNothingBehaves() {
+    X3DScene scene = browser.createScene(browser.getProfile("Immersive"), null);
+    X3DNode clock = scene.createNode("TimeSensor");
+    ((org.web3d.x3d.sai.time.TimeSensor) clock).setCycleInterval(4);
+    ((org.web3d.x3d.sai.time.TimeSensor) clock).setLoop(true);
+    PositionInterpolator path = (PositionInterpolator) scene.createNode("PositionInterpolator");
+    path.setKey(new float[] {0, 1});
+    path.setKeyValue(new float[] {0, 0, 0, 8, 0, 0});
+    Transform moved = (Transform) scene.createNode("Transform");
+    moved.setChildren(new X3DNode[] {scene.createNode("Shape")});
+    for (X3DNode node : List.of(clock, path, moved)) {
+      scene.addRootNode(node);
+    }
+    scene.updateNamedNode("Moved", moved);
+    scene.addRoute(clock, "fraction_changed", path, "set_fraction");
+    scene.addRoute(path, "value_changed", moved, "translation");
+    scene.addMetaData("title", "made");
+    assertThat(scene.getEncoding()).isEqualTo(X3DExecutionContext.SCRIPTED_ENCODING);
+    assertThat(scene.getMetaData()).containsEntry("title", "made");
+    assertThat(scene.getRoutes()).hasSize(2);
+    browser.replaceWorld(scene);
+    sai.step();
+    sai.step();
+    sai.step();
+
+    float[] at = new float[3];
+    sai.node("Moved", Transform.class).getTranslation(at);
+    assertThat(at[0]).isGreaterThan(0).isLessThan(8);
+    scene.removeRootNode(moved);
+    assertThat(scene.getRootNodes()).containsExactly(clock, path);
+    scene.removeMetaData("title");
+    assertThat(scene.getMetaData()).isEmpty();
+  }
+
+  @Test
+  void componentsThatAreNotThereAreRefused() {
+    ComponentInfo component = browser.getComponentInfo("Grouping", 2);
+    assertThat(
+            browser
+                .createScene(browser.getProfile("Core"), new ComponentInfo[] {component})
+                .getComponents())
+        .extracting(ComponentInfo::getName)
+        .containsExactly("Grouping");
+    assertThatThrownBy(() -> browser.getComponentInfo("Grouping", 99))
+        .isInstanceOf(NotSupportedException.class);
+    assertThatThrownBy(() -> browser.getComponentInfo("Nothing", 1))
+        .isInstanceOf(NotSupportedException.class);
+    assertThatThrownBy(() -> browser.getProfile("Nothing"))
+        .isInstanceOf(NotSupportedException.class);
+    assertThat(browser.getSupportedProfiles()).hasSize(8);
+    assertThat(browser.getSupportedComponents())
+        .extracting(ComponentInfo::getName)
+        .contains("Core", "Navigation")
+        .isSorted();
+  }
+
+  @Test
+  void namesAreGivenMovedAndTakenAway() {
+    X3DScene scene = browser.createX3DFromString(GOOD);
+    X3DNode other = scene.createNode("Group");
+    scene.updateNamedNode("S", other);
+    assertThat(scene.getNamedNode("S")).isSameAs(other);
+    scene.removeNamedNode("S");
+    assertThatThrownBy(() -> scene.getNamedNode("S"))
+        .isInstanceOf(InvalidNodeException.class)
+        .hasMessage("no node has the DEF name S");
+    assertThatThrownBy(() -> scene.createNode("Nothing")).isInstanceOf(InvalidNodeException.class);
+    assertThatThrownBy(() -> scene.updateExportedNode("S", null))
+        .isInstanceOf(InvalidNodeException.class);
+    assertThatThrownBy(() -> scene.getExportedNode("S")).isInstanceOf(InvalidNodeException.class);
+    assertThatThrownBy(() -> scene.getImportedNode("S")).isInstanceOf(InvalidNodeException.class);
+  }
+
+  @Test
+  void nodesOfInlinesAreImported() throws IOException {
+    write("inner.x3d", SaiFixture.file("<Group DEF='G'/><EXPORT localDEF='G' AS='Out'/>"));
+    Path outer =
+        write(
+            "outer.x3d",
+            SaiFixture.file(
+                "<Inline DEF='I' url='\"inner.x3d\"'/>"
+                    + "<IMPORT inlineDEF='I' importedDEF='Out' AS='In'/>"));
+    X3DScene scene = browser.createX3DFromURL(new String[] {outer.toString()});
+    assertThat(scene.getImportedNode("In").getNodeName()).isEqualTo("Group");
+    assertThat(scene.getNamedNode("In")).isSameAs(scene.getImportedNode("In"));
+    scene.updateImportedNode("Out", "Again", scene.getNamedNode("I"));
+    assertThat(scene.getImportedNode("Again")).isSameAs(scene.getImportedNode("In"));
+    assertThatThrownBy(() -> scene.updateNamedNode("In", scene.getNamedNode("I")))
+        .isInstanceOf(ImportedNodeException.class);
+    assertThatThrownBy(() -> scene.updateImportedNode("No", "X", scene.getNamedNode("I")))
+        .isInstanceOf(ImportedNodeException.class);
+    scene.removeImportedNode("In");
+    assertThatThrownBy(() -> scene.getImportedNode("In")).isInstanceOf(InvalidNodeException.class);
+  }
+
+  @Test
+  void routesAreAddedOnceAndRemoved() {
+    X3DScene scene = browser.createX3DFromString(GOOD);
+    X3DNode from = scene.createNode("ScalarInterpolator");
+    X3DNode to = scene.createNode("Material");
+    X3DRoute route = scene.addRoute(from, "value_changed", to, "transparency");
+    assertThat(scene.addRoute(from, "value_changed", to, "set_transparency")).isEqualTo(route);
+    assertThat(scene.getRoutes()).containsExactly(route);
+    assertThat(route.getSourceNode()).isSameAs(from);
+    assertThat(route.getSourceField()).isEqualTo("value_changed");
+    assertThat(route.getDestinationNode()).isSameAs(to);
+    assertThat(route.getDestinationField()).isEqualTo("transparency");
+    assertThatThrownBy(() -> scene.addRoute(from, "nothing", to, "transparency"))
+        .isInstanceOf(InvalidReadableFieldException.class);
+    assertThatThrownBy(() -> scene.addRoute(from, "value_changed", to, "nothing"))
+        .isInstanceOf(InvalidWritableFieldException.class);
+    assertThatThrownBy(() -> scene.addRoute(from, "value_changed", to, "diffuseColor"))
+        .isInstanceOf(InvalidWritableFieldException.class)
+        .hasMessageContaining("the types SFFloat and SFColor differ");
+    ((SFFloat) from.getField("set_fraction")).setValue(0.5f);
+    scene.removeRoute(route);
+    scene.removeRoute(route);
+    assertThat(scene.getRoutes()).isEmpty();
+  }
+
+  @Test
+  void metadataIsReadThroughNodesOfNodes() {
+    browser.replaceWorld(
+        browser.createX3DFromString(
+            SaiFixture.file(
+                "<Switch DEF='S'><MetadataSet name='schemas'>"
+                    + "<MetadataString name='schemaBelonginess' containerField='value'"
+                    + " value='\"A\" \"B\"'/></MetadataSet></Switch><Group DEF='G'/>")));
+    X3DMetadataObject metadata = sai.node("S").getMetadata();
+    assertThat(metadata.getName()).isEqualTo("schemas");
+    MetadataSet set = (MetadataSet) metadata;
+    X3DNode[] members = new X3DNode[set.getNumValue()];
+    set.getValue(members);
+    MetadataString string = (MetadataString) members[0];
+    String[] values = new String[string.getNumValue()];
+    string.getValue(values);
+    assertThat(values).containsExactly("A", "B");
+    assertThat(sai.node("G").getMetadata()).isNull();
+    sai.node("G").setMetadata(metadata);
+    assertThat(sai.node("G").getMetadata()).isSameAs(metadata);
+    sai.node("G").setMetadata(null);
+    assertThat(sai.node("G").getMetadata()).isNull();
+    X3DMetadataObject foreign =
+        new X3DMetadataObject() {
+          @Override
+          public String getName() {
+            return "";
+          }
+
+          @Override
+          public void setName(String value) {}
+
+          @Override
+          public String getReference() {
+            return "";
+          }
+
+          @Override
+          public void setReference(String value) {}
+        };
+    assertThatThrownBy(() -> sai.node("G").setMetadata(foreign))
+        .isInstanceOf(InvalidNodeException.class);
+  }
+
+  @Test
+  void aNodeThatHoldsItselfDoesNotDisturb() {
+    browser.replaceWorld(browser.createX3DFromString(SaiFixture.file("<Transform DEF='T'/>")));
+    Transform node = sai.node("T", Transform.class);
+    node.addChildren(new X3DNode[] {node});
+    sai.step();
+    assertThat(node.getNumChildren()).isEqualTo(1);
+  }
+
+  @Test
+  void thereAreNoPrototypes() {
+    X3DScene scene = sai.scene();
+    assertThat(scene.getProtosNames()).isEmpty();
+    assertThat(scene.getExternProtoNames()).isEmpty();
+    assertThatThrownBy(() -> scene.createProto("P")).isInstanceOf(InvalidProtoException.class);
+    assertThatThrownBy(() -> scene.getProtoDeclaration("P"))
+        .isInstanceOf(InvalidProtoException.class);
+  }
+
+  @Test
+  void aSceneThatIsDisposedOfIsRefused() {
+    X3DScene scene = browser.createX3DFromString(GOOD);
+    scene.dispose();
+    assertThatThrownBy(scene::getRootNodes).isInstanceOf(InvalidExecutionContextException.class);
+    assertThatThrownBy(() -> browser.replaceWorld(scene))
+        .isInstanceOf(InvalidExecutionContextException.class);
+  }
+
+  @Test
+  void aListenerMayReplaceTheWorld() {
+    browser.replaceWorld(browser.createX3DFromString(GOOD));
+    X3DScene next = browser.createX3DFromString(SaiFixture.file("<Group DEF='Next'/>"));
+    sai.node("S").getField("whichChoice").addX3DEventListener(event -> browser.replaceWorld(next));
+    sai.node("S", Switch.class).setWhichChoice(0);
+    sai.step();
+    sai.step();
+    assertThat(sai.scene().getNamedNodes()).containsExactly("Next");
+    assertThat(sai.complaints()).isEmpty();
+  }
+}
