@@ -88,8 +88,12 @@ class ArchitectureTest {
       onlyUsesOfOurs("schema", "schema", "x3d");
 
   @ArchTest
+  static final ArchRule polygonStatisticsUseFilesAndTheVocabularyOnly =
+      onlyUsesOfOurs("polygon.statistics", "polygon.statistics", "x3d", "schema");
+
+  @ArchTest
   static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
-      onlyUsesOfOurs("polygon", "polygon", "x3d");
+      onlyUsesOfOurs("polygon", "polygon", "x3d", "schema");
 
   @ArchTest
   static final ArchRule nativeLibrariesOfModelsLiveInThePolygonCountProcess =

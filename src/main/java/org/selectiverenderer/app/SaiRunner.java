@@ -7,6 +7,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
@@ -48,7 +49,12 @@ public final class SaiRunner implements AutoCloseable {
     try {
       ExternalBrowser browser = runner.browser();
       out.accept("browser: " + browser.getName() + " " + browser.getVersion());
-      new SelectiveController(browser, settings, runner::tell);
+      new SelectiveController(
+          browser,
+          settings,
+          runner::tell,
+          problem ->
+              out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
       browser.replaceWorld(browser.createX3DFromURL(new String[] {url}));
       return runner;
     } catch (RuntimeException | Error e) {

@@ -53,8 +53,8 @@ public final class Walkthrough implements AutoCloseable {
     this.problems = problems;
     this.timeline = timeline;
     browser = new EmbeddedBrowser(world, loader, console, Map.of());
-    controller = new SelectiveController(browser, settings, this::heard);
-    controller.problems().forEach(this::report);
+    controller = new SelectiveController(browser, settings, this::heard, this::report);
+    InlinedEnrichment.report(world.scene(), problems);
     world.instances().update();
   }
 
@@ -172,7 +172,10 @@ public final class Walkthrough implements AutoCloseable {
 
   private void report(ControlProblem problem) {
     Location place = browser.locationOf(problem.node());
-    problems.warning(place, problem.nodeName() + ": " + problem.message());
+    switch (problem.severity()) {
+      case WARNING -> problems.warning(place, problem.toString());
+      case INFO -> problems.info(place, problem.toString());
+    }
   }
 
   /** The Switches' choices now, by name. */

@@ -13,10 +13,7 @@ final class CommandCatalogue {
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new ApartmentCommand(console),
-        new BenchCommand(console));
-=======
         new BenchCommand(console),
         new SaiCommand(console, System.in));
->>>>>>> poly
   }
 }

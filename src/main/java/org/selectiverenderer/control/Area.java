@@ -3,6 +3,7 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.web3d.x3d.sai.X3DField;
@@ -22,16 +23,16 @@ final class Area {
   }
 
   private final ProximitySensor sensor;
-  private final String name;
+  private final Supplier<String> name;
   private final X3DField enterTime;
   private final X3DField exitTime;
   private final X3DFieldEventListener onEnter;
   private final X3DFieldEventListener onExit;
   private final MetadataWatch watch;
-  private final List<ControlProblem> problems = new ArrayList<>();
+  private List<ControlProblem> problems = List.of();
   private Optional<SensorSchemas> schemas = Optional.empty();
 
-  Area(ProximitySensor sensor, String name, Listener listener) {
+  Area(ProximitySensor sensor, Supplier<String> name, Listener listener) {
     this.sensor = sensor;
     this.name = name;
     this.enterTime = sensor.getField("enterTime");
@@ -46,18 +47,19 @@ final class Area {
 
   /** Reads the metadata anew. */
   void read() {
-    problems.clear();
+    List<ControlProblem> found = new ArrayList<>();
     SchemaReader reader =
         new SchemaReader(
             problem ->
-                problems.add(
-                    new ControlProblem(
-                        name, ((SaiMetadata) problem.metadata()).node(), problem.message())));
+                found.add(
+                    ControlProblem.warning(
+                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
     schemas = watch.read().flatMap(reader::sensor);
+    problems = List.copyOf(found);
   }
 
   String name() {
-    return name;
+    return name.get();
   }
 
   /** Empty if the metadata has nothing of the vocabulary: the sensor is not ours. */
@@ -75,14 +77,18 @@ final class Area {
     return sensor.getEnterTime();
   }
 
+  ProximitySensor sensor() {
+    return sensor;
+  }
+
   List<ControlProblem> problems() {
     return problems;
   }
 
   /** Leaves the sensor without a listener. */
   void close() {
-    enterTime.removeX3DEventListener(onEnter);
-    exitTime.removeX3DEventListener(onExit);
+    Release.remove(enterTime, onEnter);
+    Release.remove(exitTime, onExit);
     watch.close();
   }
 }

@@ -6,10 +6,12 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.selectiverenderer.control.Activation.Change;
 import org.selectiverenderer.control.SelectiveController.Settings;
+import org.selectiverenderer.schema.Activation;
+import org.selectiverenderer.schema.Activation.Change;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
@@ -20,6 +22,7 @@ import org.web3d.x3d.sai.grouping.Switch;
 final class SceneControl implements Area.Listener {
   private final Settings settings;
   private final Consumer<ControlEvent> events;
+  private final Consumer<ControlProblem> problems;
   private final NodeNames names;
   private final SceneWalk walk;
   private final Activation<Area, VersionedObject> activation = new Activation<>();
@@ -28,9 +31,14 @@ final class SceneControl implements Area.Listener {
   private boolean started;
   private double now;
 
-  SceneControl(X3DExecutionContext scene, Settings settings, Consumer<ControlEvent> events) {
+  SceneControl(
+      X3DExecutionContext scene,
+      Settings settings,
+      Consumer<ControlEvent> events,
+      Consumer<ControlProblem> problems) {
     this.settings = settings;
     this.events = events;
+    this.problems = problems;
     this.names = new NodeNames(scene);
     this.walk =
         new SceneWalk(
@@ -42,6 +50,8 @@ final class SceneControl implements Area.Listener {
     walk.rescan(now);
     setOut(objects.values(), settings.seed());
     started = true;
+    problems().forEach(problems);
+    UnmatchedSchemas.of(areas.values(), objects.values()).forEach(problems);
     events.accept(new ControlEvent.Start(choices()));
     areas.values().forEach(this::enterIfInside);
   }
@@ -59,10 +69,10 @@ final class SceneControl implements Area.Listener {
   }
 
   List<ControlProblem> problems() {
-    List<ControlProblem> problems = new ArrayList<>();
-    areas.values().forEach(area -> problems.addAll(area.problems()));
-    objects.values().forEach(object -> problems.addAll(object.problems()));
-    return problems;
+    List<ControlProblem> all = new ArrayList<>();
+    areas.values().forEach(area -> all.addAll(area.problems()));
+    objects.values().forEach(object -> all.addAll(object.problems()));
+    return all;
   }
 
   List<String> enteredAreas() {
@@ -105,7 +115,9 @@ final class SceneControl implements Area.Listener {
   public void metadataChanged(Area area, double time) {
     now = time;
     boolean known = area.schemas().isPresent();
+    List<ControlProblem> before = area.problems();
     area.read();
+    reportNew(before, area.problems());
     if (area.schemas().isEmpty()) {
       apply(activation.removeArea(area));
       return;
@@ -119,12 +131,23 @@ final class SceneControl implements Area.Listener {
   private void objectChanged(VersionedObject object, double time) {
     now = time;
     boolean known = object.schemas().isPresent();
+    List<ControlProblem> before = object.problems();
     object.read();
+    reportNew(before, object.problems());
     if (object.schemas().isEmpty()) {
       activation.removeSwitch(object);
     } else if (!known || settings.condition().switches()) {
       setOut(List.of(object), settings.seed() + objects.size());
     }
+  }
+
+  private void reportNew(List<ControlProblem> before, List<ControlProblem> now) {
+    now.stream().filter(problem -> !before.contains(problem)).forEach(problems);
+  }
+
+  /** A ROUTE, an application or another script has set the choice; it stays until the next step. */
+  private void choiceChanged(VersionedObject object) {
+    activation.noteShown(object, object.shown());
   }
 
   private void changed(List<X3DNode> found, List<X3DNode> lost, double time) {
@@ -134,25 +157,28 @@ final class SceneControl implements Area.Listener {
     List<VersionedObject> foundObjects = new ArrayList<>();
     for (X3DNode node : found) {
       if (node instanceof ProximitySensor sensor) {
-        Area area = new Area(sensor, names.of(node), this);
+        Area area = new Area(sensor, () -> names.of(node), this);
         areas.put(node, area);
         area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
         foundAreas.add(area);
       } else if (node instanceof Switch versions) {
-        VersionedObject object = new VersionedObject(versions, names.of(node), this::objectChanged);
+        VersionedObject object =
+            new VersionedObject(
+                versions, () -> names.of(node), this::objectChanged, this::choiceChanged);
         objects.put(node, object);
         foundObjects.add(object);
       }
     }
     lost.forEach(this::forget);
     if (started) {
+      foundAreas.forEach(area -> reportNew(List.of(), area.problems()));
+      foundObjects.forEach(object -> reportNew(List.of(), object.problems()));
       setOut(foundObjects, settings.seed() + objects.size());
       foundAreas.forEach(this::enterIfInside);
     }
   }
 
   private void forget(X3DNode node) {
-    names.remove(node);
     VersionedObject object = objects.remove(node);
     if (object != null) {
       object.close();
@@ -163,6 +189,7 @@ final class SceneControl implements Area.Listener {
       area.close();
       apply(activation.removeArea(area));
     }
+    names.remove(node);
   }
 
   /** A sensor that came under control while the viewer was in its box sends no entry any more. */
@@ -183,10 +210,7 @@ final class SceneControl implements Area.Listener {
           (object, schemas) ->
               apply(activation.putSwitch(object, schemas, object.shown()).stream().toList()));
     } else {
-      settings
-          .condition()
-          .initialChoices(enriched, activatedSchemas(), seed)
-          .forEach(VersionedObject::show);
+      settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
     }
   }
 
@@ -203,10 +227,17 @@ final class SceneControl implements Area.Listener {
     return activated;
   }
 
+  private void show(VersionedObject object, int choice) {
+    Optional<ControlProblem> failure = object.show(choice);
+    if (started) { // else it is reported with the rest
+      failure.ifPresent(problems);
+    }
+  }
+
   private void apply(List<Change<VersionedObject>> changes) {
     for (Change<VersionedObject> change : changes) {
       VersionedObject object = change.switchKey();
-      object.show(change.to());
+      show(object, change.to());
       events.accept(
           new ControlEvent.SwitchChange(
               now, object.name(), change.from(), change.to(), change.schema()));

@@ -216,7 +216,7 @@ final class SceneWalk {
     }
 
     void close() {
-      field.removeX3DEventListener(onChange);
+      Release.remove(field, onChange);
     }
   }
 }

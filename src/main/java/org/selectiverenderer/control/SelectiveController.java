@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.schema.Activation;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ExternalBrowser;
@@ -18,8 +19,9 @@ import org.web3d.x3d.sai.ExternalBrowser;
  * since the SAI does not show it.
  *
  * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
- * take effect later than it is made, and writes only what differs. A write is made within the call
- * of the listener, so that it belongs to the same time stamp as the entry.
+ * take effect later than it is made, and writes only what differs. What others write (a ROUTE, an
+ * application) is taken into the record and stays until an area has another say. A write is made
+ * within the call of the listener, so that it belongs to the same time stamp as the entry.
  *
  * <p>All work is done on the thread of the browser, which is also the one to call the methods here.
  */
@@ -37,6 +39,7 @@ public final class SelectiveController implements AutoCloseable {
   private final ExternalBrowser browser;
   private final Settings settings;
   private final Consumer<ControlEvent> events;
+  private final Consumer<ControlProblem> problems;
   private final BrowserListener onBrowser = this::browserChanged;
   private @Nullable SceneControl scene;
 
@@ -45,17 +48,22 @@ public final class SelectiveController implements AutoCloseable {
    *
    * @param events hears what happens, on the thread of the browser; a {@link ControlEvent.Start}
    *     for each scene first
+   * @param problems hears what is wrong with each scene, at its start and later, on the same thread
    */
   public SelectiveController(
-      ExternalBrowser browser, Settings settings, Consumer<ControlEvent> events) {
+      ExternalBrowser browser,
+      Settings settings,
+      Consumer<ControlEvent> events,
+      Consumer<ControlProblem> problems) {
     this.browser = browser;
     this.settings = settings;
     this.events = events;
+    this.problems = problems;
     browser.addBrowserListener(onBrowser);
     attach();
   }
 
-  /** What is wrong with the metadata of the scene, in the order of the scene. */
+  /** What is wrong with the metadata of the scene now, in the order of the scene. */
   public List<ControlProblem> problems() {
     return scene == null ? List.of() : scene.problems();
   }
@@ -75,7 +83,11 @@ public final class SelectiveController implements AutoCloseable {
     return scene == null ? Map.of() : scene.choices();
   }
 
-  /** Looks for nodes that were added or removed at the top of the scene: the SAI does not tell. */
+  /**
+   * Looks for nodes that were added or removed at the top of the scene. The SAI does not tell; a
+   * browser that sends an event of its own for it, as the embedded one does, makes the controller
+   * look by itself.
+   */
   public void rescan() {
     if (scene != null) {
       scene.rescan();
@@ -94,6 +106,8 @@ public final class SelectiveController implements AutoCloseable {
       attach();
     } else if (event.getID() == BrowserEvent.SHUTDOWN) {
       detach();
+    } else if (event.getID() > BrowserEvent.LAST_IDENTIFIER) { // the browser's own affair
+      rescan();
     }
   }
 
@@ -101,7 +115,7 @@ public final class SelectiveController implements AutoCloseable {
     detach();
     var context = browser.getExecutionContext();
     if (context != null) { // no world is shown yet
-      scene = new SceneControl(context, settings, events);
+      scene = new SceneControl(context, settings, events, problems);
       scene.start();
     }
   }

@@ -3,7 +3,10 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DException;
@@ -14,10 +17,16 @@ import org.web3d.x3d.sai.grouping.Switch;
 /** A Switch and what its metadata says of its children: the versions of an object. */
 final class VersionedObject {
   private final Switch node;
-  private final String name;
+  private final Supplier<String> name;
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
+  private final X3DField whichChoice;
+  private final X3DFieldEventListener onChoice;
   private final MetadataWatch watch;
+
+  /** Own writes of which no event has come yet, oldest first. */
+  private List<Integer> pending = List.of();
+
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
   private int shown;
@@ -26,16 +35,43 @@ final class VersionedObject {
    * An object as it is now.
    *
    * @param onChange hears when the metadata or the number of versions is not what it was
+   * @param onForeignChoice hears when somebody else has made the Switch show what it shows
    */
-  VersionedObject(Switch node, String name, ObjDoubleConsumer<VersionedObject> onChange) {
+  VersionedObject(
+      Switch node,
+      Supplier<String> name,
+      ObjDoubleConsumer<VersionedObject> onChange,
+      Consumer<VersionedObject> onForeignChoice) {
     this.node = node;
     this.name = name;
     this.shown = node.getWhichChoice();
     this.children = node.getField("children");
     this.onChildren = event -> onChange.accept(this, event.getTime());
     this.watch = new MetadataWatch(node, time -> onChange.accept(this, time));
+    this.whichChoice = node.getField("whichChoice");
+    this.onChoice = event -> choiceChanged(onForeignChoice);
     children.addX3DEventListener(onChildren);
+    whichChoice.addX3DEventListener(onChoice);
     read();
+  }
+
+  /**
+   * An event says that the field has changed; its value may be that of a later write already. A
+   * browser whose writes take effect late sends the events of own writes one after the other: until
+   * the last has come the record stays ahead of the field.
+   */
+  private void choiceChanged(Consumer<VersionedObject> onForeignChoice) {
+    int choice = node.getWhichChoice();
+    int own = pending.indexOf(choice);
+    if (own >= 0 && own < pending.size() - 1) {
+      pending = List.copyOf(pending.subList(own + 1, pending.size()));
+      return;
+    }
+    pending = List.of();
+    if (choice != shown) {
+      shown = choice;
+      onForeignChoice.accept(this);
+    }
   }
 
   /** Reads the metadata anew. */
@@ -45,13 +81,13 @@ final class VersionedObject {
         new SchemaReader(
             problem ->
                 add(
-                    new ControlProblem(
-                        name, ((SaiMetadata) problem.metadata()).node(), problem.message())));
+                    ControlProblem.warning(
+                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
     schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
   }
 
   String name() {
-    return name;
+    return name.get();
   }
 
   /** Empty if the metadata has nothing of the vocabulary: the Switch is not ours. */
@@ -59,23 +95,33 @@ final class VersionedObject {
     return schemas;
   }
 
-  /** The choice that was last set, or that the scene came with. */
+  /** The choice that was last set, by whomever, or that the scene came with. */
   int shown() {
     return shown;
   }
 
-  /** Sets {@code whichChoice}, unless it is set already. */
-  void show(int choice) {
+  /**
+   * Sets {@code whichChoice}, unless it is set already.
+   *
+   * @return why it could not be set
+   */
+  Optional<ControlProblem> show(int choice) {
     if (choice == shown) {
-      return;
+      return Optional.empty();
     }
     shown = choice;
+    List<Integer> before = pending;
+    pending = Stream.concat(before.stream(), Stream.of(choice)).toList();
     try {
       node.setWhichChoice(choice);
+      return Optional.empty();
     } catch (X3DException e) { // one Switch that is gone does not hold up the others
-      add(
-          new ControlProblem(
-              name, node, "whichChoice cannot be set to " + choice + ": " + e.getMessage()));
+      pending = before;
+      ControlProblem problem =
+          ControlProblem.warning(
+              name(), node, "whichChoice cannot be set to " + choice + ": " + e.getMessage());
+      add(problem);
+      return Optional.of(problem);
     }
   }
 
@@ -86,13 +132,18 @@ final class VersionedObject {
     problems.add(problem);
   }
 
+  Switch node() {
+    return node;
+  }
+
   List<ControlProblem> problems() {
     return problems;
   }
 
   /** Leaves the Switch without a listener. */
   void close() {
-    children.removeX3DEventListener(onChildren);
+    Release.remove(children, onChildren);
+    Release.remove(whichChoice, onChoice);
     watch.close();
   }
 }

@@ -3,10 +3,10 @@
  * shown, as the viewer enters and leaves areas.
  *
  * <p>In: a browser seen through {@code org.web3d.x3d.sai} only, so that the controller runs
- * unchanged on Xj3D; the metadata vocabulary of package {@code schema}. Out: {@code whichChoice} of
- * Switch nodes, and {@link org.selectiverenderer.control.ControlEvent}s. {@link
- * org.selectiverenderer.control.Activation} is the algorithm without a browser. May use {@code
- * schema} and {@code org.web3d.x3d.sai}; loads no AWT and no GL.
+ * unchanged on Xj3D; of package {@code schema} the metadata vocabulary and {@link
+ * org.selectiverenderer.schema.Activation}, the algorithm without a browser. Out: {@code
+ * whichChoice} of Switch nodes, and {@link org.selectiverenderer.control.ControlEvent}s. May use
+ * {@code schema} and {@code org.web3d.x3d.sai}; loads no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.control;

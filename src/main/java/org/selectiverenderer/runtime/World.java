@@ -58,6 +58,7 @@ public final class World {
   private final MeshBvhs meshes = new MeshBvhs();
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
+  private boolean cutOff;
   private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
 
   /** Fair, since the stepping thread would else take it again before one that waits gets it. */
@@ -90,6 +91,19 @@ public final class World {
     Links links = new Links(scene, files, problems, linkTarget(live));
     pointing = new Pointing(instances, meshes, links::follow);
     frameNodesOf = -1;
+    cutOff = false;
+    reportCutOff();
+  }
+
+  /** Says once that a part of the scene is left out. */
+  private void reportCutOff() {
+    if (instances.cutOff() && !cutOff) {
+      cutOff = true;
+      problems.error(
+          Location.of(scene.url()),
+          "the scene contains itself or multiplies beyond %s instances; the rest is left out"
+              .formatted(instances.maxInstances()));
+    }
   }
 
   private Links.Target linkTarget(LiveFiles from) {
@@ -309,6 +323,7 @@ public final class World {
     cascade.run(); // Nodes that came or went may have been bound or unbound.
     instances.update();
     frameNodes();
+    reportCutOff();
     files.update();
   }
 

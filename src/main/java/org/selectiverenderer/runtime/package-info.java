@@ -7,8 +7,8 @@
  * <ul>
  *   <li>{@code scene} nodes, routes and the event cascade
  *   <li>{@code nodes} the behaviour of each node type, one class each
- *   <li>{@code loading} files to scenes, Inlines in parallel
  *   <li>{@code instance} what is where: world transformations, what is shown, meshes, lights
+ *   <li>{@code loading} files to scenes, Inlines in parallel
  *   <li>{@code navigation} the viewer's walking, collisions, rays
  *   <li>this package: {@code World}, the frame step
  *   <li>{@code sai} the standard's interfaces onto it

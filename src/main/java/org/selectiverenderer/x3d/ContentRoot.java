@@ -28,6 +28,17 @@ public final class ContentRoot {
 
   private static final Pattern FILE_SCHEME = Pattern.compile("(?i)file:");
 
+  /** What Windows takes for a file of another computer: two slashes, of whichever kind. */
+  private static final Pattern SHARE = Pattern.compile("[/\\\\]{2}.*", Pattern.DOTALL);
+
+  private static final Pattern ENCODED = Pattern.compile("(?s)(?:[^%]++|%[0-9a-fA-F]{2})*+");
+
+  /** Characters above which a url is not looked at: more than the file systems' longest names. */
+  static final int MAX_URL = 4096;
+
+  private static final String NETWORK =
+      "is on the network or of a scheme that is not read: only files are";
+
   /** Why a url is not opened, or the file that it names. */
   public sealed interface Target {
     record File(Path path) implements Target {}
@@ -59,18 +70,23 @@ public final class ContentRoot {
    */
   public Target resolve(String url, Path base) {
     String trimmed = url.strip();
+    if (trimmed.length() > MAX_URL) {
+      return new Target.Refused("is longer than a file name can be");
+    }
     int fragment = trimmed.indexOf('#');
     String location = fragment < 0 ? trimmed : trimmed.substring(0, fragment);
     boolean absolute = FILE_SCHEME.matcher(location).lookingAt();
     if (!absolute && SCHEME.matcher(location).lookingAt()) {
-      return new Target.Refused(
-          "is on the network or of a scheme that is not read: only files are");
+      return new Target.Refused(NETWORK);
     }
     if (location.isEmpty()) {
       return new Target.Refused("names no file");
     }
     Path path;
     try {
+      if (share(location, absolute)) {
+        return new Target.Refused(NETWORK);
+      }
       path = absolute ? Path.of(URI.create(location)) : relative(location, base);
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
       return new Target.Refused("is no file name");
@@ -88,25 +104,53 @@ public final class ContentRoot {
     return new Target.File(real);
   }
 
+  /**
+   * Whether a url names another computer. Asked before a file system is, which would call there.
+   *
+   * @throws IllegalArgumentException when the url is malformed
+   */
+  private static boolean share(String location, boolean absolute) {
+    if (absolute) {
+      URI uri = URI.create(location);
+      return uri.getAuthority() != null || uri.getPath() != null && isShare(uri.getPath());
+    }
+    return isShare(location) || isShare(decoded(location));
+  }
+
+  private static boolean isShare(String path) {
+    return SHARE.matcher(path).matches();
+  }
+
+  /** As it is where its signs % begin no code. */
+  private static String decoded(String location) {
+    if (location.indexOf('%') < 0 || !ENCODED.matcher(location).matches()) {
+      return location;
+    }
+    return URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
+  }
+
   /** Urls are percent-encoded; yet a file that has the name as it is written is meant first. */
   private static Path relative(String location, Path base) {
     Path literal = base.resolve(location.replace('\\', '/'));
     if (location.indexOf('%') < 0 || Files.exists(literal)) {
       return literal;
     }
-    String decoded = URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
-    return base.resolve(decoded.replace('\\', '/'));
+    return base.resolve(decoded(location).replace('\\', '/'));
   }
 
   /** Follows links, so that none leads outside; a file that does not exist is only normalised. */
   private static Path real(Path path) {
-    try {
-      return path.toRealPath();
-    } catch (IOException e) {
-      Path absolute = path.toAbsolutePath().normalize();
-      Path parent = absolute.getParent();
-      return parent == null ? absolute : real(parent).resolve(absolute.getFileName());
+    Path absolute = path.toAbsolutePath().normalize();
+    Path present = path;
+    while (present != null) {
+      try {
+        Path real = present.toRealPath();
+        return present == path ? real : real.resolve(present.relativize(absolute));
+      } catch (IOException e) {
+        present = present == path ? absolute.getParent() : present.getParent();
+      }
     }
+    return absolute;
   }
 
   /** A hint for a name that differs in case only, which works on some systems and not on others. */

@@ -12,8 +12,17 @@ public final class Spelling {
    * a third of its letters differ. Letter case counts little, since it is the most common slip.
    */
   public static Optional<String> nearest(String name, Iterable<String> candidates) {
+    return nearest(name, candidates, Integer.MAX_VALUE);
+  }
+
+  /**
+   * The same with a bound.
+   *
+   * @param slips letters that may differ at most, letter case apart
+   */
+  public static Optional<String> nearest(String name, Iterable<String> candidates, int slips) {
     String wanted = name.toLowerCase(Locale.ROOT);
-    int limit = Math.max(1, wanted.length() / 3);
+    int limit = Math.min(slips, Math.max(1, wanted.length() / 3));
     String best = null;
     for (String candidate : candidates) {
       int length = candidate.length();

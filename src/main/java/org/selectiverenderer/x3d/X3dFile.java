@@ -29,6 +29,15 @@ public record X3dFile(
     List<Import> imports,
     List<Export> exports) {
 
+  /** The length factor that the units state: metres per unit (X3D 4.0, 4.3.6). */
+  public double unitLength() {
+    return units.stream()
+        .filter(unit -> unit.category().equals("length"))
+        .mapToDouble(Unit::conversionFactor)
+        .findFirst()
+        .orElse(1);
+  }
+
   /** A file of one node, for what is to be read of a node without a file of its own. */
   public static X3dFile of(ParsedNode node, double unitLength) {
     return new X3dFile(

@@ -84,8 +84,7 @@ class SimulateInlinesTest {
   @CsvSource({
     "sub, is a folder",
     "., is a folder",
-    "%zz.x3d, is no file name",
-    "file://host/a.x3d, is no file name",
+    "%zz.x3d, is missing",
     "file:a b.x3d, is no file name",
     "#Viewpoint, names no file"
   })

@@ -64,6 +64,48 @@ class ChangingSceneTest {
   }
 
   @Test
+  void aChoiceThatSomebodyElseSetIsKnownToTheNextActivation() {
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+      scene.walkTo(AT_DESK);
+      ((Switch) scene.node("TrashCan")).setWhichChoice(1);
+      scene.walkTo(AT_DESK);
+      assertThat(scene.controller.choices()).isEqualTo(Map.of("TrashCan", 1));
+      scene.walkTo(OUTSIDE);
+      scene.news();
+      scene.walkTo(AT_DESK);
+      assertThat(scene.choice("TrashCan")).isZero();
+      ((Switch) scene.node("TrashCan")).setWhichChoice(-1);
+      scene.news();
+      scene.walkTo(OUTSIDE);
+
+      assertThat(scene.choice("TrashCan")).isEqualTo(1);
+      assertThat(scene.news()).contains(new SwitchChange(5, "TrashCan", -1, 1, "OfficeSchema"));
+    }
+  }
+
+  @Test
+  void aRouteThatSetsTheChoiceIsOverruledByTheNextActivation() {
+    String hack =
+        "<Transform translation='9 0 0'><ProximitySensor DEF='Hack' size='2 2 2'/></Transform>"
+            + "<IntegerTrigger DEF='T' integerKey='0'/>"
+            + "<ROUTE fromNode='Hack' fromField='isActive' toNode='T' toField='set_boolean'/>"
+            + "<ROUTE fromNode='T' fromField='triggerValue' toNode='TrashCan'"
+            + " toField='whichChoice'/>";
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN + hack)) {
+      scene.walkTo(AT_DESK);
+      scene.walkTo(OUTSIDE);
+      scene.walkTo(9);
+      assertThat(scene.controller.choices()).isEqualTo(Map.of("TrashCan", 0));
+      scene.walkTo(AT_DESK);
+      scene.news();
+      scene.walkTo(OUTSIDE);
+
+      assertThat(scene.choice("TrashCan")).isEqualTo(1);
+      assertThat(scene.news()).contains(new SwitchChange(5, "TrashCan", 0, 1, "OfficeSchema"));
+    }
+  }
+
+  @Test
   void aSwitchThatIsTakenAwayIsLeftAlone() {
     try (var scene =
         RunningScene.under(
@@ -162,15 +204,52 @@ class ChangingSceneTest {
   }
 
   @Test
-  void nodesAddedAtTheTopAreFoundByLookingAgain() {
+  void nodesAddedAtTheTopAreFoundAndThoseRemovedAreLeftAlone() {
     try (var scene = RunningScene.under(Condition.SELECTIVE, DESK)) {
       scene.walkTo(AT_DESK);
       Switch added = newObject(scene, "DeskSchema");
       scene.scene().addRootNode(added);
       scene.walkTo(AT_DESK);
-      scene.controller.rescan();
-
       assertThat(added.getWhichChoice()).isZero();
+
+      scene.scene().removeRootNode(added);
+      scene.walkTo(AT_DESK);
+      assertThat(scene.controller.choices()).isEmpty();
+    }
+  }
+
+  @Test
+  void problemsThatComeLaterAreReportedOnce() {
+    String wrong =
+        DESK
+            + "<Switch DEF='Lamp'><Group/><Group/><MetadataString containerField='metadata'"
+            + " name='schemaBelonginess' value='\"DeskSchema\"'/></Switch>";
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+      scene.walkTo(OUTSIDE);
+      assertThat(scene.problems).isEmpty();
+      scene.node("TrashCan").setMetadata(string(scene, "schemaBelonginess", "DeskSchema"));
+      scene.walkTo(OUTSIDE);
+      assertThat(scene.problems).extracting(ControlProblem::nodeName).containsExactly("TrashCan");
+      scene.browser.replaceWorld(scene.browser.createX3DFromString(RunningScene.file(wrong)));
+      scene.walkTo(OUTSIDE);
+
+      assertThat(scene.problems)
+          .extracting(ControlProblem::nodeName)
+          .containsExactly("TrashCan", "Lamp");
+    }
+  }
+
+  @Test
+  void aWriteThatFailsIsReported() {
+    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+      scene.walkTo(OUTSIDE);
+      scene.node("TrashCan").dispose();
+      scene.walkTo(AT_DESK);
+
+      assertThat(scene.problems)
+          .singleElement()
+          .asString()
+          .startsWith("TrashCan: whichChoice cannot be set to 0: ");
     }
   }
 
@@ -188,6 +267,10 @@ class ChangingSceneTest {
       scene.walkTo(AT_DESK);
 
       assertThat(scene.choice("Lamp")).isZero();
+      Switch added = newObject(scene, "DeskSchema");
+      scene.scene().addRootNode(added);
+      scene.walkTo(AT_DESK);
+      assertThat(added.getWhichChoice()).isZero();
       assertThat(before.getWhichChoice()).isEqualTo(1);
     }
   }

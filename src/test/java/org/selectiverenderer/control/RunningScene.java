@@ -27,16 +27,16 @@ final class RunningScene implements AutoCloseable {
   final World world;
   final EmbeddedBrowser browser;
   final List<ControlEvent> events = new ArrayList<>();
+  final List<ControlProblem> problems = new ArrayList<>();
   SelectiveController controller;
   private final SceneLoader loader;
   private double time;
 
   /** The scene without a controller; see {@link #control}. */
   RunningScene(String nodes) {
-    Problems problems = new Problems();
-    loader =
-        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
-    world = new World(load(nodes), problems);
+    Problems found = new Problems();
+    loader = new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), found);
+    world = new World(load(nodes), found);
     world.epoch(0); // So that tests may name the times of their frames.
     browser = new EmbeddedBrowser(world, loader, line -> {}, Map.of());
   }
@@ -48,7 +48,8 @@ final class RunningScene implements AutoCloseable {
   }
 
   void control(Condition condition) {
-    controller = new SelectiveController(browser, new Settings(condition, 7), events::add);
+    controller =
+        new SelectiveController(browser, new Settings(condition, 7), events::add, problems::add);
   }
 
   private LoadedScene load(String nodes) {

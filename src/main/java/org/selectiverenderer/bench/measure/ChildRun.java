@@ -21,6 +21,9 @@ record ChildRun(String mainClass, int runs) {
   /** Width and height of the picture: that of the peers' figures. */
   private static final String SIZE = "1024x768";
 
+  /** Of the path's time: 300 frames in which the camera moves. */
+  private static final String SECONDS = "5";
+
   /** Property by which the launcher tells the flags of {@code run}, separated by commas. */
   private static final String FLAGS = "selective-renderer.run-flags";
 
@@ -77,7 +80,8 @@ record ChildRun(String mainClass, int runs) {
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
     command.addAll(List.of("run", scene.scene().toString()));
     command.addAll(List.of("--offscreen", "--size", SIZE, "--samples", "0"));
-    command.addAll(List.of("--path", scene.path().toString(), "--stats", stats.toString()));
+    command.addAll(List.of("--path", scene.path().toString(), "--duration", SECONDS));
+    command.addAll(List.of("--stats", stats.toString()));
     return command;
   }
 }

@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.instance;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
@@ -48,6 +50,25 @@ public final class GroupInstance extends Instance implements NodeObserver {
   /** From the children's local coordinates to the world. */
   public Matrix4dc content() {
     return content;
+  }
+
+  /**
+   * The lights that reach what is in the group (X3D 4.0, 17.2.1.1): those from above, the same list
+   * where there are no more, and those of the group whose scope it is.
+   */
+  List<LightInstance> lit(List<LightInstance> above, Comparator<LightInstance> order) {
+    List<LightInstance> all = null;
+    for (Instance child : children) {
+      if (child instanceof LightInstance light && !light.light().global()) {
+        all = all == null ? new ArrayList<>(above) : all;
+        all.add(light);
+      }
+    }
+    if (all == null) {
+      return above;
+    }
+    all.sort(order);
+    return List.copyOf(all);
   }
 
   private void place() {

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -25,12 +26,20 @@ import org.selectiverenderer.runtime.scene.Node;
  * <p>All versions of an object are in the tree, shown or not, so that switching makes nothing new.
  */
 public final class InstanceTree {
-  /** Nesting beyond which a scene is cut off. */
-  static final int MAX_DEPTH = 1000;
+  /**
+   * Nesting beyond which a scene is cut off: what loading lets through, 1000 nodes, and the groups
+   * that hold the scenes of Inlines.
+   */
+  static final int MAX_DEPTH = 1300;
 
   /** Instances above which groups stay empty: nested USEs multiply without bound. */
-  static final int MAX_INSTANCES = 8_000_000;
+  private static final long MAX_INSTANCES = 8_000_000;
 
+  /** Bytes of memory that there are to be for each instance. */
+  private static final long BYTES_PER_INSTANCE = 512;
+
+  private final long maxInstances =
+      Math.min(MAX_INSTANCES, Runtime.getRuntime().maxMemory() / BYTES_PER_INSTANCE);
   private final Assets assets;
   private final GroupInstance root;
   private final Map<Node, ShapeLook> looks = new IdentityHashMap<>();
@@ -126,6 +135,11 @@ public final class InstanceTree {
     return cutOff;
   }
 
+  /** How many instances there may be; it depends on the memory that there is. */
+  public long maxInstances() {
+    return maxInstances;
+  }
+
   void moved() {
     placementVersion++;
   }
@@ -216,7 +230,7 @@ public final class InstanceTree {
     if (nodes.isEmpty()) {
       return List.of();
     }
-    if (depth > MAX_DEPTH || instances > MAX_INSTANCES || group.insideItself()) {
+    if (depth > MAX_DEPTH || instances > maxInstances || group.insideItself()) {
       cutOff = true;
       return List.of();
     }
@@ -295,15 +309,23 @@ public final class InstanceTree {
     }
   }
 
-  /** Tells every shape which lights reach it; one list for all where all lights are global. */
+  /** Tells every shape which lights reach it, in document order; siblings share their list. */
   private void light() {
-    if (lights.stream().allMatch(light -> light.light().global())) {
-      List<LightInstance> global = List.copyOf(lights);
-      shapes.forEach(shape -> shape.light(global));
-      return;
-    }
-    for (ShapeInstance shape : shapes) {
-      shape.light(lights.stream().filter(light -> light.reaches(shape)).toList());
+    Map<LightInstance, Integer> order = new IdentityHashMap<>();
+    lights.forEach(light -> order.put(light, order.size()));
+    List<LightInstance> global = lights.stream().filter(light -> light.light().global()).toList();
+    light(root, global, Comparator.comparing(order::get));
+  }
+
+  private static void light(
+      GroupInstance group, List<LightInstance> above, Comparator<LightInstance> order) {
+    List<LightInstance> reaching = group.lit(above, order);
+    for (Instance child : group.children) {
+      if (child instanceof GroupInstance below) {
+        light(below, reaching, order);
+      } else if (child instanceof ShapeInstance shape) {
+        shape.light(reaching);
+      }
     }
   }
 }

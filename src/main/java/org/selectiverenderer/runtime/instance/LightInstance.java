@@ -33,19 +33,6 @@ public final class LightInstance extends Instance implements NodeObserver {
     }
   }
 
-  /** Whether an instance lies in the light's scope (X3D 4.0, 17.2.1.1). */
-  boolean reaches(Instance instance) {
-    if (light.global() || parent == null) {
-      return true;
-    }
-    for (GroupInstance group = instance.parent(); group != null; group = group.parent()) {
-      if (group == parent) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   @Override
   void show(boolean show, InstanceTree tree) {
     shown = show;

@@ -15,6 +15,7 @@ import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.UrlChoice;
 import org.selectiverenderer.x3d.X3dFile;
 import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Tessellator;

@@ -20,8 +20,11 @@ final class ImageDecoder {
   /** Pixels above which an image is refused, before memory is spent on it: 8192 x 8192. */
   static final long MAX_PIXELS = 1L << 26;
 
-  /** Bytes per pixel while an image is being read: as decoded by the library, and as kept. */
-  private static final int BYTES = 8;
+  /**
+   * Bytes per pixel while an image is being read: up to eight as decoded by the library (four
+   * samples of 16 bits), and four as kept.
+   */
+  private static final int BYTES = 12;
 
   private ImageDecoder() {}
 

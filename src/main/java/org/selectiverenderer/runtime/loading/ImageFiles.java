@@ -10,6 +10,7 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.UrlChoice;
 
 /**
  * The images of texture nodes, for one load. A file that several nodes name is read once, and all

@@ -91,7 +91,7 @@ final class SceneBuilder {
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<Path> including = new ArrayList<>(above);
       including.add(content.path());
-      origin = new Origin(root, content.folder(), List.copyOf(including), Scene.unitLength(file));
+      origin = new Origin(root, content.folder(), List.copyOf(including), file.unitLength());
       Node top = factory.make(groupType, null, Location.of(file.source()));
       store.origin(top, origin);
       scene =

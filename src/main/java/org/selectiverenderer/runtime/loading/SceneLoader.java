@@ -29,6 +29,7 @@ import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.x3d.UrlChoice;
 import org.selectiverenderer.x3d.X3dFile;
 import org.selectiverenderer.x3d.X3dReader;
 import org.selectiverenderer.x3d.geometry.Tessellator;

@@ -25,6 +25,11 @@ import org.web3d.x3d.sai.X3DScene;
 
 /** The embedded browser. Stepping its world is its owner's business. Thread-safe. */
 public final class EmbeddedBrowser implements ExternalBrowser {
+  /**
+   * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
+   */
+  public static final int ROOTS_CHANGED = BrowserEvent.LAST_IDENTIFIER + 1;
+
   private final World world;
   private final SceneLoader loader;
   private final Consumer<String> console;
@@ -36,6 +41,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
   private final BrowserListeners listeners;
   private final FrameMeter meter;
   private volatile EmbeddedScene current;
+  private RootWatch roots;
   private volatile String description = "";
 
   /**
@@ -58,6 +64,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
     listeners = new BrowserListeners(world);
     meter = new FrameMeter(world);
     current = shown(world.scene());
+    roots = new RootWatch(world.scene(), () -> tell(ROOTS_CHANGED));
     world.onReplace(this::replaced);
   }
 
@@ -71,6 +78,8 @@ public final class EmbeddedBrowser implements ExternalBrowser {
     if (!current.isOf(shownBy.scene())) {
       current = shown(shownBy.scene());
     }
+    roots.close();
+    roots = new RootWatch(shownBy.scene(), () -> tell(ROOTS_CHANGED));
     tell(BrowserEvent.INITIALIZED);
   }
 

@@ -138,9 +138,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
 
   /** The object of this field that the node keeps, if any. */
   private @Nullable FieldProxy kept() {
-    return owner.node().listener(field()) instanceof FieldProxy kept && kept.owner == owner
-        ? kept
-        : null;
+    return owner.kept(field());
   }
 
   private FieldProxy keep() {

@@ -116,15 +116,24 @@ final class NodeProxy implements InvocationHandler {
     disposed = true;
     synchronized (node) {
       node.companion(null);
+      for (FieldDefinition field : node.type().fields()) {
+        FieldProxy kept = kept(field.index());
+        if (kept != null) {
+          node.removeListener(field.index(), kept);
+        }
+      }
     }
+  }
+
+  /** The object of a field that the node keeps for this owner, if any. */
+  @Nullable FieldProxy kept(int field) {
+    return node.listener(field, FieldProxy.class, proxy -> proxy.owner() == this);
   }
 
   private X3DField field(String name) {
     EmbeddedFieldDefinition definition = binding.kind(node).definition(name);
-    return node.listener(definition.field().index()) instanceof FieldProxy known
-            && known.owner() == this
-        ? known.proxy()
-        : new FieldProxy(this, definition).proxy();
+    FieldProxy known = kept(definition.field().index());
+    return (known != null ? known : new FieldProxy(this, definition)).proxy();
   }
 
   private @Nullable Object read(NodeMethod meaning, Object[] a) {

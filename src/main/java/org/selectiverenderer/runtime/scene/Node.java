@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.scene;
 import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.FieldAccess;
 import org.selectiverenderer.x3d.FieldDefinition;
@@ -32,10 +33,12 @@ public class Node implements NodeView {
   private final Location location;
   private @Nullable String name;
   private final @Nullable Object[] values;
-  private Route[] routes = NO_ROUTES;
+  private @Nullable Route[] routes = NO_ROUTES;
+  private int routeCount;
   private @Nullable NodeObserver[] observers = NO_OBSERVERS;
   private int observerCount;
-  private ListenerOfField[] listeners = NO_LISTENERS;
+  private @Nullable ListenerOfField[] listeners = NO_LISTENERS;
+  private int listenerCount;
   private long @Nullable [] sentIn;
   private @Nullable Object companion;
   private @Nullable Cascade sentBy;
@@ -129,12 +132,17 @@ public class Node implements NodeView {
     VarHandle.releaseFence();
     values[field] = value;
     tellObservers(field);
-    for (Route route : routes) {
+    // What is added meanwhile comes after the count, what is removed leaves these arrays alone.
+    Route[] going = routes;
+    for (int i = 0, count = routeCount; i < count; i++) {
+      Route route = going[i];
       if (route.fromField() == field) {
         cascade.deliver(route.to(), route.toField(), value);
       }
     }
-    for (ListenerOfField listener : listeners) {
+    ListenerOfField[] hearing = listeners;
+    for (int i = 0, count = listenerCount; i < count; i++) {
+      ListenerOfField listener = hearing[i];
       if (listener.field() == field) {
         cascade.notify(listener, this, field, value);
       }
@@ -161,20 +169,19 @@ public class Node implements NodeView {
 
   /** Fan-out happens in the order in which routes were added. */
   final void addRoute(Route route) {
-    routes = append(routes, route);
+    routes = append(routes, routeCount++, route);
   }
 
   final void removeRoute(Route route) {
-    routes = remove(routes, route);
+    int at = Arrays.asList(routes).indexOf(route);
+    if (at >= 0) {
+      routes = without(routes, at, routeCount--);
+    }
   }
 
   /** Observers are told in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
-    if (observerCount == observers.length) {
-      // Doubled, since a node that is USEd in many places has as many observers.
-      observers = Arrays.copyOf(observers, Math.max(1, 2 * observerCount));
-    }
-    observers[observerCount++] = observer;
+    observers = append(observers, observerCount++, observer);
   }
 
   public final void removeObserver(NodeObserver observer) {
@@ -189,18 +196,25 @@ public class Node implements NodeView {
 
   /** Listeners are called in the order in which they were added. */
   public final void addListener(int field, FieldListener listener) {
-    listeners = append(listeners, ofField(field, listener));
+    listeners = append(listeners, listenerCount++, ofField(field, listener));
   }
 
   public final void removeListener(int field, FieldListener listener) {
-    listeners = remove(listeners, ofField(field, listener));
+    int at = Arrays.asList(listeners).indexOf(ofField(field, listener));
+    if (at >= 0) {
+      listeners = without(listeners, at, listenerCount--);
+    }
   }
 
-  /** The first listener of a field, or null. */
-  public final @Nullable FieldListener listener(int field) {
-    for (ListenerOfField listener : listeners) {
-      if (listener.field() == field) {
-        return listener;
+  /** The first listener of a field that is of a kind and as wanted, or null. */
+  public final <L extends ListenerOfField> @Nullable L listener(
+      int field, Class<L> kind, Predicate<? super L> wanted) {
+    for (int i = 0; i < listenerCount; i++) {
+      ListenerOfField listener = listeners[i];
+      if (listener.field() == field
+          && kind.isInstance(listener)
+          && wanted.test(kind.cast(listener))) {
+        return kind.cast(listener);
       }
     }
     return null;
@@ -212,19 +226,18 @@ public class Node implements NodeView {
         : new Listening(field, listener);
   }
 
-  private static <T> T[] append(T[] array, T element) {
-    T[] longer = Arrays.copyOf(array, array.length + 1);
-    longer[array.length] = element;
+  /** Doubles a full array: a node may have a great many routes, places or listeners. */
+  private static <T> @Nullable T[] append(@Nullable T[] array, int count, T element) {
+    @Nullable T[] longer =
+        count == array.length ? Arrays.copyOf(array, Math.max(1, 2 * count)) : array;
+    longer[count] = element;
     return longer;
   }
 
-  private static <T> T[] remove(T[] array, T element) {
-    int at = Arrays.asList(array).indexOf(element);
-    if (at < 0) {
-      return array;
-    }
-    T[] shorter = Arrays.copyOf(array, array.length - 1);
-    System.arraycopy(array, at + 1, shorter, at, array.length - at - 1);
+  private static <T> @Nullable T[] without(@Nullable T[] array, int at, int count) {
+    @Nullable T[] shorter = Arrays.copyOf(array, array.length);
+    System.arraycopy(array, at + 1, shorter, at, count - at - 1);
+    shorter[count - 1] = null;
     return shorter;
   }
 

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.x3d.X3dFile;
 
 /**
  * A scene: its nodes under one root group, names, routes, and the head of its file. The content of
@@ -141,14 +140,5 @@ public final class Scene {
     if (routes.remove(route)) {
       route.from().removeRoute(route);
     }
-  }
-
-  /** The length factor that a file's units state: metres per unit. */
-  public static double unitLength(X3dFile file) {
-    return file.units().stream()
-        .filter(unit -> unit.category().equals("length"))
-        .mapToDouble(X3dFile.Unit::conversionFactor)
-        .findFirst()
-        .orElse(1);
   }
 }

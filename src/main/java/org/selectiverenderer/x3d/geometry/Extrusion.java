@@ -88,6 +88,7 @@ final class Extrusion {
       from = to;
     }
     check.report(job, "face");
+    splitter.report(job);
     Surface surface = new Surface(job, points, triangles, faces);
     return surface.mesh(
         null,

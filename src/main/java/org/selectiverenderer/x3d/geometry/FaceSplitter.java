@@ -5,12 +5,21 @@ import java.util.List;
 
 /**
  * Splits polygons in space into triangles: convex ones into a fan, others by ear clipping in the
- * plane that shows most of them. Whether a polygon is convex is found out, not believed: files that
- * leave {@code convex} at TRUE with concave faces are common.
+ * plane that shows most of them. Large ones that cross themselves become fans too, as clipping them
+ * would take too long. Whether a polygon is convex is found out, not believed: files that leave
+ * {@code convex} at TRUE with concave faces are common.
  */
 final class FaceSplitter {
+  /** Points up to which a face is clipped, whatever its form. */
+  private static final int FEW = 256;
+
+  /** Squared points of the larger faces of a node that are clipped though they cross themselves. */
+  private static final long WORK = 1 << 22;
+
   private final float[] xyz;
   private final TriangleList triangles;
+  private long work = WORK;
+  private int crossing;
 
   /**
    * @param xyz the points that the list's stream refers to
@@ -33,6 +42,25 @@ final class FaceSplitter {
         triangles.add(from, i, i + 1, face);
       }
     }
+  }
+
+  /** Says which faces could not be split as they should be, once all are. */
+  void report(Job job) {
+    if (crossing > 0) {
+      job.problem(
+          "has %s of more than %s points that cross themselves; they are filled roughly"
+              .formatted(crossing == 1 ? "a face" : crossing + " faces", FEW));
+    }
+  }
+
+  /** Ear clipping takes quadratic time where edges cross: there is so much for it in a node. */
+  private boolean tooMuchWork(double[] plane) {
+    long count = plane.length / 2;
+    if (count <= FEW || !new PlanePolygon(plane).mayCrossItself()) {
+      return false;
+    }
+    work -= count * count;
+    return work < 0;
   }
 
   private double coordinate(int position, int axis) {
@@ -100,6 +128,10 @@ final class FaceSplitter {
     for (int i = from; i < to; i++) {
       plane[2 * (i - from)] = coordinate(i, first);
       plane[2 * (i - from) + 1] = coordinate(i, second);
+    }
+    if (tooMuchWork(plane)) {
+      crossing++;
+      return false;
     }
     List<Integer> ears = Earcut.earcut(plane, null, 2);
     double area = 0;

@@ -20,6 +20,7 @@ final class IndexedFaceSet {
       }
     }
     check.report(job, "face");
+    splitter.report(job);
     Surface.Indices indices =
         new Surface.Indices(
             node.ints("colorIndex"), node.ints("normalIndex"), node.ints("texCoordIndex"));

@@ -53,6 +53,10 @@ public final class TextMesher {
     private int vertexCount;
     private int indexCount;
 
+    int triangleCount() {
+      return indexCount / 3;
+    }
+
     /** Adds a glyph with its origin at x, y, an em being that wide and high. */
     void add(Glyph glyph, double x, double y, double emX, double emY) {
       float[] points = glyph.points();

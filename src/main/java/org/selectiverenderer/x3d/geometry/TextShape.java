@@ -11,10 +11,14 @@ import org.selectiverenderer.x3d.geometry.text.Glyph;
  * em. Lines that {@code length} or {@code maxExtent} stretch or compress do so with their letters.
  */
 final class TextShape {
+  /** Triangles of one node: some hundred thousand letters. */
+  static final int MAX_TRIANGLES = 5_000_000;
+
   private final Job job;
   private final Font font;
   private final TextLayout layout;
   private final TextMesher.Sheet sheet = new TextMesher.Sheet();
+  private boolean full;
 
   private TextShape(Job job, Font font, TextLayout layout) {
     this.job = job;
@@ -61,7 +65,7 @@ final class TextShape {
     float maxExtent = job.node().number("maxExtent");
     double compression = maxExtent > 0 && longest > maxExtent ? maxExtent / longest : 1;
     double block = blockBegin(lines.length);
-    for (int i = 0; i < lines.length; i++) {
+    for (int i = 0; i < lines.length && !full; i++) {
       double length = wanted(i, lengths[i]) * compression;
       double stretch = lengths[i] > 0 ? length / lengths[i] : 1;
       double begin = TextLayout.begin(layout.major(), length);
@@ -71,6 +75,10 @@ final class TextShape {
       } else {
         column(characters[i], begin, across, stretch);
       }
+    }
+    if (full) {
+      job.problem(
+          "has letters of more than %s triangles; the rest is left out".formatted(MAX_TRIANGLES));
     }
     Mesh mesh = sheet.mesh(solid, textureX(lengths, compression), textureY(), layout.size());
     for (float bound : mesh.bounds()) {
@@ -124,6 +132,9 @@ final class TextShape {
       Glyph glyph = font.glyph(character);
       double advance = glyph.advance() * em;
       double x = layout.leftToRight() ? along : -along - advance;
+      if (!fits(glyph)) {
+        return;
+      }
       sheet.add(glyph, x, y, em, layout.size());
       along += advance;
     }
@@ -139,8 +150,16 @@ final class TextShape {
       double along = begin + i * cell;
       double bottom = layout.topToBottom() ? -along - cell : along;
       double x = left + (size - glyph.advance() * size) / 2;
+      if (!fits(glyph)) {
+        return;
+      }
       sheet.add(glyph, x, bottom + baseLine * cell, size, cell);
     }
+  }
+
+  private boolean fits(Glyph glyph) {
+    full |= sheet.triangleCount() + glyph.indices().length / 3 > MAX_TRIANGLES;
+    return !full;
   }
 
   /** The x of the origin of the first line. */

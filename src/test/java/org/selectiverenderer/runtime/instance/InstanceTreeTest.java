@@ -209,6 +209,23 @@ class InstanceTreeTest {
   }
 
   @Test
+  void shapesUnderTheSameLightsShareOneListInDocumentOrder() {
+    Node inner = nodes.node("PointLight", "global", false);
+    Node outer = nodes.node("PointLight", "global", false);
+    InstanceTree tree =
+        tree(
+            nodes.group(
+                nodes.group(shape(1), inner, nodes.group(shape(1))),
+                nodes.node("SpotLight", "global", true),
+                outer,
+                nodes.group(shape(1))));
+    List<LightInstance> all = tree.lights();
+    List<ShapeInstance> shapes = tree.shapes();
+    assertThat(shapes.get(0).lights()).isEqualTo(all).isSameAs(shapes.get(1).lights());
+    assertThat(shapes.get(2).lights()).containsExactly(all.get(1), all.get(2));
+  }
+
+  @Test
   void aLightInABranchThatIsNotShownIsOff() {
     Node node = choice(-1, nodes.group(nodes.node("PointLight")));
     InstanceTree tree = tree(nodes.group(node));

@@ -39,13 +39,13 @@ class ImageDecoderTest {
 
   @Test
   void imagesThatWouldTakeMoreThanTheBudgetAreRefused() throws IOException {
-    AtomicLong budget = new AtomicLong(40);
+    AtomicLong budget = new AtomicLong(60);
     Path file = folder.resolve("a.png");
     ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
     assertThat(ImageDecoder.read(file, budget).width()).isEqualTo(2);
     assertThatThrownBy(() -> ImageDecoder.read(file, budget))
         .hasMessage("has 4 pixels, for which there is no more memory");
-    assertThat(budget).hasValue(8);
+    assertThat(budget).hasValue(12);
   }
 
   @Test

@@ -174,6 +174,24 @@ class ListenersTest {
   }
 
   @Test
+  void afterADisposalListenersOfTheNewObjectAreKnownAndCanBeRemoved() {
+    choice.addX3DEventListener(hearing("old"));
+    s.dispose();
+    Switch again = sai.node("S", Switch.class);
+    X3DFieldEventListener listener = event -> heard.add("new");
+    again.getField("whichChoice").addX3DEventListener(listener);
+    again.getField("whichChoice").addX3DEventListener(listener);
+    again.setWhichChoice(3);
+    sai.step();
+    assertThat(heard).hasSize(1);
+
+    again.getField("whichChoice").removeX3DEventListener(listener);
+    again.setWhichChoice(4);
+    sai.step();
+    assertThat(heard).hasSize(1);
+  }
+
+  @Test
   void aNodeThatIsDisposedOfIsSilentAndAnotherObjectTakesItsPlace() {
     choice.addX3DEventListener(hearing("a"));
     s.dispose();

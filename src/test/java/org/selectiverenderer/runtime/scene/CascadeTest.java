@@ -42,6 +42,31 @@ class CascadeTest {
   }
 
   @Test
+  void manyRoutesAndListenersKeepTheirOrderWhenSomeAreRemoved() {
+    Node a = toggle("a");
+    Scene scene = new Scene(nodes.group(), "", "4.0", "Full", Map.of(), 1);
+    int field = a.type().indexOf("toggle");
+    List<String> heard = new ArrayList<>();
+    List<FieldListener> listeners = new ArrayList<>();
+    for (int i = 0; i < 5; i++) {
+      String name = "b" + i;
+      scene.addRoute(new Route(a, field, toggle(name), field));
+      listeners.add((node, index, value, time) -> heard.add(name));
+      a.addListener(field, listeners.get(i));
+    }
+    for (int i : new int[] {4, 1}) {
+      scene.removeRoute(scene.routes().get(i));
+      a.removeListener(field, listeners.get(i));
+    }
+    scene.addRoute(new Route(a, field, toggle("c"), field));
+    nodes.send(a, "toggle", true);
+    assertThat(nodes.sent())
+        .containsExactly(
+            "a.toggle=true", "b0.toggle=true", "b2.toggle=true", "b3.toggle=true", "c.toggle=true");
+    assertThat(heard).containsExactly("b0", "b2", "b3");
+  }
+
+  @Test
   void aLoopEndsWhereAFieldWouldSendAgain() {
     Node a = toggle("a");
     Node b = toggle("b");

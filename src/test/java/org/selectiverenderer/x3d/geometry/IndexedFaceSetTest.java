@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.Problems;
@@ -350,5 +352,39 @@ class IndexedFaceSetTest extends GeometryTest {
   private static float[] colorOf(Mesh cube, int face) {
     int vertex = cube.indices()[6 * face];
     return Arrays.copyOfRange(cube.colors(), 4 * vertex, 4 * vertex + 4);
+  }
+
+  private Mesh face(float[] xyz) {
+    int[] face = IntStream.range(0, xyz.length / 3).toArray();
+    return mesh(node("IndexedFaceSet", "coord", coordinate(xyz), "coordIndex", face));
+  }
+
+  @Test
+  void aLargeFaceThatCrossesItselfIsFilledAsAFanAndReported() {
+    Random random = new Random(1);
+    float[] xyz = new float[3 * 20_000];
+    for (int i = 0; i < xyz.length; i += 3) {
+      xyz[i] = random.nextFloat();
+      xyz[i + 1] = random.nextFloat();
+    }
+    assertThat(face(xyz).polygons()).isPositive();
+    assertThat(messages())
+        .containsExactly(
+            "IndexedFaceSet has a face of more than 256 points that cross themselves; they are"
+                + " filled roughly");
+  }
+
+  @Test
+  void aLargeFaceThatDoesNotCrossItselfIsClipped() {
+    float[] xyz = new float[3 * 6000];
+    double[] radii = {1, 0.9, 0.2};
+    for (int i = 0; i < 6000; i++) {
+      double angle = 2 * Math.PI * i / 6000;
+      xyz[3 * i] = (float) (radii[i % 3] * Math.cos(angle));
+      xyz[3 * i + 1] = (float) (radii[i % 3] * Math.sin(angle));
+    }
+    double area = 1000 * (0.9 + 0.18 + 0.2) * Math.sin(2 * Math.PI / 6000);
+    assertThat(Measures.area(face(xyz))).isCloseTo(area, within(1e-4));
+    assertThat(messages()).isEmpty();
   }
 }

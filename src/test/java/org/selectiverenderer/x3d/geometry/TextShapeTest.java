@@ -188,4 +188,15 @@ class TextShapeTest extends GeometryTest {
             "Text has a FontStyle whose size is not above 0; 1 is used",
             "Text has a FontStyle with justify \"LEFT\"; BEGIN is used");
   }
+
+  @Test
+  void textBeyondTheBudgetOfTrianglesIsLeftOut() {
+    Mesh mesh =
+        tessellator
+            .tessellate(
+                node("Text", "string", strings("@".repeat(200_000), "@".repeat(200_000))), problems)
+            .orElseThrow();
+    assertThat(mesh.polygons()).isBetween(TextShape.MAX_TRIANGLES - 1000, TextShape.MAX_TRIANGLES);
+    assertThat(problems.list()).singleElement().asString().contains("the rest is left out");
+  }
 }

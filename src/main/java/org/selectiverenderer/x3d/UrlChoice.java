@@ -1,13 +1,13 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d;
 
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problem;
 
 /** The file that a node's {@code url} means: the first of its urls that can be read. */
-sealed interface UrlChoice {
+public sealed interface UrlChoice {
+  /** Characters of a url that a message shows. */
+  int SHOWN = 80;
+
   record File(Path path) implements UrlChoice {}
 
   /**
@@ -30,7 +30,7 @@ sealed interface UrlChoice {
         return new File(file.path());
       }
       if (reason == null && target instanceof ContentRoot.Target.Refused refused) {
-        reason = "url '%s' %s".formatted(url, refused.reason());
+        reason = "url '%s' %s".formatted(cut(url), refused.reason());
       }
     }
     return new None(
@@ -40,5 +40,10 @@ sealed interface UrlChoice {
             "%s %s; %s"
                 .formatted(
                     node.type().name(), reason == null ? "has no url" : reason, consequence)));
+  }
+
+  /** A url, or the beginning of a long one, for messages. */
+  private static String cut(String url) {
+    return url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…";
   }
 }

@@ -1,4 +1,4 @@
-package org.selectiverenderer.control;
+package org.selectiverenderer.schema;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,8 +8,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.control.Activation.Change;
-import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.Activation.Change;
 
 /** Random walks through random areas, against the loops of Figs 48 and 49 written out. */
 class ActivationAgainstListingTest {

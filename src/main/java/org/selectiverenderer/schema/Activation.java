@@ -1,4 +1,4 @@
-package org.selectiverenderer.control;
+package org.selectiverenderer.schema;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -10,8 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.schema.SwitchSchemas;
 
 /**
  * Which choice each Switch shows, given the areas that the viewer is in. The loops of Figs 48 and
@@ -83,6 +81,17 @@ public final class Activation<A, S> {
     switches.put(key, state);
     show(state, state.shown);
     return follow(Set.of(state), List.of()).stream().findFirst();
+  }
+
+  /**
+   * Takes note that a switch shows another choice than this object last said: somebody else, such
+   * as a ROUTE, made it so. Nothing changes but what later steps compare with.
+   */
+  public void noteShown(S key, int choice) {
+    SwitchState<S> state = switches.get(key);
+    if (state != null) {
+      show(state, choice);
+    }
   }
 
   /** Forgets a switch. */

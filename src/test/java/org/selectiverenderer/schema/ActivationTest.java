@@ -1,4 +1,4 @@
-package org.selectiverenderer.control;
+package org.selectiverenderer.schema;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -10,10 +10,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.control.Activation.Change;
-import org.selectiverenderer.schema.Choice;
-import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.schema.Activation.Change;
 
 class ActivationTest {
   private final Activation<String, String> activation = new Activation<>();

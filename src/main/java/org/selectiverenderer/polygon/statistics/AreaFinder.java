@@ -1,0 +1,89 @@
+package org.selectiverenderer.polygon.statistics;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.joml.Matrix4dc;
+import org.selectiverenderer.x3d.ParsedNode;
+
+/**
+ * Finds the areas of a scene and says which scope each lies in:
+ *
+ * <ol>
+ *   <li>the scope that its sensor stands in;
+ *   <li>else the scope whose bounds the centre of its box is in, the smallest one of several;
+ *   <li>else every scope with an object that one of its schemas shows a version of.
+ * </ol>
+ *
+ * Sensors that are not enabled or have no inside are none: nobody ever enters them.
+ */
+final class AreaFinder {
+  private final List<Area> areas = new ArrayList<>();
+  private final Places places;
+
+  AreaFinder(Item root, Collection<Scope> scopes) {
+    Scope all = Scope.of(SceneStatistics.WHOLE_SCENE, root);
+    Set<Item> sensors = new LinkedHashSet<>(all.sensors());
+    Set<Item> wanted = new LinkedHashSet<>(sensors);
+    scopes.forEach(scope -> wanted.add(scope.item()));
+    places = new Places(root, wanted);
+    for (Item sensor : sensors) {
+      List<SensorBox> boxes = boxes(sensor);
+      if (!boxes.isEmpty()) {
+        areas.add(new Area(sensor, sensor.area.orElseThrow(), boxes));
+      }
+    }
+  }
+
+  /** All areas in document order. */
+  List<Area> all() {
+    return List.copyOf(areas);
+  }
+
+  /** The areas that lie in each scope. */
+  List<Area> in(Scope scope, Collection<Scope> scopes) {
+    return areas.stream().filter(area -> lies(area, scope, scopes)).toList();
+  }
+
+  private boolean lies(Area area, Scope scope, Collection<Scope> scopes) {
+    if (scopes.stream().anyMatch(other -> other.sensors().contains(area.sensor))) {
+      return scope.sensors().contains(area.sensor);
+    }
+    List<Scope> around = scopes.stream().filter(other -> surrounds(other, area)).toList();
+    if (!around.isEmpty()) {
+      return around.stream().min(Comparator.comparingDouble(this::volume)).orElseThrow() == scope;
+    }
+    return scope.objects().stream()
+        .flatMap(object -> object.versions.stream())
+        .map(schemas -> schemas.choiceBySchema())
+        .anyMatch(choices -> area.schemas.enter().stream().anyMatch(choices::containsKey));
+  }
+
+  private boolean surrounds(Scope scope, Area area) {
+    return bounds(scope)
+        .anyMatch(bounds -> area.boxes.stream().anyMatch(box -> bounds.contains(box.centre())));
+  }
+
+  private double volume(Scope scope) {
+    return bounds(scope).mapToDouble(Bounds::volume).max().orElse(0);
+  }
+
+  private Stream<Bounds> bounds(Scope scope) {
+    return places.of(scope.item()).stream().map(scope.item().bounds::transformed);
+  }
+
+  private List<SensorBox> boxes(Item sensor) {
+    ParsedNode node = sensor.node;
+    List<SensorBox> boxes = new ArrayList<>();
+    if (node != null && node.bool("enabled")) {
+      for (Matrix4dc world : places.of(sensor)) {
+        SensorBox.of(node.floats("center"), node.floats("size"), world).ifPresent(boxes::add);
+      }
+    }
+    return boxes;
+  }
+}
