@@ -12,6 +12,7 @@ final class CommandCatalogue {
         new SimulateCommand(console),
         new SimplifyCommand(console),
         new VersionsCommand(console),
+        new PolygonsCommand(console),
         new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
