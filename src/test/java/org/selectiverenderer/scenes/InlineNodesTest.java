@@ -53,8 +53,8 @@ class InlineNodesTest {
     double[] b = v2.pointBounds();
     for (int axis = 0; axis < 3; axis++) {
       double size = a[axis + 3] - a[axis];
-      assertThat(b[axis]).isCloseTo(a[axis], within(0.05 * size));
-      assertThat(b[axis + 3]).isCloseTo(a[axis + 3], within(0.05 * size));
+      assertThat(b[axis]).isCloseTo(a[axis], within(0.02 * size));
+      assertThat(b[axis + 3]).isCloseTo(a[axis + 3], within(0.02 * size));
     }
     assertThat(material(v1)).isEqualTo(material(v2));
   }
