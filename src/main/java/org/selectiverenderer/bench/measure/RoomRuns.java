@@ -62,11 +62,13 @@ final class RoomRuns {
   }
 
   private static String turn(double x) {
-    return String.format(
-        Locale.ROOT,
-        "t,x,y,z,yaw,pitch,roll%n0,%1$.3f,%2$.3f,0,0,-8,0%n2,%1$.3f,%2$.3f,0,360,-8,0%n",
-        x,
-        EYES);
+    StringBuilder path = new StringBuilder("t,x,y,z,yaw,pitch,roll\n");
+    for (int quarter = 0; quarter <= 4; quarter++) {
+      path.append(
+          String.format(
+              Locale.ROOT, "%.1f,%.3f,%.3f,0,%d,-8,0\n", quarter / 2.0, x, EYES, 90 * quarter));
+    }
+    return path.toString();
   }
 
   private static void put(ObjectNode node, Map<String, List<JsonNode>> figures) {
