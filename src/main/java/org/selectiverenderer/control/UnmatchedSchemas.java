@@ -3,6 +3,7 @@ package org.selectiverenderer.control;
 import java.util.Collection;
 import java.util.List;
 import org.selectiverenderer.control.ControlProblem.Severity;
+import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.SchemaUse;
 import org.selectiverenderer.schema.SchemaUse.Unmatched;
 import org.web3d.x3d.sai.X3DNode;
@@ -25,11 +26,12 @@ final class UnmatchedSchemas {
     }
     for (VersionedObject object : objects) {
       Namer namer = new Namer(object.name(), object.node());
-      object
-          .schemas()
-          .ifPresent(
-              schemas ->
-                  schemas.choices().forEach(c -> c.schemas().forEach(s -> use.object(namer, s))));
+      List<List<String>> schemas =
+          object.schemas().stream()
+              .flatMap(all -> all.choices().stream())
+              .map(Choice::schemas)
+              .toList();
+      use.object(namer, schemas, object.atStart());
     }
     return use.unmatched().stream().map(UnmatchedSchemas::problem).toList();
   }

@@ -29,6 +29,7 @@ final class VersionedObject {
 
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
+  private final int atStart;
   private int shown;
 
   /**
@@ -44,7 +45,8 @@ final class VersionedObject {
       Consumer<VersionedObject> onForeignChoice) {
     this.node = node;
     this.name = name;
-    this.shown = node.getWhichChoice();
+    this.atStart = node.getWhichChoice();
+    this.shown = atStart;
     this.children = node.getField("children");
     this.onChildren = event -> onChange.accept(this, event.getTime());
     this.watch = new MetadataWatch(node, time -> onChange.accept(this, time));
@@ -93,6 +95,11 @@ final class VersionedObject {
   /** Empty if the metadata has nothing of the vocabulary: the Switch is not ours. */
   Optional<SwitchSchemas> schemas() {
     return schemas;
+  }
+
+  /** The choice that the scene came with. */
+  int atStart() {
+    return atStart;
   }
 
   /** The choice that was last set, by whomever, or that the scene came with. */

@@ -2,6 +2,7 @@ package org.selectiverenderer.schema;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -21,13 +22,14 @@ public final class SchemaUse<N> {
    * @param node the first that names it
    * @param message what is wrong and what is done about it
    * @param meant a schema of the other side with nearly the same name; without one, the schema may
-   *     well be meant (thesis 5.4.3: the kitchen has no sensor)
+   *     well be as it is on purpose
    */
   public record Unmatched<N>(String schema, N node, String message, Optional<String> meant) {}
 
   private final Map<String, N> entered = new LinkedHashMap<>();
   private final Map<String, N> left = new LinkedHashMap<>();
   private final Map<String, N> known = new LinkedHashMap<>();
+  private final Set<String> changing = new HashSet<>();
 
   /** Takes note of an area's schemas. */
   public void area(N sensor, SensorSchemas schemas) {
@@ -35,9 +37,20 @@ public final class SchemaUse<N> {
     schemas.exit().forEach(schema -> left.putIfAbsent(schema, sensor));
   }
 
-  /** Takes note of a schema that an object belongs to. */
-  public void object(N switchNode, String schema) {
-    known.putIfAbsent(schema, switchNode);
+  /**
+   * Takes note of the schemas that an object belongs to.
+   *
+   * @param atStart the choice that the scene shows at the start
+   */
+  public void object(N switchNode, List<List<String>> schemasOfChoices, int atStart) {
+    for (int i = 0; i < schemasOfChoices.size(); i++) {
+      for (String schema : schemasOfChoices.get(i)) {
+        known.putIfAbsent(schema, switchNode);
+        if (i != atStart) {
+          changing.add(schema);
+        }
+      }
+    }
   }
 
   /** The schemas that areas activate. */
@@ -59,8 +72,9 @@ public final class SchemaUse<N> {
 
   /**
    * Schemas of objects that no area activates, then those that entering an area activates and that
-   * no object belongs to. Exit schemas are often activated for the sake of order alone, and are not
-   * among them.
+   * no object belongs to. A schema that says of all its objects what they show from the start needs
+   * no area (thesis 5.4.3: the kitchen has no sensor), and exit schemas are often activated for the
+   * sake of order alone: neither is among them, but for slips in a name.
    */
   public List<Unmatched<N>> unmatched() {
     Set<String> activated = activated();
@@ -69,7 +83,10 @@ public final class SchemaUse<N> {
         (schema, node) -> {
           if (!activated.contains(schema)) {
             String what = "no area of the scene activates the schema " + schema;
-            unmatched.add(unmatched(schema, node, what, activated));
+            Unmatched<N> found = unmatched(schema, node, what, activated);
+            if (changing.contains(schema) || found.meant().isPresent()) {
+              unmatched.add(found);
+            }
           }
         });
     entered.forEach(

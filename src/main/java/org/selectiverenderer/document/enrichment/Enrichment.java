@@ -114,9 +114,10 @@ public final class Enrichment {
       SchemaUse<DocumentElement> found = new SchemaUse<>();
       sensors().forEach(sensor -> found.area(sensor.element(), sensor.schemas()));
       for (SwitchNode node : switches()) {
-        for (ChoiceValues values : node.values()) {
-          values.schemas().forEach(schema -> found.object(node.element(), schema));
-        }
+        found.object(
+            node.element(),
+            node.values().stream().map(ChoiceValues::schemas).toList(),
+            node.whichChoice());
       }
       use = found;
     }
