@@ -43,7 +43,7 @@ public final class SceneDocument {
       encoding.scan(builder);
       tree = new ElementTree(builder.root());
     } catch (XmlFault e) {
-      fault = new Fault(e.line(), e.column(), e.getMessage());
+      readAnew(); // as after an edit, so that the fault has the same place then
     }
   }
 

@@ -56,13 +56,19 @@ public final class ElementScanner {
         throw new XmlFault(0, 0, "there is no element in it");
       }
     } catch (XMLStreamException e) {
-      javax.xml.stream.Location at = e.getLocation();
-      throw new XmlFault(
-          at == null ? 0 : at.getLineNumber(),
-          at == null ? 0 : at.getColumnNumber(),
-          XmlFaults.describe(e),
-          e);
+      throw fault(source, e);
     }
+  }
+
+  /** The parser counts columns differently for bytes and characters, so they are counted here. */
+  private static XmlFault fault(SourceText source, XMLStreamException e) {
+    javax.xml.stream.Location at = e.getLocation();
+    int offset = at == null ? -1 : at.getCharacterOffset();
+    if (offset < 0) {
+      return new XmlFault(0, 0, XmlFaults.describe(e), e);
+    }
+    Location place = source.location("", Math.min(offset, source.length()));
+    return new XmlFault(place.line(), place.column(), XmlFaults.describe(e), e);
   }
 
   /** The offset behind the tag that begins at an offset. */

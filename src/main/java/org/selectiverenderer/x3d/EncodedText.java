@@ -63,9 +63,9 @@ public final class EncodedText {
 
   /** Another text in this one's encoding; characters that it does not have become references. */
   public byte[] bytes(String changed) {
-    CharsetEncoder encoder = charset().newEncoder();
-    byte[] encoded = encoded(encoder, changed);
+    byte[] encoded = encoded(charset().newEncoder(), changed);
     if (encoded == null) {
+      CharsetEncoder encoder = charset().newEncoder(); // the first one has given up half-way
       StringBuilder escaped = new StringBuilder();
       changed
           .codePoints()

@@ -138,14 +138,23 @@ final class NodeWriter {
     return wrapped(metadata, kept -> text.sensor(name, fields, kept));
   }
 
-  /** Whether metadata is of the vocabulary only, with no comment in it. */
+  /** Whether metadata is of the vocabulary, and nothing else is in it, not even a comment. */
   private boolean ours(DocumentMetadata metadata) {
+    return speaks(metadata) && nothingElse(metadata);
+  }
+
+  private static boolean speaks(DocumentMetadata metadata) {
+    return SchemaField.of(metadata.name()).isPresent() && !metadata.isSet()
+        || metadata.children().stream().anyMatch(NodeWriter::speaks);
+  }
+
+  private boolean nothingElse(DocumentMetadata metadata) {
     if (!metadata.isSet()) {
       return SchemaField.of(metadata.name()).isPresent();
     }
-    return !document.text(metadata.written()).contains("<!--")
-        && metadata.written().children().size() == metadata.children().size()
-        && metadata.children().stream().allMatch(this::ours);
+    return !document.text(metadata.meant()).contains("<!--")
+        && metadata.meant().children().size() == metadata.children().size()
+        && metadata.children().stream().allMatch(this::nothingElse);
   }
 
   /** Refuses to put something else in the place of USE that brings metadata of other kinds. */
