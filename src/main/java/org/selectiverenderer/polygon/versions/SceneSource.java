@@ -47,6 +47,12 @@ final class SceneSource {
     } catch (NoSuchFileException e) {
       throw new IOException(path + ": there is no such file", e);
     }
+    return of(path, bytes, reader, problems);
+  }
+
+  /** The same of a scene that is open in an editor. */
+  static SceneSource of(Path path, byte[] bytes, X3dReader reader, Problems problems)
+      throws IOException {
     boolean compressed = Gzip.compressed(bytes);
     byte[] plain = compressed ? unpacked(path, bytes) : bytes;
     SceneText text = SceneText.of(path.toString(), plain);
