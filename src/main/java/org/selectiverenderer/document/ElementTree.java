@@ -36,6 +36,16 @@ public final class ElementTree {
     return names.used(def);
   }
 
+  /** All Switches, in document order; not those that stand for another by USE. */
+  public List<DocumentElement> switches() {
+    return names.ofType("Switch");
+  }
+
+  /** All ProximitySensors, likewise. */
+  public List<DocumentElement> sensors() {
+    return names.ofType("ProximitySensor");
+  }
+
   /** The smallest element at an offset; empty outside of the root. */
   public Optional<DocumentElement> at(int offset) {
     return offset < root.start() || offset >= root.end()

@@ -12,7 +12,8 @@ final class TextBuffer {
   private final LineIndex lines;
 
   TextBuffer(String text) {
-    this.text = new StringBuilder(text);
+    // Room for a while, so that the first edit does not move all of a large text.
+    this.text = new StringBuilder(text.length() + text.length() / 16 + 4096).append(text);
     this.lines = new LineIndex(text);
   }
 

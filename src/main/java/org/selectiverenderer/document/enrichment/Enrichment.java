@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.ElementTree;
 import org.selectiverenderer.document.Finding;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.schema.SchemaUse;
@@ -186,32 +187,15 @@ public final class Enrichment {
     }
     listed = document.revision();
     use = null;
-    List<DocumentElement> foundSwitches = new ArrayList<>();
-    List<DocumentElement> foundSensors = new ArrayList<>();
-    document
-        .tree()
-        .ifPresent(
-            tree ->
-                tree.root()
-                    .visit(
-                        element -> {
-                          switch (element.name()) {
-                            case "Switch" -> addUnlessUse(element, foundSwitches);
-                            case "ProximitySensor" -> addUnlessUse(element, foundSensors);
-                            default -> {}
-                          }
-                        }));
+    List<DocumentElement> foundSwitches =
+        document.tree().map(ElementTree::switches).orElse(List.of());
+    List<DocumentElement> foundSensors =
+        document.tree().map(ElementTree::sensors).orElse(List.of());
     boolean unnamedMoved =
         foundSwitches.size() != switches.size() || foundSensors.size() != sensors.size();
     switches = foundSwitches;
     sensors = foundSensors;
     read.keySet()
         .removeIf(element -> !element.attached() || unnamedMoved && element.def().isEmpty());
-  }
-
-  private static void addUnlessUse(DocumentElement element, List<DocumentElement> nodes) {
-    if (element.use().isEmpty()) {
-      nodes.add(element);
-    }
   }
 }
