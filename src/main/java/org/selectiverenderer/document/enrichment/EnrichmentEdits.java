@@ -11,6 +11,7 @@ import org.selectiverenderer.document.TextChange;
 import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.x3d.Location;
 
 /**
  * Makes edits of what a document's Switches and ProximitySensors say. Each is for the document as
@@ -154,9 +155,9 @@ public final class EnrichmentEdits {
         .fault()
         .ifPresent(
             fault -> {
+              Location at = new Location(document.name(), fault.line(), fault.column());
               throw new EditRefused(
-                  "%s:%d:%d: %s; mend it in the source view first"
-                      .formatted(document.name(), fault.line(), fault.column(), fault.message()));
+                  at + ": " + fault.message() + "; mend it in the source view first");
             });
   }
 }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Properties;
 import org.selectiverenderer.document.Edit;
@@ -51,8 +52,11 @@ public final class Recovery {
     AtomicFile writing = new AtomicFile(FileActions.REAL);
     writing.write(folder.resolve(key + CONTENT), snapshot.bytes());
     String about =
-        "file=%s%nprocess=%d%n"
-            .formatted(escaped(file.toAbsolutePath().toString()), ProcessHandle.current().pid());
+        "file="
+            + escaped(file.toAbsolutePath().toString())
+            + "\nprocess="
+            + ProcessHandle.current().pid()
+            + "\n";
     writing.write(folder.resolve(key + ABOUT), about.getBytes(StandardCharsets.ISO_8859_1));
   }
 
@@ -63,7 +67,7 @@ public final class Recovery {
       if (c == '\\') {
         escaped.append("\\\\");
       } else if (c < ' ' || c > '~') {
-        escaped.append("\\u%04x".formatted((int) c));
+        escaped.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
       } else {
         escaped.append(c);
       }
