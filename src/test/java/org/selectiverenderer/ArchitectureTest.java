@@ -96,6 +96,10 @@ class ArchitectureTest {
       onlyUsesOfOurs("polygon", "polygon", "x3d", "schema");
 
   @ArchTest
+  static final ArchRule documentsAreEditedWithoutARuntime =
+      onlyUsesOfOurs("document", "document", "polygon", "schema", "x3d");
+
+  @ArchTest
   static final ArchRule nativeLibrariesOfModelsLiveInThePolygonCountProcess =
       noClasses()
           .that()
@@ -124,10 +128,10 @@ class ArchitectureTest {
           .resideInAPackage(of("cli"));
 
   @ArchTest
-  static final ArchRule onlyTheCommandLineAndTheBenchmarkUseTheProgram =
+  static final ArchRule onlyProgramsUseTheProgram =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("cli"), of("bench"), of("app"))
+          .resideOutsideOfPackages(of("cli"), of("bench"), of("app"), of("enricher"))
           .should()
           .dependOnClassesThat()
           .resideInAPackage(of("app"));

@@ -173,7 +173,8 @@ final class Planning {
     TextEdits edits = new TextEdits(scene.text());
     edit(edits, files);
     planned.add(planned(request.output(), scene.bytes(edits.changed())));
-    return new VersionPlan(request.object(), versions, planned, edits.edits(scene.file().source()));
+    return new VersionPlan(
+        request.object(), versions, planned, request.output(), edits.edits(scene.file().source()));
   }
 
   private byte[] original(List<NodeView> nodes, Path file, ModelSize size) {
