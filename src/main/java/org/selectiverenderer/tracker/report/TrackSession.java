@@ -65,13 +65,12 @@ public final class TrackSession {
    */
   public TrackFigures run(double seconds) throws IOException {
     long begin = System.nanoTime();
-    TrackFigures figures;
-    try (HeadTracker tracker = Trackers.open(spec, options, listener())) {
+    HeadTracker tracker = Trackers.open(spec, options, listener());
+    try (tracker) {
       watch(tracker, begin, seconds);
-      tracker.close();
-      drain(begin);
-      figures = intervals.figures(tracker.health(), queue.lost(), age);
     }
+    drain(begin);
+    TrackFigures figures = intervals.figures(tracker.health(), queue.lost(), age);
     for (TrackOutput output : outputs) {
       output.end(figures);
     }
