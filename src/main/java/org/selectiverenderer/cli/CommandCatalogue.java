@@ -17,6 +17,7 @@ final class CommandCatalogue {
         new VersionsCommand(console),
         new PolygonsCommand(console),
         new ApartmentCommand(console),
+        new TrackCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }
