@@ -1,22 +1,14 @@
 package org.selectiverenderer.runtime.navigation;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVParser;
-import org.apache.commons.csv.CSVRecord;
+import java.util.OptionalDouble;
+import org.selectiverenderer.csv.CsvNumbers;
+import org.selectiverenderer.csv.CsvRow;
+import org.selectiverenderer.csv.CsvTable;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
@@ -31,12 +23,8 @@ public final class CameraPathReader {
   private static final List<String> PLACE = List.of("t", "x", "y", "z");
   private static final List<String> TURN = List.of("yaw", "pitch", "roll");
 
-  private static final CSVFormat FORMAT =
-      CSVFormat.RFC4180.builder().setIgnoreEmptyLines(true).get();
-
   private final String file;
   private final Problems problems;
-  private String[] lines = {};
   private boolean faulty;
 
   private CameraPathReader(String file, Problems problems) {
@@ -51,18 +39,8 @@ public final class CameraPathReader {
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<CameraPath> read(Path path, Problems problems) throws IOException {
-    String name = path.toString();
-    try {
-      String text =
-          StandardCharsets.UTF_8
-              .newDecoder()
-              .decode(ByteBuffer.wrap(Files.readAllBytes(path)))
-              .toString();
-      return parse(name, text, problems);
-    } catch (CharacterCodingException e) {
-      problems.error(Location.of(name), "the path is not UTF-8 text; it is not played");
-      return Optional.empty();
-    }
+    CameraPathReader reader = new CameraPathReader(path.toString(), problems);
+    return CsvTable.read(path, reader::fault).flatMap(reader::path);
   }
 
   /**
@@ -71,33 +49,21 @@ public final class CameraPathReader {
    * @param file its name, for messages
    */
   public static Optional<CameraPath> parse(String file, String text, Problems problems) {
-    return new CameraPathReader(file, problems).parse(text);
+    CameraPathReader reader = new CameraPathReader(file, problems);
+    return CsvTable.parse(file, text, reader::fault).flatMap(reader::path);
   }
 
-  private Optional<CameraPath> parse(String withMark) {
-    String text = withMark.startsWith("\uFEFF") ? withMark.substring(1) : withMark;
-    lines = text.split("\r\n|\n|\r", -1);
-    List<double[]> rows = new ArrayList<>();
-    try (CSVParser parser = CSVParser.parse(text, FORMAT)) {
-      int[] columns = {};
-      int width = 0;
-      long line = 1;
-      for (CSVRecord cells : parser) {
-        int at = lineOf(line, parser.getCurrentLineNumber());
-        line = parser.getCurrentLineNumber() + 1;
-        if (cells.getRecordNumber() == 1) {
-          width = cells.size();
-          columns = columns(cells, at);
-          if (columns.length == 0) {
-            return Optional.empty();
-          }
-        } else {
-          row(cells, at, columns, width, rows);
-        }
-      }
-    } catch (IOException | UncheckedIOException e) {
-      fault(Location.of(file), "the path is no CSV (a quotation mark is never closed)");
+  private Optional<CameraPath> path(CsvTable table) {
+    List<String> columns = new ArrayList<>(PLACE);
+    if (TURN.stream().anyMatch(table::has)) {
+      columns.addAll(TURN);
+    }
+    if (!table.require(columns, "t,x,y,z or t,x,y,z,yaw,pitch,roll")) {
       return Optional.empty();
+    }
+    List<double[]> rows = new ArrayList<>();
+    for (CsvRow row : table.rows()) {
+      row(row, columns, rows);
     }
     if (!faulty && rows.isEmpty()) {
       fault(
@@ -106,115 +72,26 @@ public final class CameraPathReader {
     return faulty ? Optional.empty() : Optional.of(new CameraPath(rows.toArray(double[][]::new)));
   }
 
-  /** The line on which a record begins: the first that is not empty after the one before. */
-  private int lineOf(long from, long to) {
-    int line = (int) from;
-    while (line < to && line <= lines.length && lines[line - 1].isEmpty()) {
-      line++;
-    }
-    return line;
-  }
-
   private void fault(Location location, String message) {
     faulty = true;
     problems.error(location, message + "; the path is not played");
   }
 
-  /** The cells of t, x, y, z and, when there, yaw, pitch, roll; empty after a fault. */
-  private int[] columns(CSVRecord header, int line) {
-    Map<String, Integer> at = new HashMap<>();
-    Map<String, Integer> again = new LinkedHashMap<>();
-    for (int cell = 0; cell < header.size(); cell++) {
-      String name = header.get(cell).strip().toLowerCase(Locale.ROOT);
-      if (at.putIfAbsent(name, cell) != null) {
-        again.put(name, cell);
-      }
-    }
-    List<String> wanted = new ArrayList<>(PLACE);
-    if (TURN.stream().anyMatch(at::containsKey)) {
-      wanted.addAll(TURN);
-    }
-    List<String> missing = wanted.stream().filter(name -> !at.containsKey(name)).toList();
-    if (!missing.isEmpty()) {
-      boolean semicolons = header.size() == 1 && header.get(0).contains(";");
-      fault(
-          new Location(file, line, 1),
-          semicolons
-              ? "the columns are separated by semicolons where commas are needed"
-              : "the header lacks "
-                  + String.join(", ", missing)
-                  + " (it must be t,x,y,z or t,x,y,z,yaw,pitch,roll)");
-      return new int[0];
-    }
-    again.keySet().retainAll(wanted);
-    again.forEach(
-        (name, cell) -> fault(place(line, cell), "the header names the column " + name + " twice"));
-    return again.isEmpty() ? wanted.stream().mapToInt(at::get).toArray() : new int[0];
-  }
-
-  private void row(CSVRecord cells, int line, int[] columns, int width, List<double[]> rows) {
-    if (cells.size() != width) {
-      fault(
-          new Location(file, line, 1),
-          "the row has %s values where the header names %s columns%s"
-              .formatted(
-                  cells.size(),
-                  width,
-                  cells.size() > width
-                      ? " (a number is written with a decimal point, not with a comma)"
-                      : ""));
-      return;
-    }
-    double[] row = new double[columns.length];
-    for (int i = 0; i < columns.length; i++) {
-      Optional<Double> number = number(cells.get(columns[i]), place(line, columns[i]));
+  private void row(CsvRow cells, List<String> columns, List<double[]> rows) {
+    double[] row = new double[columns.size()];
+    for (int i = 0; i < row.length; i++) {
+      OptionalDouble number = CsvNumbers.number(cells, columns.get(i), this::fault);
       if (number.isEmpty()) {
         return;
       }
-      row[i] = number.get();
+      row[i] = number.getAsDouble();
     }
     if (!rows.isEmpty() && row[0] <= rows.get(rows.size() - 1)[0]) {
       fault(
-          place(line, columns[0]),
-          "the time %s is not later than the row before".formatted(cells.get(columns[0]).strip()));
+          cells.location("t"),
+          "the time %s is not later than the row before".formatted(cells.cell("t")));
       return;
     }
     rows.add(row);
-  }
-
-  private Optional<Double> number(String cell, Location location) {
-    String text = cell.strip();
-    if (text.matches("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")) {
-      double value = Double.parseDouble(text);
-      if (Double.isFinite(value)) {
-        return Optional.of(value);
-      }
-    }
-    String hint =
-        text.matches("[+-]?\\d+,\\d+") ? " (write it with a decimal point, not with a comma)" : "";
-    fault(
-        location,
-        text.isEmpty() ? "a number is missing" : shortened(text) + " is no number" + hint);
-    return Optional.empty();
-  }
-
-  private static String shortened(String text) {
-    return "'" + (text.length() > 40 ? text.substring(0, 40) + "..." : text) + "'";
-  }
-
-  /** Where a cell begins in its line, quoted cells before it included. */
-  private Location place(int line, int cell) {
-    String text = line <= lines.length ? lines[line - 1] : "";
-    int at = 0;
-    boolean quoted = false;
-    for (int before = cell; before > 0 && at < text.length(); at++) {
-      char c = text.charAt(at);
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (c == ',' && !quoted) {
-        before--;
-      }
-    }
-    return new Location(file, line, at + 1);
   }
 }
