@@ -1,0 +1,107 @@
+package org.selectiverenderer.statistics.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.detection.ConfidenceLevel;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Score;
+
+/** The scores of one area, and the designs that they make. */
+final class AreaScores {
+  static final String BETWEEN = "condition";
+  static final String WITHIN = "object type";
+
+  private static final List<String> TYPES = List.of("consistent", "inconsistent", "neutral");
+
+  private final String area;
+  private final List<String> conditions;
+  private final List<String> types;
+  private final List<Score> scores;
+
+  AreaScores(String area, List<String> conditions, List<Score> scores) {
+    this.area = area;
+    this.conditions = conditions;
+    this.scores = scores;
+    types =
+        TYPES.stream()
+            .filter(type -> scores.stream().anyMatch(score -> score.type().equals(type)))
+            .toList();
+  }
+
+  AreaAnalysis analysis(ConfidenceLevel level, Measure measure, AnovaOptions options) {
+    List<String> notes = new ArrayList<>();
+    Map<String, Map<String, Score>> participants = new LinkedHashMap<>();
+    for (Score score : scores) {
+      if (score.level() == level) {
+        participants
+            .computeIfAbsent(score.participant(), id -> new LinkedHashMap<>())
+            .put(score.type(), score);
+      }
+    }
+    Map<String, List<Subject>> groups = new LinkedHashMap<>();
+    participants.forEach(
+        (id, own) -> {
+          List<String> flaws = flaws(own, measure);
+          if (flaws.isEmpty()) {
+            groups
+                .computeIfAbsent(
+                    own.values().iterator().next().condition(), name -> new ArrayList<>())
+                .add(new Subject(id, 0, values(own, measure)));
+          } else {
+            notes.add("Participant " + id + " is left out: " + String.join("; ", flaws) + ".");
+          }
+        });
+    List<String> filled = conditions.stream().filter(groups::containsKey).toList();
+    conditions.stream()
+        .filter(condition -> !filled.contains(condition))
+        .forEach(name -> notes.add("The condition " + name + " has no complete participant."));
+    List<Subject> subjects = new ArrayList<>();
+    for (int group = 0; group < filled.size(); group++) {
+      for (Subject subject : groups.get(filled.get(group))) {
+        subjects.add(new Subject(subject.id(), group, subject.values()));
+      }
+    }
+    Design design =
+        new Design(
+            measure.key(),
+            new Factor(WITHIN, types),
+            new Factor(BETWEEN, filled.isEmpty() ? conditions : filled),
+            subjects);
+    if (filled.size() == 1) {
+      notes.add("There is one condition only, " + filled.get(0) + ": no effect of condition.");
+    }
+    Optional<String> obstacle = design.obstacle();
+    obstacle.ifPresent(reason -> notes.add("Not analysed: " + reason + "."));
+    Optional<Anova> anova =
+        obstacle.isPresent() ? Optional.empty() : Optional.of(Anova.of(design, options));
+    return new AreaAnalysis(area, level, measure, design, anova, notes);
+  }
+
+  private List<String> flaws(Map<String, Score> own, Measure measure) {
+    List<String> flaws = new ArrayList<>();
+    for (String type : types) {
+      Score score = own.get(type);
+      if (score == null) {
+        flaws.add("no answer to " + type + " objects");
+      } else if (!Double.isFinite(measure.of(score.detection()))) {
+        flaws.add(score.detection().flaw().orElse("not defined") + " (" + type + " objects)");
+      }
+    }
+    return flaws;
+  }
+
+  private List<Double> values(Map<String, Score> own, Measure measure) {
+    return types.stream()
+        .map(type -> measure.of(Objects.requireNonNull(own.get(type)).detection()))
+        .toList();
+  }
+}
