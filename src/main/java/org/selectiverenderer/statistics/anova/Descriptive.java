@@ -16,7 +16,7 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 public record Descriptive(
     Optional<String> within, Optional<String> between, double mean, double sd, int n) {
   /** Level by level, the groups and then all together. */
-  static List<Descriptive> of(Design design) {
+  public static List<Descriptive> of(Design design) {
     List<Descriptive> all = new ArrayList<>();
     for (int level = 0; level < design.within().levels().size(); level++) {
       for (int group = 0; group < design.between().levels().size(); group++) {

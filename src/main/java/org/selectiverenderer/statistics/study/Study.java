@@ -42,17 +42,12 @@ public record Study(
   public static Study of(Responses responses, Scoring scoring, AnovaOptions options) {
     List<Response> usable = responses.usable();
     List<Score> scores = scoring.scores(usable);
-    List<String> conditions =
-        usable.stream()
-            .map(Response::condition)
-            .distinct()
-            .sorted(Comparator.comparingInt(Study::rank))
-            .toList();
+    List<String> conditions = conditions(usable);
     List<String> areas = usable.stream().map(Response::area).distinct().toList();
     List<AreaAnalysis> analyses = new ArrayList<>();
     for (String area : areas) {
-      AreaScores own =
-          new AreaScores(
+      AreaStudy own =
+          new AreaStudy(
               area,
               conditions,
               scores.stream().filter(score -> score.area().equals(area)).toList());
@@ -63,6 +58,15 @@ public record Study(
       }
     }
     return new Study(responses, scoring, options, conditions, areas, scores, analyses);
+  }
+
+  /** Conditions in the order of tables. */
+  static List<String> conditions(List<Response> responses) {
+    return responses.stream()
+        .map(Response::condition)
+        .distinct()
+        .sorted(Comparator.comparingInt(Study::rank))
+        .toList();
   }
 
   private static int rank(String condition) {

@@ -11,14 +11,19 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Score;
+import org.selectiverenderer.statistics.detection.Scoring;
 
 /** The scores of one area, and the designs that they make. */
-final class AreaScores {
-  static final String BETWEEN = "condition";
-  static final String WITHIN = "object type";
+public final class AreaStudy {
+  /** The between factor's name. */
+  public static final String BETWEEN = "condition";
+
+  /** The within factor's name. */
+  public static final String WITHIN = "object type";
 
   private static final List<String> TYPES = List.of("consistent", "inconsistent", "neutral");
 
@@ -27,7 +32,7 @@ final class AreaScores {
   private final List<String> types;
   private final List<Score> scores;
 
-  AreaScores(String area, List<String> conditions, List<Score> scores) {
+  AreaStudy(String area, List<String> conditions, List<Score> scores) {
     this.area = area;
     this.conditions = conditions;
     this.scores = scores;
@@ -37,7 +42,18 @@ final class AreaScores {
             .toList();
   }
 
-  AreaAnalysis analysis(ConfidenceLevel level, Measure measure, AnovaOptions options) {
+  /** The study of an area's answers. */
+  public static AreaStudy of(Responses responses, Scoring scoring, String area) {
+    return new AreaStudy(
+        area,
+        Study.conditions(responses.usable()),
+        scoring.scores(responses.usable()).stream()
+            .filter(score -> score.area().equals(area))
+            .toList());
+  }
+
+  /** One measure at one level of confidence. */
+  public AreaAnalysis analysis(ConfidenceLevel level, Measure measure, AnovaOptions options) {
     List<String> notes = new ArrayList<>();
     Map<String, Map<String, Score>> participants = new LinkedHashMap<>();
     for (Score score : scores) {
