@@ -118,11 +118,6 @@ public final class CsvTable {
                     : ""));
   }
 
-  /** The columns' names as written. */
-  public List<String> header() {
-    return List.copyOf(header);
-  }
-
   public List<CsvRow> rows() {
     return List.copyOf(rows);
   }
@@ -132,9 +127,9 @@ public final class CsvTable {
     return columns.containsKey(key(column));
   }
 
-  /** How the header spells that column, which it must have. */
-  public String spelling(String column) {
-    return header.get(index(column));
+  /** Where the header names that column, which it must have. */
+  public Location location(String column) {
+    return place(headerLine, index(column));
   }
 
   /**

@@ -2,8 +2,8 @@ package org.selectiverenderer.statistics.anova;
 
 /** Evidence of the data for the null hypothesis: BF01 above 1 speaks for no difference. */
 final class BayesFactors {
-  private static final double FIRST = -40;
-  private static final double STEP = 0.01;
+  private static final double FIRST = -30;
+  private static final double STEP = 0.04;
   private static final double LAST = 4;
 
   private BayesFactors() {}

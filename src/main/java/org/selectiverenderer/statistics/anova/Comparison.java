@@ -5,7 +5,7 @@ import java.util.Optional;
 /**
  * Two levels of a factor compared, with the design's pooled error.
  *
- * @param factor whose levels are compared
+ * @param factor whose levels are compared; {@code within x between} for differences of differences
  * @param at the level of the other factor at which they are; empty: over all, with equal weight
  * @param difference first less second, in the measure's units
  * @param low of the confidence interval of the difference, not adjusted

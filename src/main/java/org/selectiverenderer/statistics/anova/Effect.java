@@ -8,6 +8,7 @@ import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
+import org.selectiverenderer.statistics.distribution.NoncentralF;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
@@ -72,6 +73,7 @@ public record Effect(
         h.errorSum() <= SIZE_ROUNDING * size + SPREAD_ROUNDING * cells.error().getTrace();
     double f = constant ? Double.NaN : h.sum() / h.df1() / (h.errorSum() / h.df2());
     EtaSquared eta = new EtaSquared(cells, options.etaConfidence());
+    NoncentralF.Interval noncentrality = eta.noncentrality(h, f);
     List<MultivariateTest> multivariate =
         kind.ofContrasts() && !constant ? multivariate(h) : List.of();
     boolean singular = kind.ofContrasts() && multivariate.isEmpty();
@@ -85,8 +87,8 @@ public record Effect(
         h.df2(),
         f,
         constant ? Double.NaN : Tails.f(f, h.df1(), h.df2()),
-        constant ? undefined(options) : eta.partial(h, f),
-        constant ? undefined(options) : eta.generalised(h, f),
+        constant ? undefined(options) : eta.partial(h, noncentrality),
+        constant ? undefined(options) : eta.generalised(h, noncentrality),
         h.dimensions() > 1 && kind.ofContrasts() && !constant
             ? Optional.of(Sphericity.of(h))
             : Optional.empty(),

@@ -32,17 +32,15 @@ final class EtaSquared {
     populationErrorSum = errorSums / cells.errorDf() * cells.subjects();
   }
 
-  EffectSize partial(Hypothesis hypothesis, double f) {
+  EffectSize partial(Hypothesis hypothesis, Interval l) {
     double value = hypothesis.sum() / (hypothesis.sum() + hypothesis.errorSum());
-    Interval l = noncentrality(hypothesis, f);
     double others = hypothesis.df1() + hypothesis.df2() + 1;
     return new EffectSize(
         value, l.low() / (l.low() + others), l.high() / (l.high() + others), confidence);
   }
 
-  EffectSize generalised(Hypothesis hypothesis, double f) {
+  EffectSize generalised(Hypothesis hypothesis, Interval l) {
     double value = hypothesis.sum() / (hypothesis.sum() + errorSums);
-    Interval l = noncentrality(hypothesis, f);
     double ms = hypothesis.errorSum() / hypothesis.df2();
     return new EffectSize(
         value,
@@ -51,7 +49,8 @@ final class EtaSquared {
         confidence);
   }
 
-  private Interval noncentrality(Hypothesis hypothesis, double f) {
+  /** Of the effect's F; bounds are not numbers when F is none. */
+  Interval noncentrality(Hypothesis hypothesis, double f) {
     return Double.isFinite(f)
         ? new NoncentralF(hypothesis.df1(), hypothesis.df2()).interval(f, confidence)
         : new Interval(Double.NaN, Double.NaN);

@@ -85,6 +85,7 @@ final class MeanContrasts {
       for (int group = 0; group < cells.groups(); group++) {
         all.addAll(levels(group));
       }
+      all.addAll(interactions());
     }
     return all;
   }
@@ -97,10 +98,10 @@ final class MeanContrasts {
         double nb = cells.size(b);
         family.add(
             comparison(
-                design.between(),
+                design.between().name(),
                 level < 0 ? Optional.empty() : Optional.of(design.within().levels().get(level)),
-                a,
-                b,
+                design.between().levels().get(a),
+                design.between().levels().get(b),
                 minus(weights(a, level), weights(b, level)),
                 na * nb / (na + nb)));
       }
@@ -114,10 +115,10 @@ final class MeanContrasts {
       for (int b = a + 1; b < cells.levels(); b++) {
         family.add(
             comparison(
-                design.within(),
+                design.within().name(),
                 group < 0 ? Optional.empty() : Optional.of(design.between().levels().get(group)),
-                a,
-                b,
+                design.within().levels().get(a),
+                design.within().levels().get(b),
                 minus(weights(group, a), weights(group, b)),
                 group < 0 ? cells.effectiveSubjects() : cells.size(group)));
       }
@@ -125,8 +126,39 @@ final class MeanContrasts {
     return adjusted(family);
   }
 
+  /** The difference of two levels in one group less that in another. */
+  private List<Comparison> interactions() {
+    List<Comparison> family = new ArrayList<>();
+    List<String> levels = design.within().levels();
+    for (int a = 0; a < cells.groups(); a++) {
+      for (int b = a + 1; b < cells.groups(); b++) {
+        for (int j = 0; j < cells.levels(); j++) {
+          for (int k = j + 1; k < cells.levels(); k++) {
+            double na = cells.size(a);
+            double nb = cells.size(b);
+            String pair = " (" + levels.get(j) + " − " + levels.get(k) + ")";
+            family.add(
+                comparison(
+                    design.within().name() + " x " + design.between().name(),
+                    Optional.empty(),
+                    design.between().levels().get(a) + pair,
+                    design.between().levels().get(b) + pair,
+                    minus(minus(weights(a, j), weights(a, k)), minus(weights(b, j), weights(b, k))),
+                    na * nb / (na + nb)));
+          }
+        }
+      }
+    }
+    return adjusted(family);
+  }
+
   private Comparison comparison(
-      Factor factor, Optional<String> at, int a, int b, double[][] weights, double n) {
+      String factor,
+      Optional<String> at,
+      String first,
+      String second,
+      double[][] weights,
+      double n) {
     double difference = sum(weights);
     double error = standardError(weights);
     double df = cells.errorDf();
@@ -136,10 +168,10 @@ final class MeanContrasts {
     double t = constant ? Double.NaN : difference / error;
     double none = Double.NaN;
     return new Comparison(
-        factor.name(),
+        factor,
         at,
-        factor.levels().get(a),
-        factor.levels().get(b),
+        first,
+        second,
         difference,
         error,
         df,

@@ -95,10 +95,22 @@ public final class ObservationsReader {
     table.rows().forEach(this::row);
     Factor within = new Factor(columns.within().orElse("level"), list(levels));
     Factor between = new Factor(columns.between().orElse("group"), list(groups));
+    columns.between().ifPresent(name -> single(table, name, between));
+    columns.within().ifPresent(name -> single(table, name, within));
     List<Subject> complete = new ArrayList<>();
     subjects.forEach((id, gathered) -> complete(id, gathered, within, between, complete));
     Design design = new Design(columns.measure(), within, between, complete);
     return Optional.of(new Observations(source, design, exclusions.list()));
+  }
+
+  private void single(CsvTable table, String column, Factor factor) {
+    if (!factor.varies()) {
+      exclusions.warning(
+          table.location(column),
+          "",
+          "%s has one level only, %s; no effect of it is tested"
+              .formatted(column, factor.levels().get(0)));
+    }
   }
 
   private static List<String> list(Set<String> names) {

@@ -64,11 +64,13 @@ public final class ResponsesReader {
       return Optional.empty();
     }
     List<Response> responses = new ArrayList<>();
+    Set<Question> rows = new HashSet<>();
     for (CsvRow row : table.rows()) {
+      rows.add(new Question(row.cell("participant"), row.cell("area"), row.cell("object")));
       new ResponseRow(row, exclusions).read().ifPresent(responses::add);
     }
     List<Response> usable = withoutDoubles(ofOneCondition(known(responses)));
-    missing(usable);
+    missing(usable, rows);
     return Optional.of(new Responses(source, usable, exclusions.list()));
   }
 
@@ -154,8 +156,8 @@ public final class ResponsesReader {
     return List.copyOf(first.values());
   }
 
-  /** Participants who lack objects that others were asked for in the same area. */
-  private void missing(List<Response> responses) {
+  /** Participants without a row for objects that others were asked for in the same area. */
+  private void missing(List<Response> responses, Set<Question> rows) {
     Map<String, Set<String>> asked = new LinkedHashMap<>();
     Map<String, Map<String, Set<String>>> answered = new LinkedHashMap<>();
     Map<String, Location> places = new LinkedHashMap<>();
@@ -173,6 +175,7 @@ public final class ResponsesReader {
                 (area, objects) -> {
                   Set<String> wanting = new LinkedHashSet<>(objects);
                   wanting.removeAll(areas.getOrDefault(area, Set.of()));
+                  wanting.removeIf(object -> rows.contains(new Question(id, area, object)));
                   if (!wanting.isEmpty()) {
                     exclusions.warning(places.get(id), id, lacks(area, wanting, objects.size()));
                   }
@@ -181,10 +184,10 @@ public final class ResponsesReader {
 
   private static String lacks(String area, Set<String> wanting, int asked) {
     if (wanting.size() == asked) {
-      return "has no usable answers about the area " + area + "; it is analysed without them";
+      return "has no answers about the area " + area + "; it is analysed without them";
     }
     List<String> named = wanting.stream().limit(NAMED_OBJECTS).toList();
-    return "of %d objects of the area %s %d have no usable answer (%s%s); the others count"
+    return "of %d objects of the area %s %d are not in the file (%s%s); the others count"
         .formatted(
             asked,
             area,

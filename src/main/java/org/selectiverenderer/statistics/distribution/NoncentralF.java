@@ -1,5 +1,6 @@
 package org.selectiverenderer.statistics.distribution;
 
+import org.apache.commons.math3.analysis.solvers.BrentSolver;
 import org.apache.commons.math3.special.Beta;
 import org.apache.commons.math3.special.Gamma;
 
@@ -18,7 +19,9 @@ import org.apache.commons.math3.special.Gamma;
  */
 public record NoncentralF(double df1, double df2) {
   private static final double NEGLIGIBLE = 1e-17;
-  private static final int BISECTIONS = 200;
+  private static final double RELATIVE = 1e-13;
+  private static final double ABSOLUTE = 1e-12;
+  private static final int EVALUATIONS = 1000;
 
   /** Bounds of a noncentrality. */
   public record Interval(double low, double high) {}
@@ -85,20 +88,11 @@ public record NoncentralF(double df1, double df2) {
     if (cumulative(f, 0) <= probability) {
       return 0;
     }
-    double low = 0;
     double high = Math.max(1, 2 * df1 * f);
     while (cumulative(f, high) > probability) {
-      low = high;
       high *= 2;
     }
-    for (int i = 0; i < BISECTIONS && high - low > 1e-12 * high; i++) {
-      double middle = (low + high) / 2;
-      if (cumulative(f, middle) > probability) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
-    return (low + high) / 2;
+    return new BrentSolver(RELATIVE, ABSOLUTE)
+        .solve(EVALUATIONS, l -> cumulative(f, l) - probability, 0, high);
   }
 }

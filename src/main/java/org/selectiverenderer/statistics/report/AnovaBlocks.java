@@ -224,7 +224,13 @@ final class AnovaBlocks {
     String family = "";
     for (Comparison pair : anova.comparisons()) {
       String heading =
-          pair.factor() + pair.at().map(level -> " at " + level).orElse(", over all else");
+          pair.factor()
+              + pair.at()
+                  .map(level -> " at " + level)
+                  .orElse(
+                      pair.factor().contains(" x ")
+                          ? ", differences of differences"
+                          : ", over all else");
       if (!heading.equals(family)) {
         family = heading;
         rows.add(List.of(heading));

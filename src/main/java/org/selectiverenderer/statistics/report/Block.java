@@ -38,6 +38,14 @@ sealed interface Block {
       rows = List.copyOf(rows);
       notes = List.copyOf(notes);
     }
+
+    /** Whether a column holds words, which are set to the left, and not figures. */
+    boolean words(int column) {
+      return rows.stream()
+          .filter(row -> row.size() == header.size())
+          .map(row -> row.get(column))
+          .allMatch(cell -> cell.matches("[\\p{L}'].*") && !cell.startsWith("F("));
+    }
   }
 
   /**

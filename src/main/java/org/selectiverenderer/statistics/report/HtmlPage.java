@@ -14,6 +14,7 @@ final class HtmlPage {
       caption { text-align: left; font-weight: bold; padding: .3rem 0; }
       th, td { padding: .22rem .7rem; text-align: right; white-space: nowrap; }
       th:first-child, td:first-child { text-align: left; }
+      th.name, td.name { text-align: left; }
       td.words { white-space: normal; text-align: left; }
       thead th { border-top: 2px solid #222; border-bottom: 1px solid #222; }
       tbody tr:last-child td { border-bottom: 2px solid #222; }
@@ -26,6 +27,9 @@ final class HtmlPage {
       summary { cursor: pointer; font-weight: bold; }
       @media print { body { max-width: none; font-size: 11px; } figure, tr { break-inside: avoid; } }
       """;
+
+  /** Cells of more characters are set as words. */
+  private static final int LONG = 45;
 
   private final StringBuilder out = new StringBuilder();
 
@@ -76,16 +80,22 @@ final class HtmlPage {
   private void table(Block.Table table) {
     out.append("<div class=\"wide\">\n<table>\n<caption>").append(escaped(table.caption()));
     out.append("</caption>\n<thead><tr>");
-    table.header().forEach(cell -> out.append("<th>").append(escaped(cell)).append("</th>"));
+    for (int i = 0; i < table.header().size(); i++) {
+      out.append(table.words(i) ? "<th class=\"name\">" : "<th>");
+      out.append(escaped(table.header().get(i))).append("</th>");
+    }
     out.append("</tr></thead>\n<tbody>\n");
     for (List<String> row : table.rows()) {
       boolean part = row.size() == 1 && table.header().size() > 1;
       out.append(part ? "<tr class=\"part\">" : "<tr>");
-      for (String cell : row) {
+      for (int i = 0; i < row.size(); i++) {
         String span = part ? " colspan=\"" + table.header().size() + "\"" : "";
-        String words = cell.length() > 45 ? " class=\"words\"" : "";
-        out.append("<td").append(span).append(words).append('>');
-        out.append(escaped(cell)).append("</td>");
+        String style =
+            row.get(i).length() > LONG
+                ? " class=\"words\""
+                : !part && table.words(i) ? " class=\"name\"" : "";
+        out.append("<td").append(span).append(style).append('>');
+        out.append(escaped(row.get(i))).append("</td>");
       }
       out.append("</tr>\n");
     }

@@ -4,9 +4,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.MathContext;
 
-/** How reports write JSON: numbers of 12 significant digits, null for what is not defined. */
+/** How reports write JSON: numbers of 10 significant digits, null for what is not defined. */
 final class Json {
-  private static final MathContext DIGITS = new MathContext(12);
+  private static final MathContext DIGITS = new MathContext(10);
 
   private Json() {}
 

@@ -150,7 +150,7 @@ final class MeansPlot {
         double x = x(subject.group(), level) + (share - 0.5) * 2 * SPREAD;
         points.add(new double[] {x, y(subject.values().get(level))});
       }
-      canvas.dots(points, 2.2, colour(level), 0.35);
+      canvas.dots(points, 2.2, colour(level), 0.45);
     }
 
     private void line(int level) {

@@ -32,7 +32,9 @@ final class Methods {
         "Analysis of variance with type III sums of squares; where a within factor has three or more"
             + " levels, Greenhouse-Geisser and Huynh-Feldt (Lecoutre) corrections and the"
             + " multivariate tests stand beside F.",
-        "Intervals: %s %% for means and differences, %s %% for η² (noncentral F; Steiger 2004)."
+        ("Intervals: %s %% for means and differences, %s %% for η² (noncentral F; Steiger 2004; they"
+                + " are of the population's value and lie below the sample's where F is very"
+                + " small).")
             .formatted(percent(options.confidence()), percent(options.etaConfidence())),
         "Comparisons use the pooled error of the multivariate model; p (Holm) holds each family of"
             + " comparisons to α = %s.".formatted(number(options.alpha())),
@@ -41,9 +43,9 @@ final class Methods {
             + " (Schuirmann 1987), its counterpart for effects with the bound ηp² < "
             + number(options.etaBound())
             + " (Campbell and Lakens 2021), and Bayes factors for the null hypothesis (BF01 > 1"
-            + " speaks for it): BIC-based for effects (Wagenmakers 2007; Masson 2011), JZS with"
-            + " scale %s for comparisons (Rouder et al. 2009)."
-                .formatted(String.format(Locale.ROOT, "%.3f", options.priorScale())));
+            + " speaks for it): BIC-based for effects (Wagenmakers 2007; Masson 2011), JZS with scale "
+            + number(options.priorScale())
+            + " for comparisons (Rouder et al. 2009).");
   }
 
   private static String percent(double share) {

@@ -20,7 +20,7 @@ import org.selectiverenderer.statistics.study.Study;
 final class ScoresCsv {
   private static final CSVFormat FORMAT =
       CSVFormat.RFC4180.builder().setRecordSeparator("\n").get();
-  private static final MathContext DIGITS = new MathContext(12);
+  private static final MathContext DIGITS = new MathContext(10);
 
   private ScoresCsv() {}
 

@@ -93,8 +93,11 @@ final class StudyBlocks {
 
   private Picture picture(AreaAnalysis analysis, Anova anova) {
     return new Picture(
-        "Estimated marginal means with 95 % intervals (pooled error), and each participant"
-            + " (n = %d).".formatted(anova.design().subjects().size()),
+        "%s (%s): estimated marginal means with 95 %% intervals (pooled error), and each participant (n = %d)."
+            .formatted(
+                analysis.measure().symbol(),
+                analysis.measure().meaning(),
+                anova.design().subjects().size()),
         plot.svg(anova, title(analysis)));
   }
 

@@ -51,9 +51,9 @@ final class TextPage {
     int[] widths = new int[table.header().size()];
     widen(widths, table.header());
     table.rows().forEach(row -> widen(widths, row));
-    row(table.header(), widths);
+    row(table, table.header(), widths);
     for (List<String> row : table.rows()) {
-      row(row, widths);
+      row(table, row, widths);
     }
     table.notes().forEach(note -> out.append("  ").append(note).append('\n'));
     out.append('\n');
@@ -65,11 +65,13 @@ final class TextPage {
     }
   }
 
-  private void row(List<String> row, int[] widths) {
+  private void row(Block.Table table, List<String> row, int[] widths) {
     StringBuilder line = new StringBuilder(" ");
     for (int i = 0; i < row.size(); i++) {
       String pad = " ".repeat(Math.max(0, widths[i] - row.get(i).length()));
-      line.append(' ').append(i == 0 ? row.get(i) + pad : pad + row.get(i)).append(' ');
+      line.append(' ')
+          .append(i == 0 || table.words(i) ? row.get(i) + pad : pad + row.get(i))
+          .append(' ');
     }
     out.append(line.toString().stripTrailing()).append('\n');
   }

@@ -39,7 +39,7 @@ public record PowerAnalysis(
   /** All comparisons of conditions show equivalence by TOST. */
   public static final String EQUIVALENCE = "equivalence of conditions";
 
-  private static final int REPORTS = 10;
+  private static final int REPORTS = 4;
 
   /** The power of studies of that many participants. */
   public Power power(int participants) {
@@ -119,9 +119,11 @@ public record PowerAnalysis(
   }
 
   private List<String> findings(Model own, int participants, int study) {
-    long mixed = mixed(seed + study);
     Responses responses =
-        new Responses("simulated", SimulatedStudy.responses(own, participants, mixed), List.of());
+        new Responses(
+            "simulated",
+            SimulatedStudy.responses(own, participants, Seeds.of(seed, study)),
+            List.of());
     List<String> findings = new ArrayList<>();
     AreaStudy.of(responses, scoring, area)
         .analysis(ConfidenceLevel.ALL, measure, options)
@@ -143,12 +145,5 @@ public record PowerAnalysis(
     if (!groups.isEmpty() && groups.stream().allMatch(pair -> pair.tost().p() < options.alpha())) {
       findings.add(EQUIVALENCE);
     }
-  }
-
-  /** The finaliser of SplitMix64 (Steele, Lea and Flood 2014): near seeds, far studies. */
-  private static long mixed(long value) {
-    long z = (value ^ value >>> 30) * 0xbf58476d1ce4e5b9L;
-    z = (z ^ z >>> 27) * 0x94d049bb133111ebL;
-    return z ^ z >>> 31;
   }
 }

@@ -15,10 +15,10 @@ import org.selectiverenderer.x3d.Location;
 public final class SimulatedStudy {
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
-  /** Distances from c from which on the confidence is 2, 3, 4, 5: about a fifth each at d' = 1. */
-  private static final double[] CERTAINTY = {0.25, 0.55, 0.95, 1.5};
-
-  private static final long NEXT = 0x9e3779b97f4a7c15L; // steps of SplitMix64 (Steele et al. 2014)
+  /**
+   * Distances from c from which on the confidence is 2, 3, 4, 5: certain of two answers in five.
+   */
+  private static final double[] CERTAINTY = {0.15, 0.35, 0.6, 0.9};
 
   private final Model model;
   private final SplittableRandom random;
@@ -35,7 +35,7 @@ public final class SimulatedStudy {
   public static List<Response> responses(Model model, int participants, long seed) {
     List<Response> responses = new ArrayList<>();
     for (int i = 0; i < participants; i++) {
-      new SimulatedStudy(model, seed + NEXT * (i + 1)).participant(i, responses);
+      new SimulatedStudy(model, Seeds.of(seed, i)).participant(i, responses);
     }
     return responses;
   }
