@@ -14,6 +14,7 @@ final class CommandCatalogue {
         new VersionsCommand(console),
         new PolygonsCommand(console),
         new ExperimentCommand(console),
+        new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

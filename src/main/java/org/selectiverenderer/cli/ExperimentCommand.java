@@ -5,7 +5,7 @@ import picocli.CommandLine.Command;
 
 @Command(
     name = "experiment",
-    description = "Studies with participants: analysing their answers, planning new ones.",
+    description = "Studies, sessions and their results.",
     footer =
         "  ./selective-renderer experiment analyse responses.csv --format html --output report.html")
 final class ExperimentCommand extends CliCommand {
@@ -23,6 +23,6 @@ final class ExperimentCommand extends CliCommand {
 
   @Override
   ExitStatus run() {
-    throw CommandFailure.usage("experiment needs a command of its own");
+    throw CommandFailure.usage("which one? experiment --help lists what there is");
   }
 }

@@ -37,7 +37,10 @@ final class Methods {
                 + " small).")
             .formatted(percent(options.confidence()), percent(options.etaConfidence())),
         "Comparisons use the pooled error of the multivariate model; p (Holm) holds each family of"
-            + " comparisons to α = %s.".formatted(number(options.alpha())),
+            + " comparisons to α = "
+            + number(options.alpha())
+            + ". Nothing is corrected across measures, areas and levels of confidence: of effects that do"
+            + " not exist, that share comes out below α.",
         "A p above α does not show that there is no difference. Beside it stand: TOST with bounds "
             + bound
             + " (Schuirmann 1987), its counterpart for effects with the bound ηp² < "
