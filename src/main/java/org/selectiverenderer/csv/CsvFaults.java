@@ -6,9 +6,14 @@ import org.selectiverenderer.x3d.Location;
 @FunctionalInterface
 public interface CsvFaults {
   /**
-   * A fault.
+   * A fault of the file or of a cell.
    *
    * @param message says what is wrong, without a full stop
    */
   void fault(Location location, String message);
+
+  /** A row that does not fit the header; the table lacks it, and goes on. */
+  default void misfit(Location location, String message) {
+    fault(location, message);
+  }
 }

@@ -107,7 +107,7 @@ public final class CsvTable {
       rows.add(new CsvRow(this, cells.toList(), line));
       return;
     }
-    faults.fault(
+    faults.misfit(
         new Location(file, line, 1),
         "the row has %s values where the header names %s columns%s"
             .formatted(
@@ -118,6 +118,12 @@ public final class CsvTable {
                     : ""));
   }
 
+  /** Its name, for messages. */
+  public String file() {
+    return file;
+  }
+
+  /** In the order of the file. */
   public List<CsvRow> rows() {
     return List.copyOf(rows);
   }

@@ -3,16 +3,34 @@ package org.selectiverenderer.statistics.data;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.selectiverenderer.csv.CsvFaults;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /** Collects exclusions, and tells the user of each. */
-final class Exclusions {
+final class Exclusions implements CsvFaults {
   private final Problems problems;
+  private final String row;
   private final List<Exclusion> list = new ArrayList<>();
 
-  Exclusions(Problems problems) {
+  /**
+   * None yet.
+   *
+   * @param row what a row of the file is
+   */
+  Exclusions(Problems problems, String row) {
     this.problems = problems;
+    this.row = row;
+  }
+
+  @Override
+  public void fault(Location location, String message) {
+    error(location, "", message + "; nothing is analysed");
+  }
+
+  @Override
+  public void misfit(Location location, String message) {
+    error(location, "", message + "; " + row + " is left out");
   }
 
   /** Data that are wrong. */

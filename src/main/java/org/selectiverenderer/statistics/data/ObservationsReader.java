@@ -57,7 +57,7 @@ public final class ObservationsReader {
 
   private ObservationsReader(Columns columns, Problems problems) {
     this.columns = columns;
-    exclusions = new Exclusions(problems);
+    exclusions = new Exclusions(problems, "the row");
   }
 
   /**
@@ -69,7 +69,7 @@ public final class ObservationsReader {
   public static Optional<Observations> read(Path path, Columns columns, Problems problems)
       throws IOException {
     ObservationsReader reader = new ObservationsReader(columns, problems);
-    return CsvTable.read(path, reader::fault)
+    return CsvTable.read(path, reader.exclusions)
         .flatMap(table -> reader.observations(path.getFileName().toString(), table));
   }
 
@@ -77,12 +77,8 @@ public final class ObservationsReader {
   public static Optional<Observations> parse(
       String file, String text, Columns columns, Problems problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
-    return CsvTable.parse(file, text, reader::fault)
+    return CsvTable.parse(file, text, reader.exclusions)
         .flatMap(table -> reader.observations(file, table));
-  }
-
-  private void fault(Location location, String message) {
-    exclusions.error(location, "", message + "; it is left out");
   }
 
   private Optional<Observations> observations(String source, CsvTable table) {

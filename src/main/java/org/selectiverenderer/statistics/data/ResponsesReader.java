@@ -29,7 +29,7 @@ public final class ResponsesReader {
   private final Optional<Roster> roster;
 
   private ResponsesReader(Problems problems, Optional<Roster> roster) {
-    exclusions = new Exclusions(problems);
+    exclusions = new Exclusions(problems, "the answer");
     this.roster = roster;
   }
 
@@ -43,7 +43,7 @@ public final class ResponsesReader {
   public static Optional<Responses> read(Path path, Optional<Roster> roster, Problems problems)
       throws IOException {
     ResponsesReader reader = new ResponsesReader(problems, roster);
-    Optional<CsvTable> table = CsvTable.read(path, reader::fault);
+    Optional<CsvTable> table = CsvTable.read(path, reader.exclusions);
     return table.flatMap(found -> reader.responses(path.getFileName().toString(), found));
   }
 
@@ -51,12 +51,8 @@ public final class ResponsesReader {
   public static Optional<Responses> parse(
       String file, String text, Optional<Roster> roster, Problems problems) {
     ResponsesReader reader = new ResponsesReader(problems, roster);
-    return CsvTable.parse(file, text, reader::fault)
+    return CsvTable.parse(file, text, reader.exclusions)
         .flatMap(table -> reader.responses(file, table));
-  }
-
-  private void fault(Location location, String message) {
-    exclusions.error(location, "", message + "; it is left out");
   }
 
   private Optional<Responses> responses(String source, CsvTable table) {
@@ -70,6 +66,10 @@ public final class ResponsesReader {
       new ResponseRow(row, exclusions).read().ifPresent(responses::add);
     }
     List<Response> usable = withoutDoubles(ofOneCondition(known(responses)));
+    if (usable.isEmpty()) {
+      exclusions.fault(Location.of(table.file()), "there is no usable answer");
+      return Optional.empty();
+    }
     missing(usable, rows);
     return Optional.of(new Responses(source, usable, exclusions.list()));
   }

@@ -70,7 +70,7 @@ final class ScoresTable {
     }
     return fewer.isEmpty()
         ? "n = %d participants.".formatted(all)
-        : "Of %d participants not all have every score (%s); the details name them."
+        : "Of %d participants not all have every score (%s); named below."
             .formatted(all, String.join(", ", fewer));
   }
 

@@ -1,8 +1,12 @@
 package org.selectiverenderer.statistics.report;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.data.Exclusion;
@@ -156,7 +160,22 @@ final class StudyBlocks {
             "BF01 (BIC)",
             "n"),
         rows,
-        figures.notes());
+        notes(analyses, figures));
+  }
+
+  /** Footnotes, and once for each level what is true of its analyses. */
+  private static List<String> notes(List<AreaAnalysis> analyses, Figures figures) {
+    Map<String, Set<String>> levels = new LinkedHashMap<>();
+    for (AreaAnalysis analysis : analyses) {
+      for (String note : analysis.notes()) {
+        levels
+            .computeIfAbsent(note, first -> new LinkedHashSet<>())
+            .add(analysis.level().heading());
+      }
+    }
+    List<String> notes = new ArrayList<>(figures.notes());
+    levels.forEach((note, where) -> notes.add(String.join(", ", where) + ": " + note));
+    return notes;
   }
 
   private static String test(Effect effect, Figures figures) {

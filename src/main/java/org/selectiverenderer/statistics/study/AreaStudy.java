@@ -64,6 +64,7 @@ public final class AreaStudy {
       }
     }
     Map<String, List<Subject>> groups = new LinkedHashMap<>();
+    Map<String, List<String>> left = new LinkedHashMap<>();
     participants.forEach(
         (id, own) -> {
           List<String> flaws = flaws(own, measure);
@@ -73,9 +74,14 @@ public final class AreaStudy {
                     own.values().iterator().next().condition(), name -> new ArrayList<>())
                 .add(new Subject(id, 0, values(own, measure)));
           } else {
-            notes.add("Participant " + id + " is left out: " + String.join("; ", flaws) + ".");
+            left.computeIfAbsent(String.join("; ", flaws), why -> new ArrayList<>()).add(id);
           }
         });
+    left.forEach(
+        (why, ids) ->
+            notes.add(
+                "Left out, as there is %s: %s (%d)."
+                    .formatted(why, String.join(", ", ids), ids.size())));
     List<String> filled = conditions.stream().filter(groups::containsKey).toList();
     conditions.stream()
         .filter(condition -> !filled.contains(condition))

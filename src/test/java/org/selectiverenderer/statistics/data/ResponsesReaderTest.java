@@ -87,8 +87,9 @@ class ResponsesReaderTest {
 
   @Test
   void aParticipantInTwoConditionsIsLeftOut() {
-    Responses found = parse(HEADER + CUP + KITE.replace("high", "selective"));
-    assertThat(found.usable()).isEmpty();
+    Responses found =
+        parse(HEADER + CUP + KITE.replace("high", "selective") + CUP.replace("p1", "p2"));
+    assertThat(found.usable()).extracting(Response::participant).containsExactly("p2");
     assertThat(problems.list())
         .singleElement()
         .asString()
@@ -152,6 +153,15 @@ class ResponsesReaderTest {
     assertThat(ResponsesReader.parse("r.csv", "participant,area\n", Optional.empty(), problems))
         .isEmpty();
     assertThat(problems.list().get(1)).asString().contains("the header lacks condition, object");
+  }
+
+  @Test
+  void aFileWithoutAUsableAnswerIsRefused() {
+    assertThat(ResponsesReader.parse("r.csv", HEADER, Optional.empty(), problems)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo("r.csv: there is no usable answer; nothing is analysed");
   }
 
   private Responses parse(String text) {
