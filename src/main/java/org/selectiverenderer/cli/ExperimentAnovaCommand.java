@@ -3,7 +3,10 @@ package org.selectiverenderer.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
@@ -81,6 +84,12 @@ final class ExperimentAnovaCommand extends CliCommand {
   ExitStatus run() throws IOException {
     if (within == null && between == null) {
       throw CommandFailure.usage("--within, --between or both say what is compared");
+    }
+    List<String> columns =
+        Stream.of(measure, subject, within, between).filter(Objects::nonNull).toList();
+    if (columns.stream().map(name -> name.toLowerCase(Locale.ROOT)).distinct().count()
+        < columns.size()) {
+      throw CommandFailure.usage("--dv, --subject, --within and --between are different columns");
     }
     AnovaOptions options = choices.options();
     output.check();

@@ -87,6 +87,7 @@ class ExperimentCommandsTest {
     assertThat(anova()).isEqualTo(2);
     assertThat(text(err)).contains("--within, --between or both");
     assertThat(anova("--within", "type", "--bounds", "-1")).isEqualTo(2);
+    assertThat(anova("--within", "type", "--between", "type")).isEqualTo(2);
     assertThat(anova("--within", "type", "--output", folder.resolve("no/x").toString()))
         .isEqualTo(2);
     assertThat(execute("experiment")).isEqualTo(2);

@@ -108,7 +108,10 @@ final class CellStatistics {
     return mean;
   }
 
-  /** What the unweighted mean's variance is divided by; the number of subjects when balanced. */
+  /**
+   * What the unweighted mean's variance is divided by: g times the harmonic mean of the group sizes
+   * (Maxwell and Delaney 2004, 7.4), which is the number of subjects when balanced.
+   */
   double effectiveSubjects() {
     double sum = 0;
     for (int size : sizes) {

@@ -38,7 +38,7 @@ public record Detection(
                       : counts.noise() > 0 ? "present" : "present and to absent"));
     }
     if (hit == 0 || hit == 1 || falseAlarm == 0 || falseAlarm == 1) {
-      return undefined(hit, falseAlarm, "a rate of 0 or 1, not corrected, whose z is infinite");
+      return undefined(hit, falseAlarm, "a rate of 0 or 1 is not corrected, and its z is infinite");
     }
     double zHit = NORMAL.inverseCumulativeProbability(hit);
     double zFalseAlarm = NORMAL.inverseCumulativeProbability(falseAlarm);

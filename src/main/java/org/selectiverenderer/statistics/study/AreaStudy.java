@@ -80,7 +80,7 @@ public final class AreaStudy {
     left.forEach(
         (why, ids) ->
             notes.add(
-                "Left out, as there is %s: %s (%d)."
+                "Left out because %s: %s (%d)."
                     .formatted(why, String.join(", ", ids), ids.size())));
     List<String> filled = conditions.stream().filter(groups::containsKey).toList();
     conditions.stream()
@@ -113,7 +113,7 @@ public final class AreaStudy {
     for (String type : types) {
       Score score = own.get(type);
       if (score == null) {
-        flaws.add("no answer to " + type + " objects");
+        flaws.add("there is no answer to " + type + " objects");
       } else if (!Double.isFinite(measure.of(score.detection()))) {
         flaws.add(score.detection().flaw().orElse("not defined") + " (" + type + " objects)");
       }
