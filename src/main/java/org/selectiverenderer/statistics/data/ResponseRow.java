@@ -20,9 +20,6 @@ final class ResponseRow {
           "response",
           "confidence");
 
-  /** Types of objects; an object whose type changes with the area is neutral. */
-  static final List<String> TYPES = List.of("consistent", "inconsistent", "neutral");
-
   private static final String LEFT_OUT = "; the answer is left out";
 
   private final CsvRow row;
@@ -43,7 +40,7 @@ final class ResponseRow {
       }
     }
     String type = row.cell("consistency").toLowerCase(Locale.ROOT);
-    if (!TYPES.contains(type)) {
+    if (!Response.TYPES.contains(type)) {
       return error(
           "consistency",
           (type.isEmpty()

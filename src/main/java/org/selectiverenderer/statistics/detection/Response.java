@@ -1,5 +1,6 @@
 package org.selectiverenderer.statistics.detection;
 
+import java.util.List;
 import org.selectiverenderer.x3d.Location;
 
 /**
@@ -22,6 +23,9 @@ public record Response(
     boolean yes,
     int confidence,
     Location location) {
+  /** Types of objects, in the order of tables; one whose type changes with the area is neutral. */
+  public static final List<String> TYPES = List.of("consistent", "inconsistent", "neutral");
+
   /** The smallest and the largest confidence of the questionnaire. */
   public static final int LEAST_CONFIDENCE = 1;
 

@@ -14,6 +14,7 @@ import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Response;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.detection.Scoring;
 
@@ -25,8 +26,6 @@ public final class AreaStudy {
   /** The within factor's name. */
   public static final String WITHIN = "object type";
 
-  private static final List<String> TYPES = List.of("consistent", "inconsistent", "neutral");
-
   private final String area;
   private final List<String> conditions;
   private final List<String> types;
@@ -37,7 +36,7 @@ public final class AreaStudy {
     this.conditions = conditions;
     this.scores = scores;
     types =
-        TYPES.stream()
+        Response.TYPES.stream()
             .filter(type -> scores.stream().anyMatch(score -> score.type().equals(type)))
             .toList();
   }

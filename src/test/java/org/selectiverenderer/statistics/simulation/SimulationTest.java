@@ -11,6 +11,7 @@ import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.data.Responses;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Correction;

@@ -1,4 +1,4 @@
-package org.selectiverenderer.statistics.simulation;
+package org.selectiverenderer.statistics.data;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -7,7 +7,7 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 import org.selectiverenderer.statistics.detection.Response;
 
-/** Answers as the file that {@code data.ResponsesReader} reads. */
+/** Answers as the file that {@link ResponsesReader} reads. */
 public final class ResponsesCsv {
   private ResponsesCsv() {}
 
@@ -16,15 +16,7 @@ public final class ResponsesCsv {
     StringBuilder out = new StringBuilder();
     try (CSVPrinter printer =
         new CSVPrinter(out, CSVFormat.RFC4180.builder().setRecordSeparator("\n").get())) {
-      printer.printRecord(
-          "participant",
-          "condition",
-          "area",
-          "object",
-          "consistency",
-          "present",
-          "response",
-          "confidence");
+      printer.printRecord(ResponseRow.COLUMNS);
       for (Response response : responses) {
         printer.printRecord(
             response.participant(),
