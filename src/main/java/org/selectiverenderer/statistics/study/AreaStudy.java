@@ -54,6 +54,18 @@ public final class AreaStudy {
   /** One measure at one level of confidence. */
   public AreaAnalysis analysis(ConfidenceLevel level, Measure measure, AnovaOptions options) {
     List<String> notes = new ArrayList<>();
+    Map<String, List<Subject>> groups = complete(level, measure, notes);
+    Design design = design(measure, groups, notes);
+    Optional<String> obstacle = design.obstacle();
+    obstacle.ifPresent(reason -> notes.add("Not analysed: " + reason + "."));
+    Optional<Anova> anova =
+        obstacle.isPresent() ? Optional.empty() : Optional.of(Anova.of(design, options));
+    return new AreaAnalysis(area, level, measure, design, anova, notes);
+  }
+
+  /** The participants with a score for every type, by condition; the others are noted. */
+  private Map<String, List<Subject>> complete(
+      ConfidenceLevel level, Measure measure, List<String> notes) {
     Map<String, Map<String, Score>> participants = new LinkedHashMap<>();
     for (Score score : scores) {
       if (score.level() == level) {
@@ -67,11 +79,11 @@ public final class AreaStudy {
     participants.forEach(
         (id, own) -> {
           List<String> flaws = flaws(own, measure);
+          String condition = own.values().iterator().next().condition();
           if (flaws.isEmpty()) {
             groups
-                .computeIfAbsent(
-                    own.values().iterator().next().condition(), name -> new ArrayList<>())
-                .add(new Subject(id, 0, values(own, measure)));
+                .computeIfAbsent(condition, name -> new ArrayList<>())
+                .add(new Subject(id, conditions.indexOf(condition), values(own, measure)));
           } else {
             left.computeIfAbsent(String.join("; ", flaws), why -> new ArrayList<>()).add(id);
           }
@@ -81,30 +93,29 @@ public final class AreaStudy {
             notes.add(
                 "Left out because %s: %s (%d)."
                     .formatted(why, String.join(", ", ids), ids.size())));
+    return groups;
+  }
+
+  /** Of the conditions that have participants; the others are noted. */
+  private Design design(Measure measure, Map<String, List<Subject>> groups, List<String> notes) {
     List<String> filled = conditions.stream().filter(groups::containsKey).toList();
     conditions.stream()
         .filter(condition -> !filled.contains(condition))
         .forEach(name -> notes.add("The condition " + name + " has no complete participant."));
+    if (filled.size() == 1) {
+      notes.add("There is one condition only, " + filled.get(0) + ": no effect of condition.");
+    }
     List<Subject> subjects = new ArrayList<>();
     for (int group = 0; group < filled.size(); group++) {
       for (Subject subject : groups.get(filled.get(group))) {
         subjects.add(new Subject(subject.id(), group, subject.values()));
       }
     }
-    Design design =
-        new Design(
-            measure.key(),
-            new Factor(WITHIN, types),
-            new Factor(BETWEEN, filled.isEmpty() ? conditions : filled),
-            subjects);
-    if (filled.size() == 1) {
-      notes.add("There is one condition only, " + filled.get(0) + ": no effect of condition.");
-    }
-    Optional<String> obstacle = design.obstacle();
-    obstacle.ifPresent(reason -> notes.add("Not analysed: " + reason + "."));
-    Optional<Anova> anova =
-        obstacle.isPresent() ? Optional.empty() : Optional.of(Anova.of(design, options));
-    return new AreaAnalysis(area, level, measure, design, anova, notes);
+    return new Design(
+        measure.key(),
+        new Factor(WITHIN, types),
+        new Factor(BETWEEN, filled.isEmpty() ? conditions : filled),
+        subjects);
   }
 
   private List<String> flaws(Map<String, Score> own, Measure measure) {
