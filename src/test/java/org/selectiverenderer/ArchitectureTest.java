@@ -46,6 +46,7 @@ class ArchitectureTest {
           "bench",
           "cli",
           "control",
+          "chart",
           "csv",
           "document",
           "enricher",
@@ -91,6 +92,16 @@ class ArchitectureTest {
   @ArchTest
   static final ArchRule polygonStatisticsUseFilesAndTheVocabularyOnly =
       onlyUsesOfOurs("polygon.statistics", "polygon.statistics", "x3d", "schema");
+
+  @ArchTest static final ArchRule tablesUseTheLanguageOnly = onlyUsesOfOurs("csv", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule chartsAreDrawnWithFontsOnly =
+      onlyUsesOfOurs("chart", "chart", "x3d.geometry.text");
+
+  @ArchTest
+  static final ArchRule statisticsUseTablesAndChartsOnly =
+      onlyUsesOfOurs("statistics", "statistics", "chart", "csv", "x3d");
 
   @ArchTest
   static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
@@ -152,8 +163,9 @@ class ArchitectureTest {
           .that()
           .resideInAnyPackage(
               of("validation"),
-              of("statistics"),
+              of("chart"),
               of("csv"),
+              of("statistics"),
               of("tracker"),
               of("polygon"),
               of("modelling"),

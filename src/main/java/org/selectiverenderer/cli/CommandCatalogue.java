@@ -16,6 +16,7 @@ final class CommandCatalogue {
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
+        new ExperimentCommand(console),
         new ApartmentCommand(console),
         new TrackCommand(console),
         new BenchCommand(console),

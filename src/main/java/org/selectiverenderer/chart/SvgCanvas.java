@@ -1,16 +1,22 @@
-package org.selectiverenderer.app.chart;
+package org.selectiverenderer.chart;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
  * Draws SVG 1.1. Text stays text; its length is stated, so that nothing overlaps in a viewer that
  * lacks the font.
  */
-final class SvgCanvas implements Canvas {
+public final class SvgCanvas implements Canvas {
   private final StringBuilder svg = new StringBuilder();
 
-  SvgCanvas(int width, int height, String title) {
-    svg.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+  /** A file of its own. */
+  public SvgCanvas(int width, int height, String title) {
+    this(width, height, title, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+  }
+
+  private SvgCanvas(int width, int height, String title, String prologue) {
+    svg.append(prologue);
     svg.append(
         String.format(
             Locale.ROOT,
@@ -21,6 +27,47 @@ final class SvgCanvas implements Canvas {
             width,
             height));
     svg.append("<title>").append(escaped(title)).append("</title>\n");
+  }
+
+  /** A picture within an HTML page. */
+  public static SvgCanvas inline(int width, int height, String title) {
+    return new SvgCanvas(width, height, title, "");
+  }
+
+  /** A straight line. */
+  public void line(double x1, double y1, double x2, double y2, double width, Colour colour) {
+    svg.append(
+        String.format(
+            Locale.ROOT,
+            "<path d=\"M%s %sL%s %s\" stroke=\"%s\" stroke-width=\"%s\"/>%n",
+            number(x1),
+            number(y1),
+            number(x2),
+            number(y2),
+            colour.hex(),
+            number(width)));
+  }
+
+  /**
+   * Round dots of one colour.
+   *
+   * @param points x, y of each
+   * @param opacity from 0 to 1
+   */
+  public void dots(List<double[]> points, double radius, Colour colour, double opacity) {
+    StringBuilder path = new StringBuilder();
+    for (double[] point : points) {
+      path.append('M').append(number(point[0])).append(' ').append(number(point[1])).append("h0");
+    }
+    svg.append(
+        String.format(
+            Locale.ROOT,
+            "<path d=\"%s\" stroke=\"%s\" stroke-width=\"%s\" stroke-linecap=\"round\""
+                + " stroke-opacity=\"%s\"/>%n",
+            path,
+            colour.hex(),
+            number(2 * radius),
+            number(opacity)));
   }
 
   @Override
@@ -56,7 +103,7 @@ final class SvgCanvas implements Canvas {
   }
 
   /** The file's text; nothing is drawn afterwards. */
-  String finish() {
+  public String finish() {
     return svg.append("</svg>\n").toString().replace("\r\n", "\n");
   }
 

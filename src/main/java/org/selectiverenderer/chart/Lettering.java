@@ -1,4 +1,4 @@
-package org.selectiverenderer.app.chart;
+package org.selectiverenderer.chart;
 
 import org.selectiverenderer.x3d.geometry.text.Font;
 import org.selectiverenderer.x3d.geometry.text.Glyph;
@@ -8,14 +8,14 @@ import org.selectiverenderer.x3d.geometry.text.Glyph;
  *
  * @param size pixels per em
  */
-record Lettering(Font font, double size, boolean bold) {
+public record Lettering(Font font, double size, boolean bold) {
   /** In pixels. */
-  double width(String text) {
+  public double width(String text) {
     return size * text.codePoints().mapToObj(font::glyph).mapToDouble(Glyph::advance).sum();
   }
 
   /** The text, cut off with an ellipsis if it is wider than that many pixels. */
-  String fit(String text, double width) {
+  public String fit(String text, double width) {
     if (width(text) <= width) {
       return text;
     }

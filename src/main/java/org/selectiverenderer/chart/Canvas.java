@@ -1,7 +1,7 @@
-package org.selectiverenderer.app.chart;
+package org.selectiverenderer.chart;
 
 /** What a page is drawn on: pixels from the upper left corner, y down. */
-interface Canvas {
+public interface Canvas {
   void rectangle(double x, double y, double width, double height, Colour colour);
 
   /**
