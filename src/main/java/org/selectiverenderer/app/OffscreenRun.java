@@ -27,7 +27,9 @@ public final class OffscreenRun {
     FigureKeeper keeper = new FigureKeeper();
     try (SceneOpening opening = new SceneOpening(settings, listener);
         // The context comes up while the scene is being read.
-        OffscreenView view = OffscreenView.open(settings.width(), settings.height(), samples());
+        OffscreenView view =
+            OffscreenView.open(
+                settings.width(), settings.height(), samples(), settings.presentation().layout());
         Walkthrough walk = opening.await()) {
       keeper.loaded();
       walk(walk, view, keeper);

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.navigation.CameraPath;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
 
@@ -17,6 +18,7 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  * @param height of the picture in pixels
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
  * @param mouse what the mouse buttons do
+ * @param presentation to one eye or two, and on what
  */
 public record RunSettings(
     Path scene,
@@ -26,7 +28,8 @@ public record RunSettings(
     int width,
     int height,
     OptionalInt samples,
-    MouseMapping mouse) {
+    MouseMapping mouse,
+    Presentation presentation) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;
 }

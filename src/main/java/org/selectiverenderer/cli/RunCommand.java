@@ -12,6 +12,8 @@ import org.selectiverenderer.app.OffscreenRun;
 import org.selectiverenderer.app.RunResult;
 import org.selectiverenderer.app.RunSettings;
 import org.selectiverenderer.app.WindowRun;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.navigation.CameraPath;
 import org.selectiverenderer.runtime.navigation.CameraPathReader;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
@@ -71,13 +73,14 @@ final class RunCommand extends CliCommand {
           "without a window, as fast as frames can be drawn; needs a display all the same")
   private boolean offscreen;
 
+  @Mixin private DisplayOptions display = new DisplayOptions();
+
   @Option(
       names = "--size",
-      defaultValue = "1024x768",
       converter = PixelSize.Converter.class,
       paramLabel = "WxH",
-      description = "of the picture (default: ${DEFAULT-VALUE})")
-  private PixelSize size = new PixelSize(1024, 768);
+      description = "of the picture (default: 1024x768, or what the display has)")
+  private @Nullable PixelSize size;
 
   @Option(
       names = "--samples",
@@ -116,16 +119,26 @@ final class RunCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     walked.ifPresent(known -> Frames.check(known, RunSettings.PATH_RATE));
+    Optional<Presentation> presentation = display.presentation(pathProblems);
+    if (presentation.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    Presentation shown = shown(presentation.get());
+    PixelSize pixels = size == null ? new PixelSize(shown.width(), shown.height()) : size;
+    if (shown.stereo()) {
+      console().message(shown.describe(pixels.width(), pixels.height()));
+    }
     RunSettings settings =
         new RunSettings(
             scene,
             condition.settings(),
             walked,
             duration == null ? OptionalDouble.empty() : OptionalDouble.of(duration),
-            size.width(),
-            size.height(),
+            pixels.width(),
+            pixels.height(),
             samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
-            MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)));
+            MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)),
+            shown);
     RunResult result = show(settings);
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);
@@ -134,6 +147,16 @@ final class RunCommand extends CliCommand {
       Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
     }
     return result.problems() || pathProblems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  /** What there is without a window has neither monitors nor buffers of its own. */
+  private Presentation shown(Presentation wanted) {
+    boolean windows = wanted.mode() == DisplayMode.DUAL || wanted.mode() == DisplayMode.QUAD;
+    if (!offscreen || !windows) {
+      return wanted;
+    }
+    console().message("--offscreen draws both eyes side by side instead");
+    return wanted.as(DisplayMode.SIDE_BY_SIDE);
   }
 
   private void check() {

@@ -50,7 +50,7 @@ public final class WorldWindow {
   }
 
   private final class Frames implements FrameSource {
-    private final WorldPainter painter = new WorldPainter();
+    private final WorldPainter painter = new WorldPainter(ViewLayout.MONO);
     private final Overlay overlay = new Overlay(new TextMesher());
     private final PointerTracker pointer = new PointerTracker();
     private Optional<World> world = Optional.empty();
