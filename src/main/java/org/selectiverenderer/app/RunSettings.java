@@ -19,6 +19,7 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
  * @param mouse what the mouse buttons do
  * @param presentation to one eye or two, and on what
+ * @param operator whether there is a window for whoever runs the session
  */
 public record RunSettings(
     Path scene,
@@ -29,7 +30,8 @@ public record RunSettings(
     int height,
     OptionalInt samples,
     MouseMapping mouse,
-    Presentation presentation) {
+    Presentation presentation,
+    boolean operator) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;
 }

@@ -8,13 +8,11 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.navigation.Controls;
 import org.selectiverenderer.runtime.navigation.NavigationCommand;
 import org.selectiverenderer.runtime.navigation.PathMotion;
-import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.WorldHost;
 import org.selectiverenderer.runtime.render.WorldWindow;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.render.window.WindowOptions;
 
 /**
  * Runs a scene in a window. The window opens while the scene is being read. Its render thread steps
@@ -52,15 +50,7 @@ public final class WindowRun implements WorldHost {
   public static RunResult run(RunSettings settings, RunListener listener)
       throws IOException, InterruptedException {
     WindowRun run = new WindowRun(settings, listener);
-    WorldWindow window =
-        new WorldWindow(
-            new WindowOptions(
-                settings.scene().getFileName() + " - Selective Renderer",
-                settings.width(),
-                settings.height(),
-                settings.samples().orElseGet(AntiAliasing::forMotion),
-                false),
-            run);
+    WorldWindow window = new WorldWindow(WindowStage.of(settings, listener::printed), run);
     try {
       window.run();
       return run.result(window);

@@ -41,6 +41,19 @@ final class DisplayOptions {
       description = "distance of the pupils in millimetres (default: 63)")
   private @Nullable Double ipd;
 
+  @Option(
+      names = "--operator",
+      negatable = true,
+      description =
+          "a window for whoever runs the session: what the participant sees, the areas from above,"
+              + " schemas, figures, the tracker's health (default: with dual and quad)")
+  private @Nullable Boolean operator;
+
+  /** Whether there is a window for the operator. */
+  boolean operator() {
+    return operator == null ? mode == DisplayMode.DUAL || mode == DisplayMode.QUAD : operator;
+  }
+
   /**
    * What was asked for; empty when the display's file has faults, which are told then.
    *

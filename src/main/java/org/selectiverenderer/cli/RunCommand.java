@@ -138,7 +138,8 @@ final class RunCommand extends CliCommand {
             pixels.height(),
             samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
             MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)),
-            shown);
+            shown,
+            display.operator());
     RunResult result = show(settings);
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);

@@ -8,12 +8,12 @@ import org.joml.Vector3d;
  * Where an upright viewer looks: yaw about the up axis, positive to the left, and pitch, positive
  * up, at most 90 degrees either way (thesis 6.1.1: 360 degrees about, 180 vertically). Radians.
  */
-record Heading(double yaw, double pitch) {
+public record Heading(double yaw, double pitch) {
   /** Beyond it, looking nearly straight up or down, the right side tells the yaw better. */
   private static final double STEEP = 0.99999;
 
   /** That of an orientation; its roll is left out. */
-  static Heading of(Quaterniondc orientation) {
+  public static Heading of(Quaterniondc orientation) {
     Vector3d front = orientation.transform(new Vector3d(0, 0, -1));
     double pitch = Math.asin(Math.max(-1, Math.min(1, front.y)));
     if (Math.abs(front.y) < STEEP) {

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.render;
 
 import java.util.List;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.sketch.Mark;
 
 /**
  * The views of which a frame consists: all of one update of the world and one pose of the viewer,
@@ -26,4 +27,20 @@ public interface ViewLayout {
    * @return at least one
    */
   List<EyeView> views(World world, int width, int height, DepthRange range);
+
+  /** Whether the world is drawn; else there are only marks on black. */
+  default boolean showsWorld() {
+    return true;
+  }
+
+  /**
+   * What is drawn over a view.
+   *
+   * @param view its number in the list
+   * @param width of the view in pixels
+   * @param height of the view in pixels
+   */
+  default List<Mark> marks(int view, int width, int height) {
+    return List.of();
+  }
 }

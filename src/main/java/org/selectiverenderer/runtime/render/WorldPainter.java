@@ -6,7 +6,10 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.navigation.Navigation;
+import org.selectiverenderer.runtime.render.sketch.Mark;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.geometry.TextMesher;
 
 /**
  * Draws a world as its viewer sees it: the bound NavigationInfo decides about headlight and depth
@@ -14,6 +17,7 @@ import org.selectiverenderer.runtime.scene.Node;
  */
 final class WorldPainter {
   private final SceneRenderer renderer = new SceneRenderer(2);
+  private final SketchPainter sketch = new SketchPainter(new TextMesher());
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
@@ -47,13 +51,18 @@ final class WorldPainter {
     List<EyeView> views = layout.views(world, width, height, range);
     Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());
     boolean headlight = info.map(node -> node.bool("headlight")).orElse(true);
-    if (!covered(views, width, height)) {
+    if (!layout.showsWorld() || !covered(views, width, height)) {
       gl.glClearColor(0, 0, 0, 1);
       gl.glClear(GL.GL_COLOR_BUFFER_BIT);
     }
-    for (EyeView view : views) {
-      direct(gl, view.channel());
-      renderer.draw(gl, seen, view.camera(), world.backdrop(), headlight);
+    for (int i = 0; i < views.size(); i++) {
+      Camera camera = views.get(i).camera();
+      direct(gl, views.get(i).channel());
+      if (layout.showsWorld()) {
+        renderer.draw(gl, seen, camera, world.backdrop(), headlight);
+      }
+      List<Mark> marks = layout.marks(i, camera.width(), camera.height());
+      sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());
     }
     undirect(gl, views.get(views.size() - 1).channel());
     return new Drawn(seen.shapes(), views.size() * seen.indices() / 3);
@@ -89,5 +98,6 @@ final class WorldPainter {
 
   void dispose(GL3 gl) {
     renderer.dispose(gl);
+    sketch.dispose(gl);
   }
 }
