@@ -46,6 +46,7 @@ class ArchitectureTest {
           "bench",
           "cli",
           "control",
+          "csv",
           "document",
           "enricher",
           "experiment",
@@ -148,6 +149,8 @@ class ArchitectureTest {
           .resideInAnyPackage(
               of("validation"),
               of("statistics"),
+              of("csv"),
+              of("tracker"),
               of("polygon"),
               of("modelling"),
               of("apartment"),
@@ -196,6 +199,22 @@ class ArchitectureTest {
                       target(
                           nameMatching(
                               "a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
+
+  @ArchTest
+  static final ArchRule tablesUseTheLanguagesProblemsOnly = onlyUsesOfOurs("csv", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule trackersKnowNothingOfScenes =
+      onlyUsesOfOurs("tracker", "tracker", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule serialPortsAreOpenedInOnePlace =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(of("tracker.serial"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("com.fazecast..");
 
   @ArchTest
   static final ArchRule thePackagesHaveNoCycles =
