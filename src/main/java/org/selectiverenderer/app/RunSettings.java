@@ -19,6 +19,9 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
  * @param mouse what the mouse buttons do
  * @param presentation to one eye or two, and on what
+ * @param pathFrames whether the frames are the path's own rows, as those of a session played again;
+ *     else {@value #PATH_RATE} per second
+ * @param head its tracker and its log
  * @param operator whether there is a window for whoever runs the session
  */
 public record RunSettings(
@@ -31,6 +34,8 @@ public record RunSettings(
     OptionalInt samples,
     MouseMapping mouse,
     Presentation presentation,
+    boolean pathFrames,
+    HeadSettings head,
     boolean operator) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;

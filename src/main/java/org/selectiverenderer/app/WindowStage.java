@@ -85,7 +85,30 @@ final class WindowStage {
         WindowOptions.filling(left, "Left eye - " + title, samples),
         shown.layout(),
         Optional.of(WindowOptions.filling(right, "Right eye - " + title, 0)),
-        operator());
+        operatorBeside(monitors, left, right));
+  }
+
+  /** The operator looks at a monitor that is no eye's. */
+  private Optional<WindowOptions> operatorBeside(
+      List<Monitor> monitors, Monitor left, Monitor right) {
+    if (!settings.operator()) {
+      return Optional.empty();
+    }
+    Optional<Monitor> free =
+        monitors.stream().filter(m -> !m.equals(left) && !m.equals(right)).findFirst();
+    if (free.isEmpty()) {
+      message.accept("there is no third monitor for the operator's window; it stays closed");
+    }
+    return free.map(
+        monitor ->
+            new WindowOptions(
+                "Operator - " + title,
+                Math.min(OPERATOR_WIDTH, monitor.width()),
+                Math.min(OPERATOR_HEIGHT, monitor.height()),
+                0,
+                false,
+                Optional.of(monitor),
+                false));
   }
 
   private Stage quad(Presentation shown) {

@@ -8,7 +8,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.HeadSettings;
 import org.selectiverenderer.app.OffscreenRun;
+import org.selectiverenderer.app.Replays;
 import org.selectiverenderer.app.RunResult;
 import org.selectiverenderer.app.RunSettings;
 import org.selectiverenderer.app.WindowRun;
@@ -19,6 +21,7 @@ import org.selectiverenderer.runtime.navigation.CameraPathReader;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -75,6 +78,10 @@ final class RunCommand extends CliCommand {
 
   @Mixin private DisplayOptions display = new DisplayOptions();
 
+  @Mixin private HeadOptions head = new HeadOptions();
+
+  @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
+
   @Option(
       names = "--size",
       converter = PixelSize.Converter.class,
@@ -97,6 +104,12 @@ final class RunCommand extends CliCommand {
   private @Nullable Path screenshot;
 
   @Option(
+      names = "--operator-screenshot",
+      paramLabel = "F.png",
+      description = "writes the last picture of the operator's window to a file")
+  private @Nullable Path operatorScreenshot;
+
+  @Option(
       names = "--timeline",
       paramLabel = "F.jsonl",
       description = "writes what happened, one JSON object a line, as simulate does")
@@ -113,12 +126,18 @@ final class RunCommand extends CliCommand {
   ExitStatus run() throws IOException {
     check();
     Problems pathProblems = new Problems(console()::problem);
+    TrackerSpec tracker = head.tracker();
+    boolean session =
+        tracker instanceof TrackerSpec.Replay replay && Replays.hasPositions(replay.file());
+    Path walkedFile = session ? ((TrackerSpec.Replay) tracker).file() : path;
     Optional<CameraPath> walked =
-        path == null ? Optional.empty() : CameraPathReader.read(path, pathProblems);
-    if (path != null && walked.isEmpty()) {
+        walkedFile == null ? Optional.empty() : CameraPathReader.read(walkedFile, pathProblems);
+    if (walkedFile != null && walked.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    walked.ifPresent(known -> Frames.check(known, RunSettings.PATH_RATE));
+    walked.ifPresent(known -> checkPath(known, tracker, session));
+    HeadSettings headSettings =
+        head.settings(session ? new TrackerSpec.None() : tracker, trackerFlags.options());
     Optional<Presentation> presentation = display.presentation(pathProblems);
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
@@ -139,15 +158,33 @@ final class RunCommand extends CliCommand {
             samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
             MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)),
             shown,
+            session,
+            headSettings,
             display.operator());
     RunResult result = show(settings);
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);
     }
+    if (operatorScreenshot != null && result.operator().isPresent()) {
+      result.operator().get().writePng(operatorScreenshot);
+    }
     if (stats != null) {
       Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
     }
     return result.problems() || pathProblems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  private void checkPath(CameraPath walked, TrackerSpec tracker, boolean session) {
+    Frames.check(walked, RunSettings.PATH_RATE);
+    if (session && path != null) {
+      throw CommandFailure.usage("a head log has positions of its own: leave --path away");
+    }
+    boolean turned = walked.at(walked.start()).orientation().isPresent();
+    if (!session && turned && !(tracker instanceof TrackerSpec.None)) {
+      throw CommandFailure.usage(
+          "a path that turns the view and --tracker exclude one another: leave yaw, pitch and roll"
+              + " out of the path");
+    }
   }
 
   /** What there is without a window has neither monitors nor buffers of its own. */
@@ -168,6 +205,8 @@ final class RunCommand extends CliCommand {
       throw CommandFailure.usage("--samples is a number from 0 to 16");
     }
     OutputFile.check("--screenshot", screenshot, ".png");
+    head.check();
+    OutputFile.check("--operator-screenshot", operatorScreenshot, ".png");
     OutputFile.check("--timeline", timeline, "");
     OutputFile.check("--stats", stats, "");
     GlAvailability.check().ifPresent(this::noDisplay);

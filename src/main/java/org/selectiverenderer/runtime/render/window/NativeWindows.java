@@ -45,6 +45,7 @@ final class NativeWindows {
             .orElseGet(() -> GLWindow.create(wanted));
     window.setTitle(options.title());
     window.setSize(options.width(), options.height());
+    options.monitor().ifPresent(monitor -> window.setPosition(monitor.x(), monitor.y()));
     window.setDefaultCloseOperation(WindowClosingMode.DO_NOTHING_ON_CLOSE);
     window.addWindowListener(queue);
     window.addWindowListener(
