@@ -75,5 +75,28 @@ public record TrackerOptions(
             "smoothing needs a cutoff above 0 Hz and a speed of at least 0");
       }
     }
+
+    /**
+     * Reads {@code HZ} or {@code HZ,SPEED}, or {@code default}.
+     *
+     * @throws IllegalArgumentException with a sentence if it is neither
+     */
+    public static Smoothing parse(String text) {
+      if (text.equals("default")) {
+        return DEFAULT;
+      }
+      String[] numbers = text.split(",", -1);
+      try {
+        double cutoff = Double.parseDouble(numbers[0]);
+        if (numbers.length <= 2) {
+          return new Smoothing(
+              cutoff, numbers.length == 2 ? Double.parseDouble(numbers[1]) : DEFAULT.speed());
+        }
+      } catch (NumberFormatException e) {
+        // Said below.
+      }
+      throw new IllegalArgumentException(
+          "smoothing is written as HZ or HZ,SPEED, such as 1.5,8, not as " + text);
+    }
   }
 }
