@@ -96,7 +96,7 @@ final class OperatorDesk {
         .head()
         .log()
         .ifPresent(
-            file -> line(left, top + 9 * LINE, FAINT, "head log: " + file.getFileName(), marks));
+            file -> line(left, top + 10 * LINE, FAINT, "head log: " + file.getFileName(), marks));
   }
 
   private double tracker(double left, double top, List<Mark> marks) {
@@ -121,18 +121,22 @@ final class OperatorDesk {
                 "yaw %.1f\u00b0  pitch %.1f\u00b0  roll %.1f\u00b0",
                 pose.yaw(), pose.pitch(), pose.roll()),
             marks);
+    y =
+        line(
+            left,
+            y,
+            FAINT,
+            text(
+                "%.0f records/s  jitter %.1f ms  bad %d  dropped %d",
+                health.rateHz(), health.jitterMs(), health.bad(), health.dropped()),
+            marks);
     return line(
         left,
         y,
         FAINT,
         text(
-            "%.0f records/s  jitter %.1f ms  bad %d  dropped %d  latency %.1f ms (99%%: %.1f)",
-            health.rateHz(),
-            health.jitterMs(),
-            health.bad(),
-            health.dropped(),
-            head.latency().percentileMs(0.5),
-            head.latency().percentileMs(0.99)),
+            "record to picture: %.1f ms, 99 of 100 within %.1f ms",
+            head.latency().percentileMs(0.5), head.latency().percentileMs(0.99)),
         marks);
   }
 

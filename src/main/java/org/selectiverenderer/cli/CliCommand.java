@@ -1,6 +1,7 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.Callable;
 
 /**
@@ -28,6 +29,11 @@ abstract class CliCommand implements Callable<Integer> {
    * @throws IOException reported as one line, with status {@link ExitStatus#FAILURE}
    */
   abstract ExitStatus run() throws IOException;
+
+  /** The commands below it, for one that is a group. */
+  List<CliCommand> subcommands() {
+    return List.of();
+  }
 
   @Override
   public final Integer call() throws IOException {

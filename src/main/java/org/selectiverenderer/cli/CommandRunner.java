@@ -32,7 +32,7 @@ final class CommandRunner {
 
   private CommandLine commandLine(List<? extends CliCommand> commands, StringWriter help) {
     CommandLine line = new CommandLine(root);
-    commands.forEach(line::addSubcommand);
+    commands.forEach(command -> line.addSubcommand(withSubcommands(command)));
     return line.setOut(new PrintWriter(help))
         .setErr(new PrintWriter(console.err(), true))
         .setColorScheme(CommandLine.Help.defaultColorScheme(console.colours() ? Ansi.ON : Ansi.OFF))
@@ -44,6 +44,12 @@ final class CommandRunner {
                     .code())
         .setExecutionExceptionHandler(
             (failure, command, parsed) -> report(name(command), failure).code());
+  }
+
+  private static CommandLine withSubcommands(CliCommand command) {
+    CommandLine line = new CommandLine(command);
+    command.subcommands().forEach(below -> line.addSubcommand(withSubcommands(below)));
+    return line;
   }
 
   private ExitStatus report(String command, Throwable failure) {

@@ -42,6 +42,13 @@ final class DisplayOptions {
   private @Nullable Double ipd;
 
   @Option(
+      names = "--hmd-check",
+      description =
+          "a pattern instead of the scene, to check which eye is which, field of view and scale"
+              + " (side-by-side unless --display says otherwise)")
+  private boolean check;
+
+  @Option(
       names = "--operator",
       negatable = true,
       description =
@@ -65,13 +72,17 @@ final class DisplayOptions {
       throw CommandFailure.usage(
           "--ipd is a number of millimetres from 0 to " + (int) EyeGeometry.LARGEST_IPD);
     }
+    if (check && mode == DisplayMode.WINDOW) {
+      mode = DisplayMode.SIDE_BY_SIDE;
+    }
     if (mode == DisplayMode.WINDOW && (hmd != null || ipd != null)) {
       throw CommandFailure.usage(
           "--hmd and --ipd are for two eyes: choose --display side-by-side, dual, quad or anaglyph"
               + " too");
     }
     return profile(problems)
-        .map(profile -> new Presentation(mode, new EyeGeometry(profile, millimetres / 1000)));
+        .map(
+            profile -> new Presentation(mode, new EyeGeometry(profile, millimetres / 1000), check));
   }
 
   private Optional<DisplayProfile> profile(Problems problems) throws IOException {

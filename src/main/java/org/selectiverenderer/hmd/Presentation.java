@@ -7,12 +7,15 @@ import org.selectiverenderer.runtime.render.ViewLayout;
  * How a world is shown: on one screen, or to two eyes through a display.
  *
  * @param geometry of the eyes; without meaning for {@link DisplayMode#WINDOW}
+ * @param check whether a pattern to check the display by is shown instead of the world
  */
-public record Presentation(DisplayMode mode, EyeGeometry geometry) {
+public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check) {
   /** One view in a window of 1024 x 768 pixels. */
   public static final Presentation WINDOW =
       new Presentation(
-          DisplayMode.WINDOW, new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000));
+          DisplayMode.WINDOW,
+          new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000),
+          false);
 
   /** Whether two eyes are shown two views. */
   public boolean stereo() {
@@ -21,7 +24,7 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry) {
 
   /** The same eyes shown in another way. */
   public Presentation as(DisplayMode other) {
-    return new Presentation(other, geometry);
+    return new Presentation(other, geometry, check);
   }
 
   /** Width in pixels of a picture in which nothing is scaled. */
@@ -41,7 +44,10 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry) {
 
   /** How the views are arranged in one target. */
   public ViewLayout layout() {
-    return stereo() ? stereoLayout() : ViewLayout.MONO;
+    if (!stereo()) {
+      return ViewLayout.MONO;
+    }
+    return check ? new CheckPattern(stereoLayout()) : stereoLayout();
   }
 
   /** The two views; for modes that have them. */

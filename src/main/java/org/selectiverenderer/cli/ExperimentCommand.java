@@ -1,0 +1,24 @@
+package org.selectiverenderer.cli;
+
+import java.util.List;
+import picocli.CommandLine.Command;
+
+@Command(
+    name = "experiment",
+    description = "Studies, sessions and their results.",
+    footer = "  ./selective-renderer experiment view session.csv --plot session.svg")
+final class ExperimentCommand extends CliCommand {
+  ExperimentCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  List<CliCommand> subcommands() {
+    return List.of(new ExperimentViewCommand(console()));
+  }
+
+  @Override
+  ExitStatus run() {
+    throw CommandFailure.usage("which one? experiment --help lists what there is");
+  }
+}
