@@ -22,6 +22,11 @@ abstract class CliCommand implements Callable<Integer> {
     return console;
   }
 
+  /** Commands that this one groups; none as a rule. */
+  List<CliCommand> subcommands() {
+    return List.of();
+  }
+
   /**
    * Does the command's work.
    *
@@ -29,11 +34,6 @@ abstract class CliCommand implements Callable<Integer> {
    * @throws IOException reported as one line, with status {@link ExitStatus#FAILURE}
    */
   abstract ExitStatus run() throws IOException;
-
-  /** The commands below it, for one that is a group. */
-  List<CliCommand> subcommands() {
-    return List.of();
-  }
 
   @Override
   public final Integer call() throws IOException {

@@ -32,7 +32,7 @@ final class CommandRunner {
 
   private CommandLine commandLine(List<? extends CliCommand> commands, StringWriter help) {
     CommandLine line = new CommandLine(root);
-    commands.forEach(command -> line.addSubcommand(withSubcommands(command)));
+    commands.forEach(command -> add(line, command));
     return line.setOut(new PrintWriter(help))
         .setErr(new PrintWriter(console.err(), true))
         .setColorScheme(CommandLine.Help.defaultColorScheme(console.colours() ? Ansi.ON : Ansi.OFF))
@@ -46,10 +46,10 @@ final class CommandRunner {
             (failure, command, parsed) -> report(name(command), failure).code());
   }
 
-  private static CommandLine withSubcommands(CliCommand command) {
-    CommandLine line = new CommandLine(command);
-    command.subcommands().forEach(below -> line.addSubcommand(withSubcommands(below)));
-    return line;
+  private static void add(CommandLine parent, CliCommand command) {
+    CommandLine child = new CommandLine(command);
+    parent.addSubcommand(child);
+    command.subcommands().forEach(subcommand -> add(child, subcommand));
   }
 
   private ExitStatus report(String command, Throwable failure) {

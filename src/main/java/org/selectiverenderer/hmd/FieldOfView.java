@@ -53,9 +53,4 @@ public record FieldOfView(double x, double y) {
   public double diagonal() {
     return 2 * Math.toDegrees(Math.atan(Math.hypot(x, y)));
   }
-
-  /** Width by height. */
-  public double aspect() {
-    return x / y;
-  }
 }

@@ -14,7 +14,8 @@ import org.selectiverenderer.runtime.render.ViewLayout;
 
 /**
  * Both eyes' views of the world's viewer, arranged in a target. Each picture keeps the display's
- * proportions; where the target has others, black bars fill it up.
+ * proportions in pixels, which need not be square; where the target has others, black bars fill it
+ * up.
  *
  * <p>The distance between the eyes is taken to the scene's unit of length (X3D 4.0, 7.2.5 {@code
  * UNIT}) and to the scale of the place that the bound viewpoint stands in: a viewer in a scaled
@@ -95,7 +96,7 @@ public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implem
 
   /** The largest part of the display's proportions in the middle of another. */
   private Part fit(int x, int width, int height) {
-    double aspect = geometry.profile().fieldOfView().aspect();
+    double aspect = geometry.profile().width() / (double) geometry.profile().height();
     int fitWidth = (int) Math.max(1, Math.min(width, Math.round(height * aspect)));
     int fitHeight = (int) Math.max(1, Math.min(height, Math.round(width / aspect)));
     return new Part(x + (width - fitWidth) / 2, (height - fitHeight) / 2, fitWidth, fitHeight);

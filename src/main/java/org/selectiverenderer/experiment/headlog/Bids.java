@@ -142,7 +142,7 @@ public final class Bids {
     frame.put("LongName", "reference frame");
     frame.put("Description", "the coordinates of the scene's world, X3D");
     ObjectNode scene = frame.putObject("Levels").putObject("scene");
-    scene.put("SpatialAxes", "RSB");
+    scene.put("SpatialAxes", "RSP");
     scene.put("RotationRule", "right-hand");
     scene.put("RotationOrder", "n/a");
     return root.toPrettyString();

@@ -102,10 +102,7 @@ public final class HeadLogPlot {
     for (SceneMap.Area area : map.areas()) {
       List<double[]> corners =
           area.outline().stream().map(corner -> scale.at(corner[0], corner[1])).toList();
-      svg.path(
-          corners,
-          true,
-          "fill=\"#0072b2\" fill-opacity=\"0.06\" stroke=\"#0072b2\" stroke-dasharray=\"6 4\"");
+      svg.path(corners, true, "fill=\"#eef4fa\" stroke=\"#0072b2\" stroke-dasharray=\"6 4\"");
       svg.text(area.name(), corners.get(0)[0] + 5, corners.get(0)[1] + 15, 12, "#0072b2", "start");
     }
     for (int i = 0; i < map.rooms().size(); i++) {
@@ -128,7 +125,7 @@ public final class HeadLogPlot {
           true,
           colour == null
               ? "fill=\"none\" stroke=\"#bbbbbb\""
-              : "fill=\"%s\" fill-opacity=\"0.5\" stroke=\"%s\"".formatted(colour, colour));
+              : "fill=\"%s\" stroke=\"none\"".formatted(colour));
     }
     way(svg, scale);
   }
@@ -150,7 +147,7 @@ public final class HeadLogPlot {
         way.add(at);
       }
       if (sample.t() >= next) {
-        next = sample.t() + Math.max(0.5, analysis.seconds() / 200);
+        next = sample.t() + Math.max(0.1, analysis.seconds() / 200);
         double reach = Double.isNaN(sample.distance()) ? 1 : sample.distance();
         double level = reach * Math.cos(Math.toRadians(sample.pitch()));
         double yaw = Math.toRadians(sample.yaw());

@@ -15,13 +15,13 @@ import org.selectiverenderer.experiment.headlog.SceneMap.Box;
  *
  * @param seconds spent in the room
  * @param seen share of the cells, 0 to 1
- * @param unseen names of the sides of which less than a tenth was seen
+ * @param unseen names of the sides of which less than a twentieth was seen
  */
 public record RoomView(String room, double seconds, double seen, List<String> unseen) {
   /** Cells along each edge of a side. */
   private static final int CELLS = 12;
 
-  private static final double LITTLE = 0.1;
+  private static final double LITTLE = 0.05;
   private static final List<String> SIDES =
       List.of("wall -X", "wall +X", "floor", "ceiling", "wall -Z", "wall +Z");
 

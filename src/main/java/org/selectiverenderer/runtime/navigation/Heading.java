@@ -23,17 +23,17 @@ public record Heading(double yaw, double pitch) {
     return new Heading(Math.atan2(-right.z, right.x), pitch);
   }
 
-  Heading turned(double moreYaw, double morePitch) {
+  public Heading turned(double moreYaw, double morePitch) {
     double limit = Math.PI / 2;
     return new Heading(yaw + moreYaw, Math.max(-limit, Math.min(limit, pitch + morePitch)));
   }
 
-  Quaterniond orientation() {
+  public Quaterniond orientation() {
     return Viewer.orientation(yaw, pitch, 0);
   }
 
   /** Forward and to the right in the horizontal plane. */
-  Vector3d level(double forward, double right) {
+  public Vector3d level(double forward, double right) {
     double sin = Math.sin(yaw);
     double cos = Math.cos(yaw);
     return new Vector3d(-sin * forward + cos * right, 0, -cos * forward - sin * right);
