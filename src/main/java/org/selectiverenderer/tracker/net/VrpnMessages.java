@@ -1,6 +1,9 @@
 package org.selectiverenderer.tracker.net;
 
 import java.io.IOException;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.pose.Intake;
 
@@ -20,12 +23,18 @@ final class VrpnMessages {
 
   private static final int QUATERNION = 8 + 3 * 8;
   private static final int UNKNOWN = Integer.MIN_VALUE;
+  private static final long INTRODUCTION = TimeUnit.SECONDS.toNanos(1);
+  private static final int MOST_NAMES = 8;
 
   private final String tracker;
   private final VrpnStream stream;
   private final Intake intake;
+  private final long begin = System.nanoTime();
   private int ourSender = UNKNOWN;
   private int poseType = UNKNOWN;
+
+  /** Of all senders, until ours is known. */
+  private final Set<String> names = new TreeSet<>();
 
   VrpnMessages(String tracker, VrpnStream stream, Intake intake) {
     this.tracker = tracker;
@@ -33,29 +42,53 @@ final class VrpnMessages {
     this.intake = intake;
   }
 
-  /** Reads until the tracker is closed. */
+  /**
+   * Reads until the tracker is closed.
+   *
+   * @throws TrackerException if the server has introduced its senders and ours is not among them
+   */
   void read() throws IOException {
-    while (stream.require(HEADER)) {
-      int payload = stream.int32(0) - HEADER;
-      int sender = stream.int32(12);
-      int type = stream.int32(16);
-      int padded = (payload + 7) & ~7;
-      if (payload < 0 || padded > stream.capacity()) {
-        throw new TrackerException("the VRPN server sent a message of an impossible length");
+    while (!intake.closed()) {
+      checkIntroduction();
+      if (stream.ready(HEADER)) {
+        message();
       }
-      stream.skip(HEADER);
-      if (!stream.require(padded)) {
-        return;
-      }
+    }
+  }
+
+  private void message() throws IOException {
+    int payload = stream.int32(0) - HEADER;
+    int sender = stream.int32(12);
+    int type = stream.int32(16);
+    int padded = (payload + 7) & ~7;
+    if (payload < 0 || padded > stream.capacity()) {
+      throw new TrackerException("the VRPN server sent a message of an impossible length");
+    }
+    stream.skip(HEADER);
+    if (stream.require(padded)) {
       message(sender, type, payload, System.nanoTime());
       stream.skip(padded);
     }
   }
 
+  /** Senders are described right after the cookies; a second later ours is known or missing. */
+  private void checkIntroduction() throws TrackerException {
+    if (ourSender == UNKNOWN && System.nanoTime() - begin > INTRODUCTION) {
+      throw new TrackerException(
+          "the VRPN server has no tracker '"
+              + tracker
+              + "'"
+              + (names.isEmpty() ? "" : " (it has " + String.join(", ", names) + ")"));
+    }
+  }
+
   private void message(int sender, int type, int payload, long arrival) {
     if (type == SENDER_DESCRIPTION) {
-      if (tracker.equals(name(payload))) {
+      String name = name(payload);
+      if (tracker.equals(name)) {
         ourSender = sender;
+      } else if (ourSender == UNKNOWN && names.size() < MOST_NAMES) {
+        names.add(name);
       }
     } else if (type == TYPE_DESCRIPTION) {
       if (POSE.equals(name(payload))) {

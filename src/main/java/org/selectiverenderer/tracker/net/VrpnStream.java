@@ -31,19 +31,26 @@ final class VrpnStream {
    * @throws TrackerException if the connection ended
    */
   boolean require(int count) throws IOException {
-    while (end - at < count) {
+    while (!ready(count)) {
       if (intake.closed()) {
         return false;
       }
-      if (at > 0) {
-        System.arraycopy(bytes, at, bytes, 0, end - at);
-        end -= at;
-        at = 0;
-      }
+    }
+    return true;
+  }
+
+  /**
+   * Whether a number of bytes are there; waits for some once, for a short time, if they are not.
+   */
+  boolean ready(int count) throws IOException {
+    if (end - at < count) {
+      System.arraycopy(bytes, at, bytes, 0, end - at);
+      end -= at;
+      at = 0;
       end += receive();
       intake.tick();
     }
-    return true;
+    return end - at >= count;
   }
 
   private int receive() throws IOException {
