@@ -63,6 +63,9 @@ public final class OffscreenRun {
                 .map(path -> (ViewerMotion) new PathMotion(path, 0))
                 .orElse(Walkthrough.STANDING));
     for (long frame = 0; schedule.has(frame); frame++) {
+      if (settings.head().tracked()) {
+        view.awaitReady(); // The pose is read in the step: the later, the newer.
+      }
       walk.step(schedule.time(frame), motion);
       head.stepped(schedule.time(frame));
       Drawn drawn = view.draw(walk.world());

@@ -34,7 +34,7 @@ record ChildRun(String mainClass, int runs) {
   Result run(BenchScene scene) throws IOException, InterruptedException {
     List<JsonNode> all = new ArrayList<>();
     for (int i = 0; i < runs; i++) {
-      all.add(once(scene));
+      all.add(once(scene, walk(scene)));
     }
     return new Result(
         median(all, "/first_frame_ms"),
@@ -50,12 +50,18 @@ record ChildRun(String mainClass, int runs) {
     return Figures.median(all.stream().mapToDouble(node -> node.at(key).asDouble()).toArray());
   }
 
-  private JsonNode once(BenchScene scene) throws IOException, InterruptedException {
+  private static List<String> walk(BenchScene scene) {
+    return List.of(
+        "--size", SIZE, "--samples", "0", "--path", scene.path().toString(), "--duration", SECONDS);
+  }
+
+  /** Runs a scene offscreen with further options and reads its figures. */
+  JsonNode once(BenchScene scene, List<String> options) throws IOException, InterruptedException {
     Path stats = Files.createTempFile("selective-renderer-bench", ".json");
     Path log = Files.createTempFile("selective-renderer-bench", ".log");
     try {
       Process process =
-          new ProcessBuilder(command(scene, stats))
+          new ProcessBuilder(command(scene, options, stats))
               .redirectErrorStream(true)
               .redirectOutput(log.toFile())
               .start();
@@ -71,7 +77,7 @@ record ChildRun(String mainClass, int runs) {
     }
   }
 
-  private List<String> command(BenchScene scene, Path stats) {
+  private List<String> command(BenchScene scene, List<String> options, Path stats) {
     List<String> command = new ArrayList<>();
     command.add(ProcessHandle.current().info().command().orElse("java"));
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
@@ -79,8 +85,8 @@ record ChildRun(String mainClass, int runs) {
     command.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
     command.addAll(List.of("run", scene.scene().toString()));
-    command.addAll(List.of("--offscreen", "--size", SIZE, "--samples", "0"));
-    command.addAll(List.of("--path", scene.path().toString(), "--duration", SECONDS));
+    command.add("--offscreen");
+    command.addAll(options);
     command.addAll(List.of("--stats", stats.toString()));
     return command;
   }

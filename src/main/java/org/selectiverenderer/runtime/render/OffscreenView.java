@@ -71,6 +71,14 @@ public final class OffscreenView implements AutoCloseable {
   }
 
   /**
+   * Waits until the frame before is complete, for whoever wants to step the world as late as
+   * possible before it is drawn; {@link #draw} would wait after that.
+   */
+  public void awaitReady() {
+    awaitPrevious(context.gl());
+  }
+
+  /**
    * Draws a frame. Like a window with two buffers it lets one frame be under way while the next is
    * prepared: it returns when the frame before this one is complete.
    */
