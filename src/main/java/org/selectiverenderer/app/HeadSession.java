@@ -99,8 +99,11 @@ final class HeadSession implements AutoCloseable {
     };
   }
 
-  /** The world was stepped to a time. */
-  void stepped(double time) {
+  /**
+   * Logs the frame of a time. For live frames after they are submitted, which looking for what is
+   * in the middle of the view would delay.
+   */
+  void log(double time) {
     if (recorder != null) {
       recorder.frame(time);
     }

@@ -67,9 +67,9 @@ public final class OffscreenRun {
         view.awaitReady(); // The pose is read in the step: the later, the newer.
       }
       walk.step(schedule.time(frame), motion);
-      head.stepped(schedule.time(frame));
       Drawn drawn = view.draw(walk.world());
       head.submitted();
+      head.log(walk.world().time());
       if (frame == 0) {
         view.finish();
         keeper.firstFrame(walk.polygons(), drawn);

@@ -149,19 +149,19 @@ final class OperatorDesk {
     if (!health.stale()) {
       return;
     }
-    String what =
+    marks.add(Mark.rectangle(0, 0, width, 40, 0xe0901810));
+    marks.add(new Mark.Text(alarm(settings, health), MARGIN, 27, 20, 0xffffffff));
+  }
+
+  /** That the tracker is silent, and what turns the view instead. */
+  static String alarm(RunSettings settings, TrackerHealth health) {
+    return text(
+        "The tracker is silent for %.1f s: %s",
+        health.silentSeconds(),
         switch (settings.head().whenLost()) {
           case FREEZE -> "the view stays as it is";
           case MOUSE -> "the view follows the mouse";
-        };
-    marks.add(Mark.rectangle(0, 0, width, 40, 0xe0901810));
-    marks.add(
-        new Mark.Text(
-            text("The tracker is silent for %.1f s: %s", health.silentSeconds(), what),
-            MARGIN,
-            27,
-            20,
-            0xffffffff));
+        });
   }
 
   private static double line(double x, double y, int color, String text, List<Mark> marks) {

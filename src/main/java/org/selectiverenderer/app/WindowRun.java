@@ -1,6 +1,7 @@
 package org.selectiverenderer.app;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -38,6 +39,7 @@ public final class WindowRun implements WorldHost {
   private @Nullable FrameSchedule frames;
   private long pathFrame;
   private boolean overlay;
+  private boolean unlogged;
   private boolean finished;
 
   private WindowRun(RunSettings settings, RunListener listener) throws IOException {
@@ -150,14 +152,14 @@ public final class WindowRun implements WorldHost {
     FrameSchedule recorded = frames;
     if (recorded == null) {
       walk.step(elapsed, motion);
-      head.stepped(elapsed);
+      unlogged = true;
       return;
     }
     double start = recorded.time(0);
     while (recorded.has(pathFrame) && recorded.time(pathFrame) - start <= elapsed) {
       double time = recorded.time(pathFrame++);
       walk.step(time, motion);
-      head.stepped(time);
+      head.log(time);
     }
     finished |= !recorded.has(pathFrame) && settings.duration().isEmpty();
   }
@@ -169,14 +171,24 @@ public final class WindowRun implements WorldHost {
 
   @Override
   public List<String> overlay() {
-    return overlay
-        ? overlayText.lines(walk, settings.path().isPresent() ? "" : walking.describe())
-        : List.of();
+    List<String> lines = new ArrayList<>();
+    // In a display the participant would see it: there the operator's window says so.
+    if (!settings.presentation().stereo() && head.health().stale()) {
+      lines.add(OperatorDesk.alarm(settings, head.health()));
+    }
+    if (overlay) {
+      lines.addAll(overlayText.lines(walk, settings.path().isPresent() ? "" : walking.describe()));
+    }
+    return lines;
   }
 
   @Override
   public void submitted() {
     head.submitted();
+    if (unlogged) {
+      unlogged = false;
+      head.log(walk.world().time());
+    }
   }
 
   @Override
