@@ -15,6 +15,7 @@ final class CommandCatalogue {
         new PolygonsCommand(console),
         new TrackCommand(console),
         new ExperimentCommand(console),
+        new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

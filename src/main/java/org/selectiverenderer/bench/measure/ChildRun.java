@@ -34,7 +34,7 @@ record ChildRun(String mainClass, int runs) {
   Result run(BenchScene scene) throws IOException, InterruptedException {
     List<JsonNode> all = new ArrayList<>();
     for (int i = 0; i < runs; i++) {
-      all.add(once(scene, walk(scene)));
+      all.add(once(scene.scene(), scene.path(), SECONDS));
     }
     return new Result(
         median(all, "/first_frame_ms"),
@@ -46,17 +46,26 @@ record ChildRun(String mainClass, int runs) {
         all.get(0).get("gl"));
   }
 
-  private static double median(List<JsonNode> all, String key) {
+  static double median(List<JsonNode> all, String key) {
     return Figures.median(all.stream().mapToDouble(node -> node.at(key).asDouble()).toArray());
   }
 
-  private static List<String> walk(BenchScene scene) {
-    return List.of(
-        "--size", SIZE, "--samples", "0", "--path", scene.path().toString(), "--duration", SECONDS);
+  /**
+   * The figures of one run along a path.
+   *
+   * @param seconds of the path
+   * @param more options of {@code run}
+   */
+  JsonNode once(Path scene, Path path, String seconds, String... more)
+      throws IOException, InterruptedException {
+    List<String> options = new ArrayList<>(List.of("--size", SIZE, "--samples", "0"));
+    options.addAll(List.of("--path", path.toString(), "--duration", seconds));
+    options.addAll(List.of(more));
+    return once(scene, options);
   }
 
-  /** Runs a scene offscreen with further options and reads its figures. */
-  JsonNode once(BenchScene scene, List<String> options) throws IOException, InterruptedException {
+  /** The figures of one run with options of {@code run}. */
+  JsonNode once(Path scene, List<String> options) throws IOException, InterruptedException {
     Path stats = Files.createTempFile("selective-renderer-bench", ".json");
     Path log = Files.createTempFile("selective-renderer-bench", ".log");
     try {
@@ -68,7 +77,7 @@ record ChildRun(String mainClass, int runs) {
       if (process.waitFor() != 0) {
         throw new IOException(
             "running %s failed: %s"
-                .formatted(scene.scene(), Files.readString(log, StandardCharsets.UTF_8).strip()));
+                .formatted(scene, Files.readString(log, StandardCharsets.UTF_8).strip()));
       }
       return new ObjectMapper().readTree(stats.toFile());
     } finally {
@@ -77,15 +86,14 @@ record ChildRun(String mainClass, int runs) {
     }
   }
 
-  private List<String> command(BenchScene scene, List<String> options, Path stats) {
+  private List<String> command(Path scene, List<String> options, Path stats) {
     List<String> command = new ArrayList<>();
     command.add(ProcessHandle.current().info().command().orElse("java"));
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
     String flags = System.getProperty(FLAGS, "");
     command.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
-    command.addAll(List.of("run", scene.scene().toString()));
-    command.add("--offscreen");
+    command.addAll(List.of("run", scene.toString(), "--offscreen"));
     command.addAll(options);
     command.addAll(List.of("--stats", stats.toString()));
     return command;

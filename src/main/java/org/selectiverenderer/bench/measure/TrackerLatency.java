@@ -32,7 +32,7 @@ final class TrackerLatency {
               link, new InterTrax2Emulator.Settings(rate, HeadMotion.LOOKING_ABOUT))) {
         JsonNode stats =
             child.once(
-                scene,
+                scene.scene(),
                 List.of(
                     "--display",
                     "side-by-side",
