@@ -2,13 +2,11 @@ package org.selectiverenderer.tracker.net;
 
 import java.io.IOException;
 import java.net.BindException;
-import java.net.InetSocketAddress;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.channels.DatagramChannel;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.pose.Intake;
@@ -24,14 +22,9 @@ public final class OpenTrackSource implements PoseSource {
   private static final int YAW = 3 * Double.BYTES;
   private static final int PITCH = 4 * Double.BYTES;
   private static final int ROLL = 5 * Double.BYTES;
-  private static final Consumer<SelectionKey> READABLE = key -> {};
 
   private final int port;
-  // One byte longer than a record, so that longer datagrams are noticed.
-  private final ByteBuffer buffer =
-      ByteBuffer.allocateDirect(LENGTH + 1).order(ByteOrder.LITTLE_ENDIAN);
-  private @Nullable DatagramChannel channel;
-  private @Nullable Selector selector;
+  private @Nullable DatagramSocket socket;
 
   /**
    * @param port to listen on, on all interfaces
@@ -43,13 +36,9 @@ public final class OpenTrackSource implements PoseSource {
   @Override
   public void open() throws TrackerException {
     try {
-      selector = Selector.open();
-      channel = DatagramChannel.open();
-      channel.bind(new InetSocketAddress(port));
-      channel.configureBlocking(false);
-      channel.register(selector, SelectionKey.OP_READ);
+      socket = new DatagramSocket(port);
+      socket.setSoTimeout(Intake.PATIENCE_MS);
     } catch (IOException e) {
-      close();
       throw new TrackerException(
           e instanceof BindException
               ? "the UDP port " + port + " is in use by another program, or may not be used"
@@ -60,29 +49,40 @@ public final class OpenTrackSource implements PoseSource {
 
   @Override
   public void read(Intake intake) throws IOException {
-    DatagramChannel from = channel;
-    Selector wait = selector;
-    if (from == null || wait == null) {
+    DatagramSocket from = socket;
+    if (from == null) {
       throw new TrackerException("the UDP port " + port + " is not open");
     }
     intake.connected();
+    // One byte longer than a record, so that longer datagrams are noticed.
+    byte[] bytes = new byte[LENGTH + 1];
+    ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    DatagramPacket packet = new DatagramPacket(bytes, bytes.length);
     while (!intake.closed()) {
-      wait.select(READABLE, Intake.PATIENCE_MS);
-      while (from.receive(buffer.clear()) != null) {
-        record(intake);
-        intake.tick();
+      packet.setLength(bytes.length);
+      if (arrived(from, packet)) {
+        record(numbers, packet.getLength(), intake);
       }
       intake.tick();
     }
   }
 
-  private void record(Intake intake) {
-    if (buffer.position() == LENGTH) {
+  private static boolean arrived(DatagramSocket from, DatagramPacket packet) throws IOException {
+    try {
+      from.receive(packet);
+      return true;
+    } catch (SocketTimeoutException e) {
+      return false; // Nothing came in time; the caller sees whether to wait on.
+    }
+  }
+
+  private static void record(ByteBuffer numbers, int length, Intake intake) {
+    if (length == LENGTH) {
       intake.angles(
           System.nanoTime(),
-          buffer.getDouble(YAW),
-          buffer.getDouble(PITCH),
-          buffer.getDouble(ROLL));
+          numbers.getDouble(YAW),
+          numbers.getDouble(PITCH),
+          numbers.getDouble(ROLL));
     } else {
       intake.bad();
     }
@@ -90,9 +90,9 @@ public final class OpenTrackSource implements PoseSource {
 
   @Override
   public void close() {
-    Closing.quietly(channel);
-    Closing.quietly(selector);
-    channel = null;
-    selector = null;
+    if (socket != null) {
+      socket.close();
+      socket = null;
+    }
   }
 }

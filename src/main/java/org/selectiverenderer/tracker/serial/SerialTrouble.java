@@ -4,13 +4,18 @@ import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Sentences about serial ports that cannot be opened. */
 final class SerialTrouble {
+  /** EAGAIN on Linux and macOS, and EBUSY: another program holds the port's lock. */
+  private static final Set<Integer> LOCKED = Set.of(11, 35, 16);
+
   private SerialTrouble() {}
 
   /** For a port that is not there; names those that are. */
@@ -51,40 +56,46 @@ final class SerialTrouble {
 
   private static String refused(String port, Path device, int code) {
     if (!Files.isReadable(device) || !Files.isWritable(device)) {
-      return denied(port, group(device));
+      return denied(port, device);
     }
     if (Files.isRegularFile(device) || Files.isDirectory(device)) {
       return port + " is no serial port";
     }
     return "the serial port "
         + port
-        + " is in use by another program, or is no serial port (error "
-        + code
-        + ")";
+        + " is in use by another program"
+        + (LOCKED.contains(code) ? "" : ", or is no serial port (error " + code + ")");
+  }
+
+  private static String denied(String port, Path device) {
+    try {
+      PosixFileAttributes attributes =
+          Files.readAttributes(device.toRealPath(), PosixFileAttributes.class);
+      Set<PosixFilePermission> may = attributes.permissions();
+      return may.contains(PosixFilePermission.GROUP_READ)
+              && may.contains(PosixFilePermission.GROUP_WRITE)
+          ? denied(port, attributes.group().getName())
+          : denied(port) + ": only its owner, " + attributes.owner().getName() + ", may use it";
+    } catch (IOException | UnsupportedOperationException e) {
+      return denied(port); // Not a POSIX system, or the device has just gone.
+    }
+  }
+
+  private static String denied(String port) {
+    return "permission denied for the serial port " + port;
   }
 
   /**
    * For a port that this user may not use.
    *
-   * @param group that may; empty when unknown
+   * @param group that may
    */
   static String denied(String port, String group) {
-    String known = group.isEmpty() ? "dialout" : group;
-    return "permission denied for the serial port "
-        + port
+    return denied(port)
         + ": join the group "
-        + known
+        + group
         + " (sudo usermod -aG "
-        + known
+        + group
         + " $USER) and log in again";
-  }
-
-  private static String group(Path device) {
-    try {
-      return Files.getAttribute(device.toRealPath(), "posix:group", LinkOption.NOFOLLOW_LINKS)
-          .toString();
-    } catch (IOException | UnsupportedOperationException e) {
-      return ""; // Not a POSIX system; the sentence does without.
-    }
   }
 }

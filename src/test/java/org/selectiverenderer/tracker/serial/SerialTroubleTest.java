@@ -2,10 +2,12 @@ package org.selectiverenderer.tracker.serial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.TrackerException;
@@ -55,7 +57,18 @@ class SerialTroubleTest {
         .isEqualTo(
             "permission denied for the serial port /dev/ttyUSB0: join the group uucp"
                 + " (sudo usermod -aG uucp $USER) and log in again");
-    assertThat(SerialTrouble.denied("/dev/ttyUSB0", "")).contains("join the group dialout");
+  }
+
+  /** A device file's own permissions say who may; for the administrator there are none. */
+  @Test
+  void theGroupIsThatOfTheDevice() throws IOException {
+    Path file = Files.writeString(folder.resolve("ttyS9"), "");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---rw----"));
+    assumeTrue(!Files.isReadable(file), "the administrator may read everything");
+    assertThat(SerialTrouble.refused(file.toString(), 13))
+        .contains("permission denied for the serial port " + file + ": join the group ");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---------"));
+    assertThat(SerialTrouble.refused(file.toString(), 13)).contains(": only its owner, ");
   }
 
   private static void open(Path port) throws IOException {
