@@ -35,11 +35,13 @@ import picocli.CommandLine.Parameters;
       "Walk: hold the left mouse button (right: backward) and move the mouse to steer, or use the"
           + " arrow keys or W A S D. Page Up and Page Down go from viewpoint to viewpoint, Home back"
           + " to the present one. F1 shows figures, F2 changes the way of moving, F3 switches"
-          + " collisions, F11 fills the screen, Escape ends."
+          + " collisions, F4 makes where a tracked head looks straight ahead, F11 fills the"
+          + " screen, Escape ends."
     },
     footer = {
       "  ./selective-renderer run scenes/trashcan.x3d",
-      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png"
+      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png",
+      "  ./selective-renderer run scenes/apartment.x3d --display dual --tracker intertrax2:/dev/ttyUSB0"
     })
 final class RunCommand extends CliCommand {
   private enum Mouse {

@@ -19,7 +19,7 @@ enum Column {
       "",
       s -> s.moved() ? "moved" : "idle"),
   OBJECT(
-      "in the middle of the view, by the DEF of its Switch or the nearest DEF; empty for none",
+      "in the middle of the view, by the DEF of its Switch, of its Inline or the nearest DEF; empty for none",
       "",
       HeadSample::object),
   DISTANCE(

@@ -13,7 +13,10 @@ import org.selectiverenderer.experiment.headlog.HeadLogAnalysis.ObjectView;
  */
 public final class HeadLogPlot {
   private static final int WIDTH = 1100;
+
+  /** Of the plan at most; a long narrow scene takes less. */
   private static final int PLAN = 620;
+
   private static final int MARGIN = 40;
   private static final int LABELS = 240;
   private static final int ROW = 20;
@@ -30,9 +33,14 @@ public final class HeadLogPlot {
 
   private final HeadLogAnalysis analysis;
   private final Map<String, String> colours = new LinkedHashMap<>();
+  private final double[] extent;
+  private final double plan;
 
   private HeadLogPlot(HeadLogAnalysis analysis) {
     this.analysis = analysis;
+    extent = extent(analysis.log());
+    double ratio = (extent[3] - extent[1]) / (extent[2] - extent[0]);
+    plan = Math.rint(Math.min(PLAN, (WIDTH - 2.0 * MARGIN) * ratio + 10));
     for (ObjectView view : analysis.objects()) {
       colours.put(view.object(), COLOURS.get(colours.size() % COLOURS.size()));
     }
@@ -45,7 +53,7 @@ public final class HeadLogPlot {
 
   private String draw() {
     List<ObjectView> rows = analysis.objects().stream().limit(ROWS).toList();
-    int height = MARGIN + PLAN + MARGIN + 40 + ROW * rows.size() + MARGIN + 20;
+    int height = (int) (MARGIN + plan + MARGIN + 40 + ROW * rows.size() + MARGIN + 20);
     HeadLogDescription shown = analysis.log().description();
     String title =
         "Head log: %s, %s, %s s"
@@ -56,37 +64,43 @@ public final class HeadLogPlot {
     Svg svg = new Svg(WIDTH, height, title);
     svg.text(title, MARGIN, 28, 18, INK, "start");
     plan(svg);
-    timeline(svg, rows, MARGIN + PLAN + MARGIN);
+    timeline(svg, rows, MARGIN + plan + MARGIN);
     return svg.finish();
   }
 
   /** From the world's x and z to the drawing. */
-  private record Scale(double x, double z, double pixels) {
+  private record Scale(double x, double z, double pixels, double down) {
     double[] at(double worldX, double worldZ) {
-      return new double[] {
-        WIDTH / 2.0 + (worldX - x) * pixels, MARGIN + PLAN / 2.0 + (worldZ - z) * pixels
-      };
+      return new double[] {WIDTH / 2.0 + (worldX - x) * pixels, down + (worldZ - z) * pixels};
     }
   }
 
   private Scale scale() {
+    return new Scale(
+        (extent[0] + extent[2]) / 2,
+        (extent[1] + extent[3]) / 2,
+        Math.min(
+            (WIDTH - 2.0 * MARGIN) / (extent[2] - extent[0]),
+            (plan - 10) / (extent[3] - extent[1])),
+        MARGIN + plan / 2);
+  }
+
+  /** The x and z of what is to be seen on the plan: lowest, then highest. */
+  private static double[] extent(HeadLog log) {
     double[] box = {
       Double.POSITIVE_INFINITY,
       Double.POSITIVE_INFINITY,
       Double.NEGATIVE_INFINITY,
       Double.NEGATIVE_INFINITY
     };
-    for (HeadSample sample : analysis.log().samples()) {
+    for (HeadSample sample : log.samples()) {
       grow(box, sample.x() - 0.5, sample.z() - 0.5, sample.x() + 0.5, sample.z() + 0.5);
     }
-    for (SceneMap.Box room : analysis.log().description().map().rooms()) {
+    for (SceneMap.Box room : log.description().map().rooms()) {
       double[] b = room.bounds();
       grow(box, b[0], b[2], b[3], b[5]);
     }
-    return new Scale(
-        (box[0] + box[2]) / 2,
-        (box[1] + box[3]) / 2,
-        Math.min((WIDTH - 2.0 * MARGIN) / (box[2] - box[0]), (PLAN - 10.0) / (box[3] - box[1])));
+    return box;
   }
 
   private static void grow(double[] box, double x0, double z0, double x1, double z1) {

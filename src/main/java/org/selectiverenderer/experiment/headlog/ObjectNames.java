@@ -20,19 +20,26 @@ final class ObjectNames {
     return null;
   }
 
-  /** The DEF of its Switch, else the nearest DEF at it or above; empty when there is none. */
+  /**
+   * The DEF of its Switch; else that of the Inline it came with, which holds an object as a rule;
+   * else the nearest DEF at it or above; empty when there is none.
+   */
   static String of(ShapeInstance shape) {
     Node owner = switchOf(shape);
     if (owner != null) {
       return String.valueOf(owner.name());
     }
+    String nearest = "";
     for (Instance at = shape; at != null; at = at.parent()) {
       String name = name(at.node());
-      if (name != null) {
+      if (name != null && at.node().type().name().equals("Inline")) {
         return name;
       }
+      if (name != null && nearest.isEmpty()) {
+        nearest = name;
+      }
     }
-    return "";
+    return nearest;
   }
 
   private static @Nullable String name(Node node) {
