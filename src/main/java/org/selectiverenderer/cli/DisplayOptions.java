@@ -87,8 +87,8 @@ final class DisplayOptions {
 
   private Optional<DisplayProfile> profile(Problems problems) throws IOException {
     if (hmd == null) {
-      return Optional.of(
-          mode == DisplayMode.ANAGLYPH ? DisplayProfile.DESK : DisplayProfile.PROVIEW_50);
+      boolean desk = mode == DisplayMode.WINDOW || mode == DisplayMode.ANAGLYPH;
+      return Optional.of(desk ? DisplayProfile.DESK : DisplayProfile.PROVIEW_50);
     }
     Optional<DisplayProfile> known = DisplayProfiles.builtIn(hmd);
     if (known.isPresent()) {

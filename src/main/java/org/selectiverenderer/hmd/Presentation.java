@@ -10,13 +10,6 @@ import org.selectiverenderer.runtime.render.ViewLayout;
  * @param check whether a pattern to check the display by is shown instead of the world
  */
 public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check) {
-  /** One view in a window of 1024 x 768 pixels. */
-  public static final Presentation WINDOW =
-      new Presentation(
-          DisplayMode.WINDOW,
-          new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000),
-          false);
-
   /** Whether two eyes are shown two views. */
   public boolean stereo() {
     return mode != DisplayMode.WINDOW;

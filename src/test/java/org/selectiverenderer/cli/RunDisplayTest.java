@@ -55,6 +55,15 @@ class RunDisplayTest {
   }
 
   @Test
+  void oneViewIsAsLargeAsEver() throws IOException {
+    assertThat(run("--offscreen", "--samples", "0", "--screenshot", file("one.png"))).isZero();
+    var picture = ImageIO.read(folder.resolve("one.png").toFile());
+    assertThat(picture.getWidth()).isEqualTo(1024);
+    assertThat(picture.getHeight()).isEqualTo(768);
+    assertThat(messages()).isEmpty();
+  }
+
+  @Test
   void aPlainSizeSaysWhatThePictureIs() {
     assertThat(run("--offscreen", "--display", "side-by-side", "--size", "1024x768")).isZero();
     assertThat(messages()).contains("two pictures of 512x384 (the display has 640x480)");

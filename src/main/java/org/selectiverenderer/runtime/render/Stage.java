@@ -15,10 +15,4 @@ public record Stage(
     WindowOptions main,
     ViewLayout layout,
     Optional<WindowOptions> rightEye,
-    Optional<WindowOptions> operator) {
-
-  /** One window, one view. */
-  public static Stage of(WindowOptions main) {
-    return new Stage(main, ViewLayout.MONO, Optional.empty(), Optional.empty());
-  }
-}
+    Optional<WindowOptions> operator) {}

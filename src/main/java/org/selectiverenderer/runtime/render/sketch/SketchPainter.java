@@ -139,11 +139,6 @@ public final class SketchPainter {
     }
   }
 
-  /** How wide a line of text is, in pixels. */
-  public static double width(TextMesher mesher, String text, double size) {
-    return size * mesher.metrics(text, FontFamily.SANS, FontStyle.PLAIN, 1).width();
-  }
-
   private void vertex(double x, double y, int color) {
     if (vertices.remaining() < FLOATS) {
       FloatBuffer more = Buffers.newDirectFloatBuffer(2 * vertices.capacity());
