@@ -11,7 +11,7 @@ final class GapCounter {
   private static final double GAP = 1.75;
 
   /** A record that comes faster than this share of the usual time belongs to a bunch. */
-  private static final double BUNCH = 0.5;
+  private static final double BUNCH = 0.75;
 
   private long late;
   private long dropped;
