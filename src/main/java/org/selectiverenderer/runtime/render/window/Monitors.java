@@ -7,6 +7,7 @@ import com.jogamp.newt.MonitorDevice;
 import com.jogamp.newt.NewtFactory;
 import com.jogamp.newt.Screen;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import jogamp.nativewindow.x11.X11Lib;
 
@@ -45,7 +46,7 @@ public final class Monitors {
       }
     }
     monitors.sort(
-        java.util.Comparator.comparingInt(Monitor::screen)
+        Comparator.comparingInt(Monitor::screen)
             .thenComparingInt(Monitor::x)
             .thenComparingInt(Monitor::y));
     return monitors;

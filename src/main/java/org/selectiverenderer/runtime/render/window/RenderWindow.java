@@ -181,8 +181,7 @@ public final class RenderWindow {
           side.swap();
         }
         source.submitted();
-      }
-      if (drawn == before) {
+      } else {
         // Hidden or minimised: nothing waits for the display's rate then.
         LockSupport.parkNanos(IDLE_NANOS);
       }
