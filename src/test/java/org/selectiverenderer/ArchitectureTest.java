@@ -149,10 +149,10 @@ class ArchitectureTest {
           .resideInAPackage(of("app"));
 
   @ArchTest
-  static final ArchRule openGlLivesInTheRendererAndTheHeadMountedDisplay =
+  static final ArchRule openGlLivesInTheRenderer =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("runtime.render"), of("hmd"))
+          .resideOutsideOfPackage(of("runtime.render"))
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("com.jogamp..", "jogamp..");

@@ -6,8 +6,10 @@ import picocli.CommandLine.Command;
 @Command(
     name = "experiment",
     description = "Studies, sessions and their results.",
-    footer =
-        "  ./selective-renderer experiment analyse responses.csv --format html --output report.html")
+    footer = {
+      "  ./selective-renderer experiment view session.csv --plot session.svg",
+      "  ./selective-renderer experiment analyse responses.csv --format html --output report.html"
+    })
 final class ExperimentCommand extends CliCommand {
   ExperimentCommand(Console console) {
     super(console);
@@ -16,6 +18,7 @@ final class ExperimentCommand extends CliCommand {
   @Override
   List<CliCommand> subcommands() {
     return List.of(
+        new ExperimentViewCommand(console()),
         new ExperimentAnalyseCommand(console()),
         new ExperimentAnovaCommand(console()),
         new ExperimentSimulateCommand(console()));
