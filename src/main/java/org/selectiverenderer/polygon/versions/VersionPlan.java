@@ -45,15 +45,16 @@ public record VersionPlan(
   /**
    * Writes all files that change, or none.
    *
+   * @return see {@link FileTransaction#commit}
    * @throws IOException if one cannot be written, with one line that names it
    */
-  public void apply(FileActions actions) throws IOException {
+  public List<Path> apply(FileActions actions) throws IOException {
     FileTransaction writing = new FileTransaction(actions);
     for (PlannedFile file : files) {
       if (file.state() != PlannedFile.State.UNCHANGED) {
         writing.add(file.file(), file.content());
       }
     }
-    writing.commit();
+    return writing.commit();
   }
 }
