@@ -53,6 +53,6 @@ public final class VersionMaker {
     if (site.isEmpty()) {
       return Optional.empty();
     }
-    return new Planning(request, scene, site.get(), models, problems).plan();
+    return new Planning(request, scene, site.get(), models, reader, problems).plan();
   }
 }
