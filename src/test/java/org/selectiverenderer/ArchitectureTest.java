@@ -46,6 +46,7 @@ class ArchitectureTest {
           "bench",
           "cli",
           "control",
+          "csv",
           "document",
           "enricher",
           "experiment",
@@ -96,6 +97,10 @@ class ArchitectureTest {
       onlyUsesOfOurs("polygon", "polygon", "x3d", "schema");
 
   @ArchTest
+  static final ArchRule documentsAreEditedWithoutARuntime =
+      onlyUsesOfOurs("document", "document", "polygon", "schema", "x3d");
+
+  @ArchTest
   static final ArchRule nativeLibrariesOfModelsLiveInThePolygonCountProcess =
       noClasses()
           .that()
@@ -124,10 +129,10 @@ class ArchitectureTest {
           .resideInAPackage(of("cli"));
 
   @ArchTest
-  static final ArchRule onlyTheCommandLineAndTheBenchmarkUseTheProgram =
+  static final ArchRule onlyProgramsUseTheProgram =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("cli"), of("bench"), of("app"))
+          .resideOutsideOfPackages(of("cli"), of("bench"), of("app"), of("enricher"))
           .should()
           .dependOnClassesThat()
           .resideInAPackage(of("app"));
@@ -148,6 +153,8 @@ class ArchitectureTest {
           .resideInAnyPackage(
               of("validation"),
               of("statistics"),
+              of("csv"),
+              of("tracker"),
               of("polygon"),
               of("modelling"),
               of("apartment"),
@@ -196,6 +203,22 @@ class ArchitectureTest {
                       target(
                           nameMatching(
                               "a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
+
+  @ArchTest
+  static final ArchRule tablesUseTheLanguagesProblemsOnly = onlyUsesOfOurs("csv", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule trackersKnowNothingOfScenes =
+      onlyUsesOfOurs("tracker", "tracker", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule serialPortsAreOpenedInOnePlace =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(of("tracker.serial"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("com.fazecast..");
 
   @ArchTest
   static final ArchRule thePackagesHaveNoCycles =

@@ -1,6 +1,8 @@
 package org.selectiverenderer.cli;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** The commands, in the order of {@code --help}. */
 final class CommandCatalogue {
@@ -10,11 +12,18 @@ final class CommandCatalogue {
     return List.of(
         new RunCommand(console),
         new SimulateCommand(console),
+        new EnrichCommand(console, CommandCatalogue::noWindow),
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
         new ApartmentCommand(console),
+        new TrackCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
+  }
+
+  private static ExitStatus noWindow(Optional<Path> scene) {
+    throw CommandFailure.usage(
+        "give --apply or --ratings: this build of the enricher has no window");
   }
 }

@@ -97,15 +97,12 @@ final class VersionedObject {
     return schemas;
   }
 
-  /** The choice that was last set, by whomever, or that the scene came with. */
-  /** Whether all that a schema says of this object is what the scene's author had it show. */
-  boolean showedAtStart(String schema) {
-    return schemas.stream()
-        .flatMap(all -> all.choices().stream())
-        .filter(choice -> choice.schemas().contains(schema))
-        .allMatch(choice -> choice.index() == atStart);
+  /** The choice that the scene came with. */
+  int atStart() {
+    return atStart;
   }
 
+  /** The choice that was last set, by whomever, or that the scene came with. */
   int shown() {
     return shown;
   }

@@ -1,17 +1,8 @@
 package org.selectiverenderer.x3d;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.CharBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.Charset;
-import java.nio.charset.CharsetEncoder;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import javax.xml.stream.XMLStreamConstants;
-import javax.xml.stream.XMLStreamException;
-import org.codehaus.stax2.XMLStreamReader2;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,17 +10,15 @@ import org.jspecify.annotations.Nullable;
  * order mark and ends of lines included.
  */
 public final class SceneText {
-  private final SourceText source;
-  private final String characters;
-  private final byte[] mark;
-  private final Charset charset;
+  // Coordinates may be megabytes, and nobody asks for them here.
+  private static final List<String> KEPT =
+      List.of("DEF", "USE", "containerField", "fromNode", "toNode", "localDEF", "inlineDEF", "url");
+
+  private final EncodedText text;
   private final SceneElement root;
 
-  private SceneText(SourceText source, byte[] mark, SceneElement root) {
-    this.source = source;
-    this.characters = source.head(Integer.MAX_VALUE);
-    this.mark = mark;
-    this.charset = source.charset();
+  private SceneText(EncodedText text, SceneElement root) {
+    this.text = text;
     this.root = root;
   }
 
@@ -40,100 +29,35 @@ public final class SceneText {
    * @throws IOException if the text could not be written again as it was, or is not well formed
    */
   public static SceneText of(String name, byte[] bytes) throws IOException {
-    SourceText source = SourceText.of(bytes, bytes.length);
-    if (source.complaint() != null) {
-      throw new IOException(name + ": " + source.complaint() + ", so it cannot be changed safely");
+    EncodedText text = EncodedText.of(bytes);
+    if (text.complaint().isPresent()) {
+      throw new IOException(
+          name + ": " + text.complaint().get() + ", so it cannot be changed safely");
     }
-    SceneText text =
-        new SceneText(source, Arrays.copyOf(bytes, source.mark()), elements(name, source));
-    if (!Arrays.equals(text.bytes(text.characters), bytes)) {
+    SceneElement root = elements(name, text);
+    if (!text.exact()) {
       throw new IOException(
           name
               + ": its "
-              + text.charset
+              + text.encoding()
               + " cannot be written again as it is, so it is not changed");
     }
-    return text;
+    return new SceneText(text, root);
   }
 
-  private static SceneElement elements(String name, SourceText source) throws IOException {
-    if (source.floodedTag() >= 0) {
-      throw new IOException(name + ": an element has more attributes than any node");
-    }
-    SceneElement root = null;
-    SceneElement open = null;
+  private static SceneElement elements(String name, EncodedText text) throws IOException {
+    TreeBuilder tree = new TreeBuilder(name);
     try {
-      XMLStreamReader2 xml = source.parser();
-      while (xml.hasNext()) {
-        int event = xml.next();
-        if (event == XMLStreamConstants.START_ELEMENT) {
-          javax.xml.stream.Location at = xml.getLocationInfo().getStartLocation();
-          open =
-              new SceneElement(
-                  xml.getLocalName(),
-                  open,
-                  new Location(name, at.getLineNumber(), at.getColumnNumber()),
-                  at.getCharacterOffset(),
-                  attributes(xml));
-          if (xml.isEmptyElement()) {
-            open.endAt(tagEnd(source, open.start()));
-          }
-          root = root == null ? open : root;
-        } else if (event == XMLStreamConstants.END_ELEMENT && open != null) {
-          if (open.end() == 0) {
-            open.endAt(
-                tagEnd(source, xml.getLocationInfo().getStartLocation().getCharacterOffset()));
-          }
-          open = open.parent().orElse(null);
-        }
-      }
-    } catch (XMLStreamException e) {
-      javax.xml.stream.Location at = e.getLocation();
-      throw new IOException(
-          new Location(
-                  name, at == null ? 0 : at.getLineNumber(), at == null ? 0 : at.getColumnNumber())
-              + ": "
-              + XmlFaults.describe(e),
-          e);
+      text.scan(tree);
+    } catch (XmlFault e) {
+      throw new IOException(new Location(name, e.line(), e.column()) + ": " + e.getMessage(), e);
     }
-    if (root == null) {
-      throw new IOException(name + ": there is no element in it");
-    }
-    return root;
-  }
-
-  private static List<String[]> attributes(XMLStreamReader2 xml) {
-    List<String[]> attributes = new ArrayList<>();
-    for (int i = 0; i < xml.getAttributeCount(); i++) {
-      // Coordinates may be megabytes, and nobody asks for them here.
-      switch (xml.getAttributeLocalName(i)) {
-        case "DEF", "USE", "containerField", "fromNode", "toNode", "localDEF", "inlineDEF", "url" ->
-            attributes.add(new String[] {xml.getAttributeLocalName(i), xml.getAttributeValue(i)});
-        default -> {}
-      }
-    }
-    return attributes;
-  }
-
-  /** The offset behind the tag that begins at an offset. */
-  private static int tagEnd(SourceText source, int start) {
-    char quote = 0;
-    for (int i = start; i < source.length(); i++) {
-      char c = source.charAt(i);
-      if (quote != 0) {
-        quote = c == quote ? 0 : quote;
-      } else if (c == '"' || c == '\'') {
-        quote = c;
-      } else if (c == '>') {
-        return i + 1;
-      }
-    }
-    return source.length();
+    return tree.root();
   }
 
   /** The text, without a byte order mark. */
   public String characters() {
-    return characters;
+    return text.characters();
   }
 
   /** The element X3D. */
@@ -143,37 +67,51 @@ public final class SceneText {
 
   /** The place of a character. */
   public Location location(String file, int offset) {
-    return source.location(file, offset);
+    return text.location(file, offset);
   }
 
   /** Another text in this one's encoding; characters that it does not have become references. */
   public byte[] bytes(String changed) {
-    CharsetEncoder encoder = charset.newEncoder();
-    byte[] encoded = encoded(encoder, changed);
-    if (encoded == null) {
-      StringBuilder escaped = new StringBuilder();
-      changed
-          .codePoints()
-          .forEach(
-              c -> {
-                String character = Character.toString(c);
-                escaped.append(encoder.canEncode(character) ? character : "&#" + c + ";");
-              });
-      encoded = escaped.toString().getBytes(charset);
-    }
-    byte[] bytes = Arrays.copyOf(mark, mark.length + encoded.length);
-    System.arraycopy(encoded, 0, bytes, mark.length, encoded.length);
-    return bytes;
+    return text.bytes(changed);
   }
 
-  private static byte @Nullable [] encoded(CharsetEncoder encoder, String text) {
-    try {
-      ByteBuffer buffer = encoder.encode(CharBuffer.wrap(text));
-      byte[] bytes = new byte[buffer.remaining()];
-      buffer.get(bytes);
-      return bytes;
-    } catch (CharacterCodingException e) {
-      return null;
+  private static final class TreeBuilder implements ElementListener {
+    private final String file;
+    private @Nullable SceneElement root;
+    private @Nullable SceneElement open;
+
+    TreeBuilder(String file) {
+      this.file = file;
+    }
+
+    @Override
+    public void start(Tag tag) {
+      List<String[]> attributes = new ArrayList<>();
+      for (String name : KEPT) {
+        String value = tag.attribute(name);
+        if (value != null) {
+          attributes.add(new String[] {name, value});
+        }
+      }
+      Location at = new Location(file, tag.line(), tag.column());
+      open = new SceneElement(tag.name(), open, at, tag.start(), attributes);
+      root = root == null ? open : root;
+    }
+
+    @Override
+    public void end(int offset) {
+      if (open != null) {
+        open.endAt(offset);
+        open = open.parent().orElse(null);
+      }
+    }
+
+    /** The scanner has found an element if it has not failed. */
+    SceneElement root() {
+      if (root == null) {
+        throw new IllegalStateException("no element has been found");
+      }
+      return root;
     }
   }
 }

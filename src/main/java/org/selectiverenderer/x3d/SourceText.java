@@ -97,6 +97,12 @@ final class SourceText {
     return decode(bytes, start, length, charset);
   }
 
+  /** A text that never was a file: part of one, or one that is being edited. */
+  static SourceText of(CharSequence text) {
+    CharBuffer characters = CharBuffer.wrap(text);
+    return of(new byte[0], characters, null, StandardCharsets.UTF_8, 0);
+  }
+
   private static boolean ascii(byte[] bytes, int from, int to) {
     int all = 0;
     for (int i = from; i < to; i++) {
@@ -242,11 +248,10 @@ final class SourceText {
   /** The first characters, for guessing what a file is. */
   String head(int most) {
     int end = Math.min(length, most);
-    StringBuilder head = new StringBuilder(end);
-    for (int i = 0; i < end; i++) {
-      head.append(charAt(i));
-    }
-    return head.toString();
+    // Text that is not decoded is ASCII.
+    return decoded != null
+        ? new String(decoded, 0, end)
+        : new String(bytes, 0, end, StandardCharsets.US_ASCII);
   }
 
   /** A parser at the start of the text. It fetches nothing and expands no entity of a DOCTYPE. */

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.csv.CSVRecord;
+import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.schema.ConsistencyType;
 
 /**

@@ -1,5 +1,6 @@
 package org.selectiverenderer.apartment.scene;
 
+import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaField;
 
 /**
@@ -59,7 +60,7 @@ record AreaNode(
     xml.open("Transform", "translation", inner);
     if (enriched) {
       xml.open("ProximitySensor", "DEF", sensor, "size", size);
-      ObjectNode.set(xml, "metadata", "MetadataSet_" + sensor, sensor);
+      ObjectNode.set(xml, "metadata", MetadataNames.set(sensor), sensor);
       ObjectNode.string(xml, SchemaField.ENTER_TIME_SCHEMA, sensor, enter);
       ObjectNode.string(xml, SchemaField.EXIT_TIME_SCHEMA, sensor, exit);
       xml.close().close();

@@ -5,9 +5,9 @@ import org.selectiverenderer.apartment.facts.Expectancies.Ratings;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.facts.PolygonCounts.Counts;
 import org.selectiverenderer.apartment.plan.Placed;
-import org.selectiverenderer.modelling.DecimalText;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaField;
 
 /**
@@ -46,7 +46,7 @@ final class ObjectNode {
     } else {
       xml.open("Switch", "DEF", "Switch_" + title, "whichChoice", "1");
       if (enriched) {
-        metadata(xml, placed, title, count);
+        metadata(xml, placed, title);
       }
       inline(xml, "Inline_" + title + "_v1_Definition", object + "_v1");
       inline(xml, "Inline_" + title + "_v2_Definition", object + "_v2");
@@ -59,7 +59,7 @@ final class ObjectNode {
     xml.empty("Inline", "DEF", def, "url", Values.quoted(FOLDER + file + ".x3d"));
   }
 
-  private void metadata(XmlText xml, Placed placed, String title, Counts count) {
+  private void metadata(XmlText xml, Placed placed, String title) {
     String inconsistentIn =
         expectancies
             .of(placed.object())
@@ -71,48 +71,46 @@ final class ObjectNode {
             .of(placed.object())
             .map(Ratings::mainSchema)
             .orElse(placed.placement().room().schema());
-    set(xml, "metadata", "MetadataSet_" + title, title);
-    version(xml, title, 1, count.original());
-    if (!inconsistentIn.isEmpty()) {
-      words(xml, title + "_Part1", ConsistencyType.INCONSISTENT, Degree.LOW, inconsistentIn);
+    set(xml, "metadata", MetadataNames.set(title), title);
+    if (inconsistentIn.isEmpty()) {
+      xml.empty("MetadataSet", version(title, 0));
+    } else {
+      xml.open("MetadataSet", version(title, 0));
+      words(xml, title, 0, ConsistencyType.INCONSISTENT, Degree.LOW, inconsistentIn);
+      xml.close();
     }
-    xml.close();
-    version(xml, title, 2, count.reduced());
-    words(xml, title + "_Part2", ConsistencyType.CONSISTENT, Degree.HIGH, consistentIn);
-    xml.close();
-    xml.close();
+    xml.open("MetadataSet", version(title, 1));
+    words(xml, title, 1, ConsistencyType.CONSISTENT, Degree.HIGH, consistentIn);
+    xml.close().close();
   }
 
-  private static void version(XmlText xml, String title, int number, int polygons) {
-    set(xml, "value", "MetadataSet_" + title + "_Part" + number, title + "_v" + number);
-    xml.empty(
-        "MetadataInteger",
-        "containerField",
-        "value",
-        "name",
-        "polygons",
-        "value",
-        DecimalText.of(polygons, 0));
+  private static String[] version(String title, int index) {
+    return attributes("value", MetadataNames.part(title, index), title + "_v" + (index + 1));
   }
 
   private static void words(
-      XmlText xml, String suffix, ConsistencyType type, Degree degree, String schema) {
-    string(xml, SchemaField.CONSISTENCY_TYPE, suffix, type.spelling());
-    string(xml, SchemaField.DEGREE_OF_CONSISTENCY, suffix, degree.spelling());
-    string(xml, SchemaField.SCHEMA_BELONGINESS, suffix, schema);
+      XmlText xml, String title, int index, ConsistencyType type, Degree degree, String schema) {
+    String about = MetadataNames.ofPart(title, index);
+    string(xml, SchemaField.CONSISTENCY_TYPE, about, type.spelling());
+    string(xml, SchemaField.DEGREE_OF_CONSISTENCY, about, degree.spelling());
+    string(xml, SchemaField.SCHEMA_BELONGINESS, about, schema);
   }
 
   static void set(XmlText xml, String field, String def, String name) {
-    xml.open("MetadataSet", "containerField", field, "DEF", def, "name", name);
+    xml.open("MetadataSet", attributes(field, def, name));
   }
 
-  static void string(XmlText xml, SchemaField field, String suffix, String value) {
+  private static String[] attributes(String field, String def, String name) {
+    return new String[] {"containerField", field, "DEF", def, "name", name};
+  }
+
+  static void string(XmlText xml, SchemaField field, String about, String value) {
     xml.empty(
         "MetadataString",
         "containerField",
         "value",
         "DEF",
-        field.spelling() + suffix,
+        MetadataNames.string(field, about),
         "name",
         field.spelling(),
         "value",

@@ -6,11 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.selectiverenderer.polygon.model.Model;
 import org.selectiverenderer.polygon.model.ModelReader;
@@ -112,6 +110,10 @@ final class Planning {
     return ((ObjectSite.Versioned) site).inlines().subList(0, 1);
   }
 
+  private List<String> urls(List<Path> files) {
+    return files.stream().map(file -> Urls.between(outputFolder, file)).toList();
+  }
+
   /** What moves to another file, and must not be known elsewhere. */
   private List<SceneElement> tied() {
     return site instanceof ObjectSite.Whole whole ? whole.elements() : List.of();
@@ -153,22 +155,24 @@ final class Planning {
     IntStream.range(0, reduced.length)
         .parallel()
         .forEach(i -> reduced[i] = simplifier.simplify(model.meshes(), goals.get(i)));
+    ForeignFiles foreign = new ForeignFiles(request, site, elsewhere());
     int attempt = 1;
     List<Path> files = names.of(goals.size() + 1, attempt);
     List<PlannedFile> planned = planned(files, nodes, model, size, reduced);
-    Optional<PlannedFile> foreign = foreign(planned);
-    if (foreign.isPresent() && site instanceof ObjectSite.Versioned) {
+    Optional<PlannedFile> inTheWay = foreign.in(planned);
+    if (inTheWay.isPresent() && site instanceof ObjectSite.Versioned) {
       problems.error(
-          Location.of(foreign.get().file().toString()),
-          "the file is there already and is not known to be a version of the object '%s'; move it away first; nothing has been changed"
+          Location.of(inTheWay.get().file().toString()),
+          ("the file is there already and is not known to be a version of the object '%s'; move it"
+                  + " away first; nothing has been changed")
               .formatted(request.object()));
       return Optional.empty();
     }
-    Optional<PlannedFile> first = foreign;
-    while (foreign.isPresent()) {
+    Optional<PlannedFile> first = inTheWay;
+    while (inTheWay.isPresent()) {
       files = names.of(goals.size() + 1, ++attempt);
       planned = planned(files, nodes, model, size, reduced);
-      foreign = foreign(planned);
+      inTheWay = foreign.in(planned);
     }
     if (first.isPresent()) {
       problems.info(
@@ -190,11 +194,15 @@ final class Planning {
               result.met()));
     }
     tellOfOtherFiles(files.size());
-    TextEdits edits = new TextEdits(scene.text());
-    edit(edits, files);
+    TextEdits edits = new SceneEdit(scene, site).edits(urls(files));
     planned.add(planned(request.output(), scene.bytes(edits.changed())));
     return Optional.of(
-        new VersionPlan(request.object(), versions, planned, edits.edits(scene.file().source())));
+        new VersionPlan(
+            request.object(),
+            versions,
+            planned,
+            request.output(),
+            edits.edits(scene.file().source())));
   }
 
   private List<PlannedFile> planned(
@@ -211,31 +219,6 @@ final class Planning {
       planned.add(planned(file, text(model.with(reduced[i].parts()), file, i + 2, reduced[i])));
     }
     return planned;
-  }
-
-  /** A file in the way: one that is not known to hold a version of this very object. */
-  private Optional<PlannedFile> foreign(List<PlannedFile> planned) throws IOException {
-    int had = site instanceof ObjectSite.Versioned versioned ? versioned.inlines().size() : 0;
-    boolean original = site instanceof ObjectSite.Whole || elsewhere();
-    for (int i = 0; i < planned.size(); i++) {
-      PlannedFile file = planned.get(i);
-      int number = original ? i + 1 : i + 2;
-      boolean scenes =
-          file.file().equals(request.output().toAbsolutePath().normalize())
-              || file.file().equals(request.scene().toAbsolutePath().normalize());
-      boolean known = number > 1 && (number <= had || reduced(file, number));
-      if (scenes || VersionFiles.taken(file) && !known) {
-        return Optional.of(file);
-      }
-    }
-    return Optional.empty();
-  }
-
-  /** Whether a file was made by {@link #text} for an object of this name. */
-  private boolean reduced(PlannedFile file, int number) throws IOException {
-    return Files.isRegularFile(file.file())
-        && new String(Files.readAllBytes(file.file()), StandardCharsets.UTF_8)
-            .contains("content='" + SwitchText.escape(madeAs(number), '\''));
   }
 
   private boolean elsewhere() {
@@ -286,66 +269,8 @@ final class Planning {
             model,
             VersionFiles.folder(file),
             String.valueOf(file.getFileName()),
-            madeAs(number) + Counted.of(result.polygons(), "polygon"))
+            ForeignFiles.madeAs(site, number) + Counted.of(result.polygons(), "polygon"))
         .getBytes(StandardCharsets.UTF_8);
-  }
-
-  private String madeAs(int number) {
-    return "%s, version %d: reduced to ".formatted(site.name(), number);
-  }
-
-  private void edit(TextEdits edits, List<Path> files) {
-    List<String> urls = files.stream().map(file -> Urls.between(outputFolder, file)).toList();
-    if (site instanceof ObjectSite.Whole whole) {
-      SceneElement first = whole.elements().get(0);
-      List<String> names = new ArrayList<>();
-      for (int i = 1; i <= files.size(); i++) {
-        names.add(free("Inline_" + site.name() + "_v" + i));
-      }
-      edits.replace(
-          first,
-          SwitchText.lines(
-              free("Switch_" + site.name()), names, urls, edits.quote(), edits.step(first)));
-      whole.elements().stream().skip(1).forEach(edits::remove);
-      return;
-    }
-    List<SceneElement> inlines = ((ObjectSite.Versioned) site).inlines();
-    int had = inlines.size();
-    SceneElement last = inlines.get(had - 1);
-    if (files.size() > had) {
-      edits.insertAfter(
-          last,
-          IntStream.rangeClosed(had + 1, files.size())
-              .mapToObj(
-                  number ->
-                      SwitchText.further(
-                          edits,
-                          last,
-                          had,
-                          number,
-                          further(last, had, number),
-                          urls.get(number - 1)))
-              .toList());
-    }
-    inlines.stream().skip(files.size()).forEach(edits::remove);
-  }
-
-  private String further(SceneElement last, int had, int number) {
-    String name = last.attribute("DEF").orElse("Inline_" + site.name());
-    String ending = "_v" + had;
-    String base = name.endsWith(ending) ? name.substring(0, name.length() - ending.length()) : name;
-    return free(base + "_v" + number);
-  }
-
-  /** A name that no node has. */
-  private String free(String name) {
-    Set<String> taken = new HashSet<>();
-    scene.text().root().visit(element -> element.attribute("DEF").ifPresent(taken::add));
-    String free = name;
-    for (int i = 2; taken.contains(free); i++) {
-      free = name + "_" + i;
-    }
-    return free;
   }
 
   private static PlannedFile planned(Path file, byte[] text) throws IOException {

@@ -1,19 +1,15 @@
 package org.selectiverenderer.polygon.versions;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.zip.GZIPInputStream;
-import java.util.zip.GZIPOutputStream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.Gzip;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
@@ -25,9 +21,6 @@ import org.selectiverenderer.x3d.X3dReader;
 
 /** A scene's file, as text and as nodes, and which element is which node. */
 final class SceneSource {
-  /** The largest text that a compressed scene may hold. */
-  private static final int LARGEST = 1 << 30;
-
   private final boolean compressed;
   private final SceneText text;
   private final X3dFile file;
@@ -54,19 +47,23 @@ final class SceneSource {
     } catch (NoSuchFileException e) {
       throw new IOException(path + ": there is no such file", e);
     }
-    boolean compressed = bytes.length > 1 && (bytes[0] & 0xff) == 0x1f && (bytes[1] & 0xff) == 0x8b;
+    return of(path, bytes, reader, problems);
+  }
+
+  /** The same of a scene that is open in an editor. */
+  static SceneSource of(Path path, byte[] bytes, X3dReader reader, Problems problems)
+      throws IOException {
+    boolean compressed = Gzip.compressed(bytes);
     byte[] plain = compressed ? unpacked(path, bytes) : bytes;
     SceneText text = changeable(path, plain);
     return new SceneSource(compressed, text, reader.read(path.toString(), plain, problems));
   }
 
   private static byte[] unpacked(Path path, byte[] bytes) throws IOException {
-    try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
-      byte[] plain = in.readNBytes(LARGEST);
-      if (plain.length == LARGEST) {
-        throw new IOException(path + ": the file is too large to be changed");
-      }
-      return plain;
+    try {
+      return Gzip.unpacked(bytes);
+    } catch (IOException e) {
+      throw new IOException(path + ": " + e.getMessage(), e);
     }
   }
 
@@ -110,15 +107,6 @@ final class SceneSource {
   /** The file's bytes with another text, compressed if it was. */
   byte[] bytes(String changed) {
     byte[] plain = text.bytes(changed);
-    if (!compressed) {
-      return plain;
-    }
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try (GZIPOutputStream packed = new GZIPOutputStream(out)) {
-      packed.write(plain);
-    } catch (IOException e) {
-      throw new UncheckedIOException("memory cannot fail to be written", e);
-    }
-    return out.toByteArray();
+    return compressed ? Gzip.packed(plain) : plain;
   }
 }

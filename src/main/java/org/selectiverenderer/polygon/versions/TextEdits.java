@@ -127,7 +127,10 @@ final class TextEdits {
               return new VersionPlan.Edit(
                   scene.location(file, replacement.from()).line(),
                   indent + before,
-                  indent + replacement.text());
+                  indent + replacement.text(),
+                  replacement.from(),
+                  replacement.to(),
+                  replacement.text());
             })
         .toList();
   }

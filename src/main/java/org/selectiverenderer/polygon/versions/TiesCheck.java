@@ -73,7 +73,8 @@ final class TiesCheck {
             if (node != null && lost(node)) {
               problems.warning(
                   inner.location(),
-                  "the %s here is more than faces; of the object '%s' only version 1 has it, reduced versions have what is seen first"
+                  ("the %s here is more than faces; of the object '%s' only version 1 has it,"
+                          + " reduced versions have what is seen first")
                       .formatted(node.type().name(), def));
             }
           });

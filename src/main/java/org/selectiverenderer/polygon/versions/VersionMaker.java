@@ -49,7 +49,21 @@ public final class VersionMaker {
    * @throws IOException if the scene cannot be read
    */
   public Optional<VersionPlan> plan(Request request, Problems problems) throws IOException {
-    SceneSource scene = SceneSource.read(request.scene(), reader, problems);
+    return plan(request, SceneSource.read(request.scene(), reader, problems), problems);
+  }
+
+  /**
+   * The same for a scene that is open in an editor.
+   *
+   * @param bytes of the scene as it is there
+   */
+  public Optional<VersionPlan> plan(Request request, byte[] bytes, Problems problems)
+      throws IOException {
+    return plan(request, SceneSource.of(request.scene(), bytes, reader, problems), problems);
+  }
+
+  private Optional<VersionPlan> plan(Request request, SceneSource scene, Problems problems)
+      throws IOException {
     Optional<ObjectSite> site = new SiteFinder(scene, problems).find(request.object());
     if (site.isEmpty()) {
       return Optional.empty();

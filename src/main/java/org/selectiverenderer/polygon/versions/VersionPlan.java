@@ -10,10 +10,11 @@ import java.util.List;
  * @param object the DEF name of the object
  * @param versions the original first
  * @param files all files that are written
+ * @param scene the changed scene's file, one of them
  * @param edits how the scene's text changes; empty when it already has the Switch
  */
 public record VersionPlan(
-    String object, List<Version> versions, List<PlannedFile> files, List<Edit> edits) {
+    String object, List<Version> versions, List<PlannedFile> files, Path scene, List<Edit> edits) {
 
   /**
    * A file to be written.
@@ -33,8 +34,12 @@ public record VersionPlan(
    * A place in the scene that changes.
    *
    * @param line of its first character, from 1
+   * @param before whole lines, to be shown
+   * @param from offset of the first character of the text that goes
+   * @param to offset behind the last
+   * @param replacement what comes in their place
    */
-  public record Edit(int line, String before, String after) {}
+  public record Edit(int line, String before, String after, int from, int to, String replacement) {}
 
   public VersionPlan {
     versions = List.copyOf(versions);
@@ -49,9 +54,19 @@ public record VersionPlan(
    * @throws IOException if one cannot be written, with one line that names it
    */
   public List<Path> apply(FileActions actions) throws IOException {
+    return write(actions, true);
+  }
+
+  /** Writes the versions' files, or none, and leaves the scene's file to somebody else. */
+  public List<Path> applyVersions(FileActions actions) throws IOException {
+    return write(actions, false);
+  }
+
+  private List<Path> write(FileActions actions, boolean withScene) throws IOException {
     FileTransaction writing = new FileTransaction(actions);
     for (PlannedFile file : files) {
-      if (file.state() != PlannedFile.State.UNCHANGED) {
+      boolean wanted = withScene || !file.file().equals(scene);
+      if (wanted && file.state() != PlannedFile.State.UNCHANGED) {
         writing.add(file.file(), file.content());
       }
     }

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.apartment.facts.Expectancies.Ratings;
 import org.selectiverenderer.apartment.facts.PolygonCounts.Counts;
+import org.selectiverenderer.schema.Band;
 
 class FactsTest {
 

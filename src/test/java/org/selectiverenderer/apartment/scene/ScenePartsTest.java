@@ -27,18 +27,16 @@ class ScenePartsTest {
             <?xml version="1.0" encoding="UTF-8"?>
             <Transform DEF='Transform_Candle' translation='1 0.5 -2' rotation='0 1 0 1.5708'>
               <Switch DEF='Switch_Candle' whichChoice='1'>
-                <MetadataSet containerField='metadata' DEF='MetadataSet_Candle' name='Candle'>
-                  <MetadataSet containerField='value' DEF='MetadataSet_Candle_Part1' name='Candle_v1'>
-                    <MetadataInteger containerField='value' name='polygons' value='9728'/>
-                    <MetadataString containerField='value' DEF='consistencyTypeCandle_Part1' name='consistencyType' value='"inconsistent"'/>
-                    <MetadataString containerField='value' DEF='degreeOfConsistencyCandle_Part1' name='degreeOfConsistency' value='"low"'/>
-                    <MetadataString containerField='value' DEF='schemaBelonginessCandle_Part1' name='schemaBelonginess' value='"SofaSchema"'/>
+                <MetadataSet containerField='metadata' DEF='MetadataSet_CandleDefinition' name='Candle'>
+                  <MetadataSet containerField='value' DEF='MetadataSetCandle_Part1Definition' name='Candle_v1'>
+                    <MetadataString containerField='value' DEF='consistencyTypeDefinitionCandle_Part1' name='consistencyType' value='"inconsistent"'/>
+                    <MetadataString containerField='value' DEF='degreeOfConsistencyDefinitionCandle_Part1' name='degreeOfConsistency' value='"low"'/>
+                    <MetadataString containerField='value' DEF='schemaBelonginessDefinitionCandle_Part1' name='schemaBelonginess' value='"SofaSchema"'/>
                   </MetadataSet>
-                  <MetadataSet containerField='value' DEF='MetadataSet_Candle_Part2' name='Candle_v2'>
-                    <MetadataInteger containerField='value' name='polygons' value='1124'/>
-                    <MetadataString containerField='value' DEF='consistencyTypeCandle_Part2' name='consistencyType' value='"consistent"'/>
-                    <MetadataString containerField='value' DEF='degreeOfConsistencyCandle_Part2' name='degreeOfConsistency' value='"high"'/>
-                    <MetadataString containerField='value' DEF='schemaBelonginessCandle_Part2' name='schemaBelonginess' value='"LoungeSchema"'/>
+                  <MetadataSet containerField='value' DEF='MetadataSetCandle_Part2Definition' name='Candle_v2'>
+                    <MetadataString containerField='value' DEF='consistencyTypeDefinitionCandle_Part2' name='consistencyType' value='"consistent"'/>
+                    <MetadataString containerField='value' DEF='degreeOfConsistencyDefinitionCandle_Part2' name='degreeOfConsistency' value='"high"'/>
+                    <MetadataString containerField='value' DEF='schemaBelonginessDefinitionCandle_Part2' name='schemaBelonginess' value='"LoungeSchema"'/>
                   </MetadataSet>
                 </MetadataSet>
                 <Inline DEF='Inline_Candle_v1_Definition' url='"../inlineNodes/candle_v1.x3d"'/>

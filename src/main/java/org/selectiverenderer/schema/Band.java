@@ -1,6 +1,4 @@
-package org.selectiverenderer.apartment.facts;
-
-import org.selectiverenderer.schema.ConsistencyType;
+package org.selectiverenderer.schema;
 
 /** The bands into which the thesis sorts ratings from 1 to 6 (5.1). */
 public enum Band {

@@ -1,0 +1,249 @@
+package org.selectiverenderer.document;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.ElementScanner;
+import org.selectiverenderer.x3d.EncodedText;
+import org.selectiverenderer.x3d.Gzip;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.XmlFault;
+
+/**
+ * A scene open for editing. Whatever its bytes are, an unchanged document gives them back; a
+ * changed one differs in what was changed only.
+ *
+ * <p>For one thread at a time; {@link #snapshot} is for others.
+ */
+public final class SceneDocument {
+  private static final String TYPING = "Typing";
+
+  private final String name;
+  private final EncodedText encoding;
+  private final boolean compressed;
+  private final byte @Nullable [] original;
+  private final TextBuffer buffer;
+  private final UndoHistory history = new UndoHistory(this::apply);
+  private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
+  private @Nullable ElementTree tree;
+  private @Nullable Fault fault;
+  private long revision;
+
+  private SceneDocument(String name, EncodedText encoding, boolean compressed, byte[] bytes) {
+    this.name = name;
+    this.encoding = encoding;
+    this.compressed = compressed;
+    // Bytes that are made again from the characters need not be kept.
+    this.original = compressed || !encoding.exact() ? bytes : null;
+    this.buffer = new TextBuffer(encoding.characters());
+    ElementBuilder builder = new ElementBuilder(0, revision);
+    try {
+      encoding.scan(builder);
+      tree = new ElementTree(builder.root());
+    } catch (XmlFault e) {
+      readAnew(); // as after an edit, so that the fault has the same place then
+    }
+  }
+
+  /**
+   * Opens a file's bytes, compressed or not. A text that is not well formed is opened all the same.
+   *
+   * @param name of the file, for messages
+   * @throws IOException if there is no text in it: damaged compression, with one line that names it
+   */
+  public static SceneDocument of(String name, byte[] bytes) throws IOException {
+    boolean compressed = Gzip.compressed(bytes);
+    try {
+      EncodedText text = EncodedText.of(compressed ? Gzip.unpacked(bytes) : bytes);
+      return new SceneDocument(name, text, compressed, bytes);
+    } catch (IOException e) {
+      throw new IOException(name + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** The file's name as it was given. */
+  public String name() {
+    return name;
+  }
+
+  /** The characters as they are now; a view, valid until the next edit. */
+  public CharSequence text() {
+    return buffer.characters();
+  }
+
+  /** A part of the characters. */
+  public String text(int from, int to) {
+    return buffer.characters().subSequence(from, to).toString();
+  }
+
+  /** The text of an element. */
+  public String text(DocumentElement element) {
+    return text(element.start(), element.end());
+  }
+
+  /** Grows with every change, undone ones included. */
+  public long revision() {
+    return revision;
+  }
+
+  /** The elements; empty while the text is not well formed. */
+  public Optional<ElementTree> tree() {
+    return Optional.ofNullable(tree);
+  }
+
+  /** Where the text is not well formed; empty when it is. */
+  public Optional<Fault> fault() {
+    return Optional.ofNullable(fault);
+  }
+
+  /** Why the document cannot be changed without harm: a sentence; empty when it can. */
+  public Optional<String> locked() {
+    return encoding.exact()
+        ? Optional.empty()
+        : Optional.of(
+            encoding
+                    .complaint()
+                    .orElse("its " + encoding.encoding() + " cannot be written again as it is")
+                + "; it can be looked at but not changed. Save it as UTF-8 with a text editor first");
+  }
+
+  /** The attributes of an element. */
+  public StartTag tag(DocumentElement element) {
+    return StartTag.of(element, buffer.characters());
+  }
+
+  /** An attribute's value, references replaced; empty when it is not given. */
+  public Optional<String> attribute(DocumentElement element, String attribute) {
+    return tag(element).attribute(attribute).map(Attribute::value);
+  }
+
+  /** The place of a character. */
+  public Location location(int offset) {
+    CharSequence text = buffer.characters();
+    int line = buffer.lines().line(text, offset);
+    int start = buffer.lines().start(text, line);
+    return new Location(name, line, Character.codePointCount(text, start, offset) + 1);
+  }
+
+  /** The offset of a place; places beyond the end of a line are its end. */
+  public int offset(int line, int column) {
+    CharSequence text = buffer.characters();
+    int at = buffer.lines().start(text, line);
+    for (int i = 1; i < column && at < text.length() && text.charAt(at) >= ' '; i++) {
+      at += Character.charCount(Character.codePointAt(text, at));
+    }
+    return at;
+  }
+
+  /** How to lay out what is added here, after the hand of the author. */
+  public Layout layout() {
+    return new Layout(this);
+  }
+
+  /**
+   * Makes an edit.
+   *
+   * @throws EditRefused if the document is locked
+   */
+  public void perform(Edit edit) {
+    unlocked();
+    history.perform(edit);
+  }
+
+  /**
+   * Replaces characters as by typing; what is typed in a row is one step.
+   *
+   * @throws EditRefused if the document is locked
+   */
+  public void type(int from, int to, String text) {
+    unlocked();
+    history.type(TYPING, new TextChange(from, to, text));
+  }
+
+  private void unlocked() {
+    locked()
+        .ifPresent(
+            why -> {
+              throw new EditRefused(name + ": " + why);
+            });
+  }
+
+  /** The steps so far. */
+  public UndoHistory history() {
+    return history;
+  }
+
+  /** Whether there is something to save. */
+  public boolean modified() {
+    return history.modified();
+  }
+
+  /** The text is in the file now. */
+  public void markSaved() {
+    history.markSaved();
+  }
+
+  /** The text is in no file, such as one recovered after a crash. */
+  public void markUnsaved() {
+    history.markUnsaved();
+  }
+
+  /** The document as it is now. */
+  public Snapshot snapshot() {
+    String text = buffer.characters().toString();
+    byte[] unchanged = revision == 0 ? original : null;
+    return new Snapshot(
+        name, revision, text, () -> unchanged != null ? unchanged.clone() : encoded(text));
+  }
+
+  /** The bytes that saving writes: those of the file when nothing has changed. */
+  public byte[] bytes() {
+    return snapshot().bytes();
+  }
+
+  private byte[] encoded(String text) {
+    boolean same = original != null && text.equals(encoding.characters());
+    if (same) {
+      return original.clone(); // undone to the start
+    }
+    byte[] plain = encoding.bytes(text);
+    return compressed ? Gzip.packed(plain) : plain;
+  }
+
+  public void addListener(DocumentListener listener) {
+    listeners.add(listener);
+  }
+
+  public void removeListener(DocumentListener listener) {
+    listeners.remove(listener);
+  }
+
+  private List<TextChange> apply(List<TextChange> changes) {
+    List<TextChange> inverse = buffer.apply(changes);
+    revision++;
+    boolean followed = tree != null && tree.follow(changes, buffer.characters(), revision);
+    if (!followed) {
+      readAnew();
+    }
+    DocumentListener.Change change = new DocumentListener.Change(revision, changes, !followed);
+    listeners.forEach(listener -> listener.changed(change));
+    return inverse;
+  }
+
+  private void readAnew() {
+    ElementBuilder builder = new ElementBuilder(0, revision);
+    if (tree != null) {
+      tree.root().detach();
+    }
+    try {
+      ElementScanner.scan(buffer.characters(), builder);
+      tree = new ElementTree(builder.root());
+      fault = null;
+    } catch (XmlFault e) {
+      tree = null;
+      fault = new Fault(e.line(), e.column(), e.getMessage());
+    }
+  }
+}

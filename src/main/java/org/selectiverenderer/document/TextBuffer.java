@@ -1,0 +1,61 @@
+package org.selectiverenderer.document;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Characters that change, with the starts of their lines. */
+final class TextBuffer {
+  /** Changes up to this number move the text in place; more of them build it anew in one go. */
+  private static final int IN_PLACE = 8;
+
+  private StringBuilder text;
+  private final LineIndex lines;
+
+  TextBuffer(String text) {
+    // Room for a while, so that the first edit does not move all of a large text.
+    this.text = new StringBuilder(text.length() + text.length() / 16 + 4096).append(text);
+    this.lines = new LineIndex(text);
+  }
+
+  CharSequence characters() {
+    return text;
+  }
+
+  LineIndex lines() {
+    return lines;
+  }
+
+  /**
+   * Makes changes, which are sorted and do not overlap.
+   *
+   * @return the changes that undo them, sorted, in the offsets of the changed text
+   */
+  List<TextChange> apply(List<TextChange> changes) {
+    List<TextChange> inverse = new ArrayList<>(changes.size());
+    int grown = 0;
+    for (TextChange change : changes) {
+      int from = change.from() + grown;
+      inverse.add(
+          new TextChange(
+              from, from + change.text().length(), text.substring(change.from(), change.to())));
+      grown += change.growth();
+    }
+    if (changes.size() <= IN_PLACE) {
+      for (int i = changes.size() - 1; i >= 0; i--) {
+        TextChange change = changes.get(i);
+        text.replace(change.from(), change.to(), change.text());
+        lines.changed(change, text);
+      }
+    } else {
+      StringBuilder changed = new StringBuilder(text.length() + Math.max(0, grown));
+      int at = 0;
+      for (TextChange change : changes) {
+        changed.append(text, at, change.from()).append(change.text());
+        at = change.to();
+      }
+      text = changed.append(text, at, text.length());
+      lines.reset();
+    }
+    return inverse;
+  }
+}

@@ -1,0 +1,114 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.schema.MetadataSource;
+
+/**
+ * A metadata element of a document as the vocabulary sees it. One that stands for another by USE is
+ * that other one, but {@link #written} is itself.
+ */
+final class DocumentMetadata implements MetadataSource {
+  private static final String SET = "MetadataSet";
+
+  private final SceneDocument document;
+  private final DocumentElement written;
+  private final DocumentElement meant;
+
+  private DocumentMetadata(SceneDocument document, DocumentElement written) {
+    this.document = document;
+    this.written = written;
+    this.meant =
+        written
+            .use()
+            .flatMap(use -> document.tree().flatMap(tree -> tree.named(use)))
+            .filter(DocumentMetadata::isMetadata)
+            .orElse(written);
+  }
+
+  /** The metadata of a node, if it has any. */
+  static Optional<DocumentMetadata> of(SceneDocument document, DocumentElement owner) {
+    return owner.children().stream()
+        .filter(DocumentMetadata::isMetadata)
+        .findFirst()
+        .map(element -> new DocumentMetadata(document, element));
+  }
+
+  static boolean isMetadata(DocumentElement element) {
+    return switch (element.name()) {
+      case SET,
+          "MetadataString",
+          "MetadataInteger",
+          "MetadataFloat",
+          "MetadataDouble",
+          "MetadataBoolean" ->
+          true;
+      default -> false;
+    };
+  }
+
+  /** The element that stands in the owner. */
+  DocumentElement written() {
+    return written;
+  }
+
+  /** The element that says it; another one where USE stands. */
+  DocumentElement meant() {
+    return meant;
+  }
+
+  boolean shared() {
+    return written.use().isPresent();
+  }
+
+  @Override
+  public boolean isSet() {
+    return meant.name().equals(SET);
+  }
+
+  @Override
+  public String name() {
+    return document.attribute(meant, "name").orElse("");
+  }
+
+  @Override
+  public List<String> values() {
+    if (isSet()) {
+      return List.of();
+    }
+    String value = document.attribute(meant, "value").orElse("");
+    return meant.name().equals("MetadataString")
+        ? XmlValues.strings(value)
+        : List.of(value.strip().split("[\\s,]+"));
+  }
+
+  @Override
+  public List<DocumentMetadata> children() {
+    if (!isSet()) {
+      return List.of();
+    }
+    List<DocumentMetadata> children = new ArrayList<>();
+    for (DocumentElement child : meant.children()) {
+      // A set's field metadata is about the set itself.
+      if (isMetadata(child)
+          && !document.attribute(child, "containerField").orElse("value").equals("metadata")) {
+        children.add(new DocumentMetadata(document, child));
+      }
+    }
+    return children;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof DocumentMetadata metadata && metadata.meant == meant;
+  }
+
+  @Override
+  public int hashCode() {
+    return System.identityHashCode(meant);
+  }
+}

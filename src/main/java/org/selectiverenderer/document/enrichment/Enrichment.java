@@ -1,0 +1,201 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.ElementTree;
+import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.schema.SchemaUse;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
+
+/**
+ * What the Switches and ProximitySensors of a document say. Always up to date; nodes that no edit
+ * has touched since are not read again. As the document, for one thread at a time.
+ */
+public final class Enrichment {
+  private record Read(long revision, boolean shared, Object node) {}
+
+  private final SceneDocument document;
+  private final NodeReading reading;
+  private final Map<DocumentElement, Read> read = new IdentityHashMap<>();
+  private List<DocumentElement> switches = List.of();
+  private List<DocumentElement> sensors = List.of();
+  private long listed = -1;
+  private @Nullable SchemaUse<DocumentElement> use;
+
+  public Enrichment(SceneDocument document, NodeCatalogue catalogue) {
+    this.document = document;
+    this.reading = new NodeReading(document, catalogue);
+  }
+
+  public SceneDocument document() {
+    return document;
+  }
+
+  /** All Switches in document order, those in prototypes too; none while there is a fault. */
+  public List<SwitchNode> switches() {
+    list();
+    List<SwitchNode> nodes = new ArrayList<>(switches.size());
+    for (int i = 0; i < switches.size(); i++) {
+      nodes.add(switchNode(switches.get(i), i));
+    }
+    return nodes;
+  }
+
+  /** All ProximitySensors in document order, likewise. */
+  public List<SensorNode> sensors() {
+    list();
+    List<SensorNode> nodes = new ArrayList<>(sensors.size());
+    for (int i = 0; i < sensors.size(); i++) {
+      nodes.add(sensorNode(sensors.get(i), i));
+    }
+    return nodes;
+  }
+
+  /** The Switch that an element is; empty for others. */
+  public Optional<SwitchNode> switchNode(DocumentElement element) {
+    list();
+    int index = element.attached() ? indexOf(switches, element) : -1;
+    return index < 0 ? Optional.empty() : Optional.of(switchNode(element, index));
+  }
+
+  /** The ProximitySensor that an element is; empty for others. */
+  public Optional<SensorNode> sensorNode(DocumentElement element) {
+    list();
+    int index = element.attached() ? indexOf(sensors, element) : -1;
+    return index < 0 ? Optional.empty() : Optional.of(sensorNode(element, index));
+  }
+
+  private static int indexOf(List<DocumentElement> elements, DocumentElement element) {
+    int low = 0;
+    int high = elements.size() - 1;
+    while (low <= high) {
+      int middle = (low + high) >>> 1;
+      DocumentElement found = elements.get(middle);
+      if (found == element) {
+        return middle;
+      }
+      if (found.start() < element.start()) {
+        low = middle + 1;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return -1;
+  }
+
+  /** The Switches by name; of several of one name the first. */
+  public Map<String, SwitchNode> switchesByName() {
+    Map<String, SwitchNode> named = new HashMap<>();
+    switches().forEach(node -> named.putIfAbsent(node.name(), node));
+    return named;
+  }
+
+  /** The ProximitySensors by name; of several of one name the first. */
+  public Map<String, SensorNode> sensorsByName() {
+    Map<String, SensorNode> named = new HashMap<>();
+    sensors().forEach(node -> named.putIfAbsent(node.name(), node));
+    return named;
+  }
+
+  /** Which schemas areas activate and objects belong to. */
+  public SchemaUse<DocumentElement> use() {
+    list();
+    if (use == null) {
+      SchemaUse<DocumentElement> found = new SchemaUse<>();
+      sensors().forEach(sensor -> found.area(sensor.element(), sensor.schemas()));
+      for (SwitchNode node : switches()) {
+        found.object(
+            node.element(),
+            node.values().stream().map(ChoiceValues::schemas).toList(),
+            node.whichChoice());
+      }
+      use = found;
+    }
+    return use;
+  }
+
+  /** All schemas that are named somewhere, in alphabetical order: what a form proposes. */
+  public List<String> schemas() {
+    TreeSet<String> all = new TreeSet<>(use().known());
+    all.addAll(use().activated());
+    return List.copyOf(all);
+  }
+
+  /** What is wrong with the metadata, in document order. */
+  public List<Finding> findings() {
+    List<Finding> findings = new ArrayList<>();
+    switches().forEach(node -> findings.addAll(node.findings()));
+    sensors().forEach(node -> findings.addAll(node.findings()));
+    use().unmatched().forEach(unmatched -> findings.add(finding(unmatched)));
+    findings.sort(Comparator.comparingInt(finding -> finding.element().start()));
+    return findings;
+  }
+
+  private Finding finding(SchemaUse.Unmatched<DocumentElement> unmatched) {
+    String schema = unmatched.schema();
+    return new Finding(
+        unmatched.node(),
+        unmatched.meant().isPresent() ? Problem.Severity.WARNING : Problem.Severity.INFO,
+        unmatched.message(),
+        unmatched
+            .meant()
+            .map(
+                meant ->
+                    new Finding.Fix(
+                        "Rename " + schema + " to " + meant,
+                        () -> new EnrichmentEdits(this).renameSchema(schema, meant))));
+  }
+
+  private SwitchNode switchNode(DocumentElement element, int index) {
+    return (SwitchNode) known(element, each -> reading.switchNode(each, index));
+  }
+
+  private SensorNode sensorNode(DocumentElement element, int index) {
+    return (SensorNode) known(element, each -> reading.sensorNode(each, index));
+  }
+
+  private Object known(DocumentElement element, Function<DocumentElement, Object> reader) {
+    Read before = read.get(element);
+    boolean current =
+        before != null
+            && (before.shared()
+                ? before.revision() == document.revision()
+                : before.revision() >= element.changed());
+    if (before != null && current) {
+      return before.node();
+    }
+    Object node = reader.apply(element);
+    read.put(element, new Read(document.revision(), reading.shares(element), node));
+    return node;
+  }
+
+  /** Finds the nodes again if the document has changed. */
+  private void list() {
+    if (listed == document.revision()) {
+      return;
+    }
+    listed = document.revision();
+    use = null;
+    List<DocumentElement> foundSwitches =
+        document.tree().map(ElementTree::switches).orElse(List.of());
+    List<DocumentElement> foundSensors =
+        document.tree().map(ElementTree::sensors).orElse(List.of());
+    boolean unnamedMoved =
+        foundSwitches.size() != switches.size() || foundSensors.size() != sensors.size();
+    switches = foundSwitches;
+    sensors = foundSensors;
+    read.keySet()
+        .removeIf(element -> !element.attached() || unnamedMoved && element.def().isEmpty());
+  }
+}

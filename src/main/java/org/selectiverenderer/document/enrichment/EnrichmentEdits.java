@@ -1,0 +1,163 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.x3d.Location;
+
+/**
+ * Makes edits of what a document's Switches and ProximitySensors say. Each is for the document as
+ * it is now, and is done by {@link SceneDocument#perform}; an edit that would change nothing is
+ * empty.
+ *
+ * <p>All throw {@link EditRefused}, with a sentence for the author, where metadata is shared
+ * between nodes in a way that the edit would break, or the text is not well formed.
+ */
+public final class EnrichmentEdits {
+  private final Enrichment enrichment;
+  private final SceneDocument document;
+
+  public EnrichmentEdits(Enrichment enrichment) {
+    this.enrichment = enrichment;
+    this.document = enrichment.document();
+  }
+
+  /** What is wanted of a Switch: for each choice in order. */
+  public record SwitchWish(SwitchNode node, List<ChoiceValues> choices) {
+    public SwitchWish {
+      choices = List.copyOf(choices);
+      if (choices.size() != node.choices().size()) {
+        throw new IllegalArgumentException(
+            choices.size() + " for " + node.choices().size() + " choices");
+      }
+    }
+  }
+
+  /** What is wanted of a sensor. */
+  public record SensorWish(SensorNode node, SensorSchemas schemas) {}
+
+  /** Says something of one choice of a Switch. */
+  public Edit choice(SwitchNode node, int index, ChoiceValues values) {
+    List<ChoiceValues> wanted = new ArrayList<>(node.values());
+    wanted.set(index, values);
+    return all(
+        "Describe choice %d of %s".formatted(index, node.name()),
+        List.of(new SwitchWish(node, wanted)),
+        List.of());
+  }
+
+  /** Gives an area its schemas. */
+  public Edit sensor(SensorNode node, SensorSchemas schemas) {
+    return all("Set schemas of " + node.name(), List.of(), List.of(new SensorWish(node, schemas)));
+  }
+
+  /** Many at once, as one step. */
+  public Edit all(String name, List<SwitchWish> switches, List<SensorWish> sensors) {
+    wellFormed();
+    NodeWriter writer = new NodeWriter(document);
+    List<TextChange> changes = new ArrayList<>();
+    for (SwitchWish wish : switches) {
+      changes.addAll(writer.changes(wish.node(), wish.choices()));
+    }
+    for (SensorWish wish : sensors) {
+      changes.addAll(writer.changes(wish.node(), wish.schemas()));
+    }
+    return new Edit(name, changes);
+  }
+
+  /** Gives a schema another name wherever it is named; that of another schema joins the two. */
+  public Edit renameSchema(String from, String to) {
+    wellFormed();
+    String name = to.strip();
+    if (name.isEmpty()) {
+      throw new EditRefused("a schema needs a name of at least one letter");
+    }
+    List<TextChange> changes = new ArrayList<>();
+    document
+        .tree()
+        .orElseThrow()
+        .root()
+        .visit(
+            element -> {
+              if (element.name().equals("MetadataString")) {
+                rename(element, from, name, changes);
+              }
+            });
+    return new Edit("Rename %s to %s".formatted(from, name), changes);
+  }
+
+  private void rename(DocumentElement element, String from, String to, List<TextChange> changes) {
+    boolean names =
+        document
+            .attribute(element, "name")
+            .flatMap(SchemaField::of)
+            .filter(EnrichmentEdits::namesSchemas)
+            .isPresent();
+    if (!names) {
+      return;
+    }
+    List<String> values = XmlValues.strings(document.attribute(element, "value").orElse(""));
+    if (values.stream().anyMatch(value -> value.strip().equals(from))) {
+      List<String> renamed =
+          values.stream().map(value -> value.strip().equals(from) ? to : value).distinct().toList();
+      changes.add(document.layout().attribute(element, "value", XmlValues.multiple(renamed)));
+    }
+  }
+
+  private static boolean namesSchemas(SchemaField field) {
+    return switch (field) {
+      case ENTER_TIME_SCHEMA, EXIT_TIME_SCHEMA, SCHEMA_BELONGINESS -> true;
+      case CONSISTENCY_TYPE, DEGREE_OF_CONSISTENCY -> false;
+    };
+  }
+
+  /** Takes a schema out wherever it is named. */
+  public Edit removeSchema(String schema) {
+    List<SwitchWish> switches = new ArrayList<>();
+    for (SwitchNode node : enrichment.switches()) {
+      List<ChoiceValues> without =
+          node.values().stream().map(v -> v.with(without(v.schemas(), schema))).toList();
+      switches.add(new SwitchWish(node, without));
+    }
+    List<SensorWish> sensors = new ArrayList<>();
+    for (SensorNode node : enrichment.sensors()) {
+      SensorSchemas schemas = node.schemas();
+      sensors.add(
+          new SensorWish(
+              node,
+              new SensorSchemas(
+                  without(schemas.enter(), schema), without(schemas.exit(), schema))));
+    }
+    return all("Remove the schema " + schema, switches, sensors);
+  }
+
+  private static List<String> without(List<String> schemas, String schema) {
+    return schemas.stream().filter(each -> !each.equals(schema)).toList();
+  }
+
+  /** Says of Switches what is wanted, by node; a convenience over {@link #all}. */
+  public Edit switches(String name, Map<SwitchNode, List<ChoiceValues>> wanted) {
+    List<SwitchWish> wishes = new ArrayList<>();
+    wanted.forEach((node, choices) -> wishes.add(new SwitchWish(node, choices)));
+    return all(name, wishes, List.of());
+  }
+
+  private void wellFormed() {
+    document
+        .fault()
+        .ifPresent(
+            fault -> {
+              Location at = new Location(document.name(), fault.line(), fault.column());
+              throw new EditRefused(
+                  at + ": " + fault.message() + "; mend it in the source view first");
+            });
+  }
+}

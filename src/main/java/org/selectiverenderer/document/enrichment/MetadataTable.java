@@ -1,0 +1,182 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.document.CsvRows;
+import org.selectiverenderer.document.CsvRows.Row;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.schema.SchemaField.Owner;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.Spelling;
+
+/**
+ * Metadata as a table with the columns {@code node,choice,field,value}: node a DEF, choice the
+ * index of a Switch's child from 0 and empty for a sensor. Several rows of one field are several
+ * values; what is there before of a field that the table names is replaced, all else stays; an
+ * empty value clears the field.
+ */
+public final class MetadataTable {
+  private static final List<String> COLUMNS = List.of("node", "choice", "field", "value");
+
+  private final Enrichment enrichment;
+  private final Problems problems;
+  private final Map<String, SwitchNode> switches;
+  private final Map<String, SensorNode> sensors;
+  private final Map<String, Map<Integer, Map<SchemaField, List<String>>>> ofSwitches =
+      new LinkedHashMap<>();
+  private final Map<String, Map<SchemaField, List<String>>> ofSensors = new LinkedHashMap<>();
+  private boolean faulty;
+
+  private MetadataTable(Enrichment enrichment, Problems problems) {
+    this.enrichment = enrichment;
+    this.problems = problems;
+    this.switches = enrichment.switchesByName();
+    this.sensors = enrichment.sensorsByName();
+  }
+
+  /**
+   * The edit that a table stands for.
+   *
+   * @param name of its file, for messages
+   * @return empty if a row cannot be understood: all or nothing is applied, and the problems say
+   *     why
+   */
+  public static Optional<Edit> edit(
+      Enrichment enrichment, String name, byte[] table, Problems problems) {
+    Optional<List<Row>> rows = CsvRows.read(name, table, COLUMNS, problems);
+    if (rows.isEmpty()) {
+      return Optional.empty();
+    }
+    MetadataTable wanted = new MetadataTable(enrichment, problems);
+    rows.get().forEach(wanted::add);
+    return wanted.faulty ? Optional.empty() : Optional.of(wanted.edit("Apply " + name));
+  }
+
+  private void add(Row row) {
+    Optional<SchemaField> field = SchemaField.of(row.cell("field"));
+    if (field.isEmpty()) {
+      error(row, "there is no field '%s' of schema metadata".formatted(row.cell("field")));
+      return;
+    }
+    String node = row.cell("node");
+    Owner owner = field.get().owner();
+    if (owner == Owner.CHOICE ? !switches.containsKey(node) : !sensors.containsKey(node)) {
+      Set<String> known = owner == Owner.CHOICE ? switches.keySet() : sensors.keySet();
+      error(
+          row,
+          "there is no %s '%s' in the scene%s"
+              .formatted(
+                  owner == Owner.CHOICE ? "Switch" : "ProximitySensor",
+                  node,
+                  Spelling.nearest(node, known)
+                      .map(near -> "; is " + near + " meant?")
+                      .orElse("")));
+      return;
+    }
+    if (owner == Owner.SENSOR) {
+      if (!row.cell("choice").isEmpty()) {
+        error(row, "a ProximitySensor has no choices; leave the column choice empty");
+      }
+      add(
+          ofSensors.computeIfAbsent(node, key -> new EnumMap<>(SchemaField.class)),
+          field.get(),
+          row);
+      return;
+    }
+    choice(row, switches.get(node))
+        .ifPresent(
+            index ->
+                add(
+                    ofSwitches
+                        .computeIfAbsent(node, key -> new LinkedHashMap<>())
+                        .computeIfAbsent(index, key -> new EnumMap<>(SchemaField.class)),
+                    field.get(),
+                    row));
+  }
+
+  private Optional<Integer> choice(Row row, SwitchNode node) {
+    int choices = node.choices().size();
+    try {
+      int index = Integer.parseInt(row.cell("choice"));
+      if (index >= 0 && index < choices) {
+        return Optional.of(index);
+      }
+    } catch (NumberFormatException e) {
+      // said below, with what would be right
+    }
+    error(
+        row,
+        "%s has choices 0 to %d, not '%s'".formatted(node.name(), choices - 1, row.cell("choice")));
+    return Optional.empty();
+  }
+
+  private void add(Map<SchemaField, List<String>> fields, SchemaField field, Row row) {
+    List<String> values = fields.computeIfAbsent(field, key -> new ArrayList<>());
+    String value = row.cell("value");
+    if (value.isEmpty()) {
+      return;
+    }
+    boolean single =
+        field == SchemaField.CONSISTENCY_TYPE || field == SchemaField.DEGREE_OF_CONSISTENCY;
+    if (single && !values.isEmpty()) {
+      error(row, "%s has a value already: %s".formatted(field.spelling(), values.get(0)));
+    } else if (field == SchemaField.CONSISTENCY_TYPE && ConsistencyType.of(value).isEmpty()) {
+      error(row, "'%s' is neither consistent, inconsistent nor frame".formatted(value));
+    } else if (field == SchemaField.DEGREE_OF_CONSISTENCY && Degree.of(value).isEmpty()) {
+      error(row, "'%s' is neither low, high nor a number from 0 to 1".formatted(value));
+    } else {
+      values.add(value);
+    }
+  }
+
+  private void error(Row row, String message) {
+    faulty = true;
+    problems.error(row.at(), message + "; the table is not applied");
+  }
+
+  private Edit edit(String name) {
+    List<EnrichmentEdits.SwitchWish> wishes = new ArrayList<>();
+    ofSwitches.forEach(
+        (def, byChoice) -> {
+          SwitchNode node = switches.get(def);
+          List<ChoiceValues> values = new ArrayList<>(node.values());
+          byChoice.forEach((index, fields) -> values.set(index, merged(values.get(index), fields)));
+          wishes.add(new EnrichmentEdits.SwitchWish(node, values));
+        });
+    List<EnrichmentEdits.SensorWish> areas = new ArrayList<>();
+    ofSensors.forEach(
+        (def, fields) -> {
+          SensorNode node = sensors.get(def);
+          SensorSchemas before = node.schemas();
+          areas.add(
+              new EnrichmentEdits.SensorWish(
+                  node,
+                  new SensorSchemas(
+                      distinct(fields.getOrDefault(SchemaField.ENTER_TIME_SCHEMA, before.enter())),
+                      distinct(fields.getOrDefault(SchemaField.EXIT_TIME_SCHEMA, before.exit())))));
+        });
+    return new EnrichmentEdits(enrichment).all(name, wishes, areas);
+  }
+
+  private static List<String> distinct(List<String> values) {
+    return values.stream().distinct().toList();
+  }
+
+  private static ChoiceValues merged(ChoiceValues before, Map<SchemaField, List<String>> fields) {
+    List<String> type = fields.get(SchemaField.CONSISTENCY_TYPE);
+    List<String> degree = fields.get(SchemaField.DEGREE_OF_CONSISTENCY);
+    return new ChoiceValues(
+        type == null ? before.type() : type.stream().findFirst().flatMap(ConsistencyType::of),
+        degree == null ? before.degree() : degree.stream().findFirst().flatMap(Degree::of),
+        fields.getOrDefault(SchemaField.SCHEMA_BELONGINESS, before.schemas()));
+  }
+}

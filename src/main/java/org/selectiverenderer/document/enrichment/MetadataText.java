@@ -1,0 +1,93 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.schema.MetadataNames;
+import org.selectiverenderer.schema.SchemaField;
+
+/** Metadata elements as lines of text, laid out as thesis Figs 52, 77 and 78 are. */
+final class MetadataText {
+  private final FreeNames names;
+  private final char quote;
+  private final String step;
+
+  /**
+   * @param quote around values
+   * @param step of indentation
+   */
+  MetadataText(FreeNames names, char quote, String step) {
+    this.names = names;
+    this.quote = quote;
+    this.step = step;
+  }
+
+  /** A set with all metadata of an object: a set for each version. */
+  List<String> object(String object, List<ChoiceValues> choices) {
+    List<List<String>> parts = new ArrayList<>();
+    for (int i = 0; i < choices.size(); i++) {
+      parts.add(part(object, i, choices.get(i)));
+    }
+    return object(object, parts, List.of());
+  }
+
+  /**
+   * The same with metadata of another kind behind it.
+   *
+   * @param kept lines of other metadata, as they are
+   */
+  List<String> object(String object, List<List<String>> parts, List<String> kept) {
+    List<List<String>> all = new ArrayList<>(parts);
+    all.add(kept);
+    return set("metadata", MetadataNames.set(object), object, all);
+  }
+
+  /** The set about one version. */
+  List<String> part(String object, int index, ChoiceValues values) {
+    String about = MetadataNames.ofPart(object, index);
+    List<List<String>> strings = new ArrayList<>();
+    Values.of(values).forEach((field, words) -> strings.add(string(field, about, words)));
+    return set("value", MetadataNames.part(object, index), object + "_v" + (index + 1), strings);
+  }
+
+  /** A set with all metadata of an area. */
+  List<String> sensor(String sensor, Map<SchemaField, List<String>> fields, List<String> kept) {
+    List<List<String>> all = new ArrayList<>();
+    fields.forEach((field, words) -> all.add(string(field, sensor, words)));
+    all.add(kept);
+    return set("metadata", MetadataNames.set(sensor), sensor, all);
+  }
+
+  /** A string in a set; no line for no words. */
+  List<String> string(SchemaField field, String about, List<String> words) {
+    if (words.isEmpty()) {
+      return List.of();
+    }
+    return List.of(
+        "<MetadataString"
+            + Layout.written("containerField", "value", quote)
+            + Layout.written("DEF", names.free(MetadataNames.string(field, about)), quote)
+            + Layout.written("name", field.spelling(), quote)
+            // Strings of an MFString are in double quotes, so these would all be references.
+            + Layout.written("value", XmlValues.multiple(words), '\'')
+            + "/>");
+  }
+
+  private List<String> set(String field, String def, String name, List<List<String>> content) {
+    String head =
+        "<MetadataSet"
+            + Layout.written("containerField", field, quote)
+            + Layout.written("DEF", names.free(def), quote)
+            + Layout.written("name", name, quote);
+    List<String> lines = new ArrayList<>();
+    content.forEach(part -> part.forEach(line -> lines.add(step + line)));
+    if (lines.isEmpty()) {
+      return List.of(head + "/>");
+    }
+    lines.add(0, head + ">");
+    lines.add("</MetadataSet>");
+    return lines;
+  }
+}

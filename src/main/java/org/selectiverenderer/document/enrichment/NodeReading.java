@@ -1,0 +1,115 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.document.enrichment.SwitchNode.ChoiceNode;
+import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.schema.MetadataNames;
+import org.selectiverenderer.schema.SchemaProblem;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
+
+/** Reads single nodes of a document. */
+final class NodeReading {
+  private final SceneDocument document;
+  private final NodeCatalogue catalogue;
+
+  NodeReading(SceneDocument document, NodeCatalogue catalogue) {
+    this.document = document;
+    this.catalogue = catalogue;
+  }
+
+  /**
+   * @param index among all Switches, from 0
+   */
+  SwitchNode switchNode(DocumentElement element, int index) {
+    List<Finding> findings = new ArrayList<>();
+    List<DocumentElement> children = element.children().stream().filter(this::isChoice).toList();
+    Optional<DocumentMetadata> metadata = DocumentMetadata.of(document, element);
+    SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
+    List<Choice> described =
+        metadata
+            .flatMap(source -> reader.switchNode(source, children.size()))
+            .map(SwitchSchemas::choices)
+            .orElse(List.of());
+    List<ChoiceNode> choices = new ArrayList<>();
+    for (int i = 0; i < children.size(); i++) {
+      DocumentElement child = children.get(i);
+      ChoiceValues values =
+          i < described.size() ? ChoiceValues.of(described.get(i)) : ChoiceValues.NONE;
+      choices.add(new ChoiceNode(i, child, url(child), values));
+    }
+    return new SwitchNode(
+        element,
+        element.def().orElse("Switch#" + (index + 1)),
+        MetadataNames.object(element.def().orElse("Switch" + (index + 1))),
+        choices,
+        whichChoice(element),
+        !described.isEmpty(),
+        findings);
+  }
+
+  /** As the reader of scenes counts them: what is no node of a scene has no index. */
+  private boolean isChoice(DocumentElement element) {
+    return element.name().equals("ProtoInstance")
+        || catalogue.find(element.name()).filter(type -> type.is("X3DChildNode")).isPresent();
+  }
+
+  private String url(DocumentElement child) {
+    if (!child.name().equals("Inline")) {
+      return "";
+    }
+    DocumentElement named =
+        child.use().flatMap(use -> document.tree().flatMap(tree -> tree.named(use))).orElse(child);
+    List<String> urls = XmlValues.strings(document.attribute(named, "url").orElse(""));
+    return urls.isEmpty() ? "" : urls.get(0);
+  }
+
+  private int whichChoice(DocumentElement element) {
+    String text = document.attribute(element, "whichChoice").orElse("-1").strip();
+    try {
+      return Integer.parseInt(text);
+    } catch (NumberFormatException e) {
+      return -1; // the reader of scenes reports it, and shows nothing
+    }
+  }
+
+  /**
+   * @param index among all ProximitySensors, from 0
+   */
+  SensorNode sensorNode(DocumentElement element, int index) {
+    List<Finding> findings = new ArrayList<>();
+    SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
+    Optional<SensorSchemas> schemas =
+        DocumentMetadata.of(document, element).flatMap(reader::sensor);
+    return new SensorNode(
+        element,
+        element.def().orElse("ProximitySensor#" + (index + 1)),
+        schemas.orElse(new SensorSchemas(List.of(), List.of())),
+        schemas.isPresent(),
+        findings);
+  }
+
+  private static Finding finding(SchemaProblem problem) {
+    return new Finding(
+        ((DocumentMetadata) problem.metadata()).meant(),
+        Problem.Severity.WARNING,
+        problem.message(),
+        Optional.empty());
+  }
+
+  /** Whether some of a node is said elsewhere, by USE. */
+  boolean shares(DocumentElement element) {
+    boolean[] found = {false};
+    element.visit(each -> found[0] |= each.use().isPresent());
+    return found[0];
+  }
+}

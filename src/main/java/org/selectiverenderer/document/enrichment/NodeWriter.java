@@ -1,0 +1,207 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import org.selectiverenderer.document.Attribute;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.schema.MetadataNames;
+import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.schema.SensorSchemas;
+
+/** Changes the metadata of Switches and ProximitySensors. For one edit. */
+final class NodeWriter {
+  private final SceneDocument document;
+  private final Layout layout;
+  private final FreeNames names;
+  private final Sharing sharing;
+
+  NodeWriter(SceneDocument document) {
+    this.document = document;
+    this.layout = document.layout();
+    this.names = new FreeNames(document.tree().orElseThrow());
+    this.sharing = new Sharing(document);
+  }
+
+  private MetadataText text(DocumentElement owner) {
+    return new MetadataText(names, layout.quote(owner), layout.step(near(owner)));
+  }
+
+  /** What shows best how far the author indents what stands in an element. */
+  private static DocumentElement near(DocumentElement owner) {
+    return owner.children().isEmpty() ? owner : owner.children().get(0);
+  }
+
+  /**
+   * @param wanted for each choice in order
+   */
+  List<TextChange> changes(SwitchNode node, List<ChoiceValues> wanted) {
+    if (wanted.equals(node.values())) {
+      return List.of();
+    }
+    MetadataText text = text(node.element());
+    Optional<DocumentMetadata> found = DocumentMetadata.of(document, node.element());
+    if (found.isEmpty()) {
+      return List.of(layout.insertFirst(node.element(), text.object(node.object(), wanted)));
+    }
+    DocumentMetadata metadata = found.get();
+    List<DocumentMetadata> sets =
+        metadata.children().stream().filter(DocumentMetadata::isSet).toList();
+    if (wanted.stream().allMatch(ChoiceValues::isEmpty) && ours(metadata)) {
+      sharing.free(metadata.written());
+      return List.of(layout.remove(metadata.written()));
+    }
+    boolean own = !metadata.shared() && metadata.isSet();
+    boolean firstOnly = wanted.subList(1, wanted.size()).stream().allMatch(ChoiceValues::isEmpty);
+    if (own && sets.isEmpty() && node.enriched() && firstOnly) {
+      return set(metadata, text, node, 0, wanted.get(0)); // says something of the first choice only
+    }
+    boolean beside = node.enriched() && sets.isEmpty();
+    boolean occupied = !node.enriched() && !sets.isEmpty();
+    if (own && !beside && !occupied) {
+      return parts(metadata, sets, text, node, wanted);
+    }
+    return wrapped(
+        metadata, kept -> text.object(node.object(), partLines(text, node, wanted), kept));
+  }
+
+  private static List<List<String>> partLines(
+      MetadataText text, SwitchNode node, List<ChoiceValues> wanted) {
+    List<List<String>> parts = new ArrayList<>();
+    for (int i = 0; i < wanted.size(); i++) {
+      parts.add(text.part(node.object(), i, wanted.get(i)));
+    }
+    return parts;
+  }
+
+  private List<TextChange> parts(
+      DocumentMetadata metadata,
+      List<DocumentMetadata> sets,
+      MetadataText text,
+      SwitchNode node,
+      List<ChoiceValues> wanted) {
+    List<TextChange> changes = new ArrayList<>();
+    List<String> lines = new ArrayList<>();
+    for (int i = 0; i < wanted.size(); i++) {
+      if (i >= sets.size()) {
+        lines.addAll(text.part(node.object(), i, wanted.get(i)));
+      } else if (wanted.get(i).equals(node.values().get(i))) {
+        continue;
+      } else if (sets.get(i).shared()) {
+        foreign(sets.get(i));
+        changes.add(
+            layout.replace(sets.get(i).written(), text.part(node.object(), i, wanted.get(i))));
+      } else {
+        changes.addAll(set(sets.get(i), text, node, i, wanted.get(i)));
+      }
+    }
+    if (!lines.isEmpty()) {
+      changes.add(layout.insertLast(metadata.meant(), lines));
+    }
+    return changes;
+  }
+
+  private List<TextChange> set(
+      DocumentMetadata set, MetadataText text, SwitchNode node, int index, ChoiceValues wanted) {
+    Map<SchemaField, List<String>> changed =
+        Values.changed(Values.of(wanted), Values.of(node.values().get(index)));
+    return new SetWriter(document, text)
+        .changes(set, MetadataNames.ofPart(node.object(), index), changed);
+  }
+
+  List<TextChange> changes(SensorNode node, SensorSchemas wanted) {
+    Map<SchemaField, List<String>> fields = Values.of(wanted);
+    Map<SchemaField, List<String>> changed = Values.changed(fields, Values.of(node.schemas()));
+    if (changed.isEmpty()) {
+      return List.of();
+    }
+    String name = node.element().def().orElse(node.name());
+    MetadataText text = text(node.element());
+    Optional<DocumentMetadata> found = DocumentMetadata.of(document, node.element());
+    if (found.isEmpty()) {
+      return List.of(layout.insertFirst(node.element(), text.sensor(name, fields, List.of())));
+    }
+    DocumentMetadata metadata = found.get();
+    if (wanted.enter().isEmpty() && wanted.exit().isEmpty() && ours(metadata)) {
+      sharing.free(metadata.written());
+      return List.of(layout.remove(metadata.written()));
+    }
+    if (!metadata.shared() && metadata.isSet()) {
+      return new SetWriter(document, text).changes(metadata, name, changed);
+    }
+    return wrapped(metadata, kept -> text.sensor(name, fields, kept));
+  }
+
+  /** Whether metadata is of the vocabulary, and nothing else is in it, not even a comment. */
+  private boolean ours(DocumentMetadata metadata) {
+    return speaks(metadata) && nothingElse(metadata);
+  }
+
+  private static boolean speaks(DocumentMetadata metadata) {
+    return SchemaField.of(metadata.name()).isPresent() && !metadata.isSet()
+        || metadata.children().stream().anyMatch(NodeWriter::speaks);
+  }
+
+  private boolean nothingElse(DocumentMetadata metadata) {
+    if (!metadata.isSet()) {
+      return SchemaField.of(metadata.name()).isPresent();
+    }
+    return !document.text(metadata.meant()).contains("<!--")
+        && metadata.meant().children().size() == metadata.children().size()
+        && metadata.children().stream().allMatch(this::nothingElse);
+  }
+
+  /** Refuses to put something else in the place of USE that brings metadata of other kinds. */
+  private void foreign(DocumentMetadata shared) {
+    if (!ours(shared)) {
+      throw new EditRefused(
+          "%s: the metadata here is another node's by USE, and not only about schemas; give this"
+                  .formatted(document.location(shared.written().start()))
+              + " node its own in the source view first");
+    }
+  }
+
+  /**
+   * Puts a new set in the place of metadata that cannot hold ours; what is of other kinds stands in
+   * it.
+   */
+  private List<TextChange> wrapped(
+      DocumentMetadata metadata, Function<List<String>, List<String>> block) {
+    DocumentElement old = metadata.written();
+    if (metadata.shared()) {
+      foreign(metadata);
+      return List.of(layout.replace(old, block.apply(List.of())));
+    }
+    sharing.free(old);
+    if (ours(metadata)) {
+      return List.of(layout.replace(old, block.apply(List.of())));
+    }
+    return List.of(layout.replace(old, block.apply(inside(old))));
+  }
+
+  /** An element's lines as they stand in a set: only what belongs to its line's start changes. */
+  private List<String> inside(DocumentElement element) {
+    String source = document.text(element);
+    Optional<Attribute> field = document.tag(element).attribute("containerField");
+    if (field.isPresent()) {
+      int from = field.get().valueFrom() - element.start();
+      int to = field.get().valueTo() - element.start();
+      source = source.substring(0, from) + "value" + source.substring(to);
+    } else {
+      int at = document.tag(element).end() - element.start();
+      String added = Layout.written("containerField", "value", layout.quote(element));
+      source = source.substring(0, at) + added + source.substring(at);
+    }
+    String indentation = layout.indentation(element);
+    return source
+        .lines()
+        .map(line -> line.startsWith(indentation) ? line.substring(indentation.length()) : line)
+        .toList();
+  }
+}

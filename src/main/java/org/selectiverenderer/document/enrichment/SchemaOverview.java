@@ -1,0 +1,126 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.schema.Degree;
+
+/**
+ * The table of objects by schemas, as of now: in each cell the degree to which the object is
+ * consistent with the schema. Cells are read when they are asked for. An edit makes it outdated.
+ */
+public final class SchemaOverview {
+  private final Enrichment enrichment;
+  private final List<SwitchNode> objects;
+  private final List<String> schemas;
+
+  /**
+   * A cell that is filled.
+   *
+   * @param choice the version that the schema shows
+   */
+  public record Cell(int choice, Optional<ConsistencyType> type, Optional<Degree> degree) {}
+
+  /** A cell by its row and column. */
+  public record Place(SwitchNode object, String schema) {}
+
+  /**
+   * @param more schemas that get a column though nothing names them yet
+   */
+  public SchemaOverview(Enrichment enrichment, List<String> more) {
+    this.enrichment = enrichment;
+    this.objects = enrichment.switches().stream().filter(o -> !o.choices().isEmpty()).toList();
+    List<String> columns = new ArrayList<>(enrichment.schemas());
+    more.stream().filter(schema -> !columns.contains(schema)).forEach(columns::add);
+    this.schemas = List.copyOf(columns);
+  }
+
+  /** The rows: Switches with children, in document order. */
+  public List<SwitchNode> objects() {
+    return objects;
+  }
+
+  /** The columns. */
+  public List<String> schemas() {
+    return schemas;
+  }
+
+  /** A cell; of several choices that name the schema the last one counts, as for the controller. */
+  public Optional<Cell> cell(SwitchNode object, String schema) {
+    for (int i = object.choices().size() - 1; i >= 0; i--) {
+      ChoiceValues values = object.choices().get(i).values();
+      if (values.schemas().contains(schema)) {
+        return Optional.of(new Cell(i, values.type(), values.degree()));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Fills cells with a degree: each object's version for that degree belongs to the schema. */
+  public Edit fill(Collection<Place> places, Degree degree) {
+    return edit(
+        places.size() == 1
+            ? "Set " + label(places)
+            : "Set %d cells to %s".formatted(places.size(), degree.spelling()),
+        places,
+        Optional.of(degree));
+  }
+
+  /** Empties cells: the objects do not belong to the schemas any more. */
+  public Edit clear(Collection<Place> places) {
+    return edit(
+        places.size() == 1 ? "Clear " + label(places) : "Clear %d cells".formatted(places.size()),
+        places,
+        Optional.empty());
+  }
+
+  private static String label(Collection<Place> places) {
+    Place place = places.iterator().next();
+    return place.schema() + " of " + place.object().name();
+  }
+
+  private Edit edit(String name, Collection<Place> places, Optional<Degree> degree) {
+    Map<DocumentElement, SwitchNode> nodes = new LinkedHashMap<>();
+    Map<DocumentElement, List<ChoiceValues>> wanted = new LinkedHashMap<>();
+    for (Place place : places) {
+      DocumentElement element = place.object().element();
+      nodes.put(element, place.object());
+      wanted.merge(
+          element,
+          put(place.object().values(), place.schema(), degree),
+          (before, fresh) -> put(before, place.schema(), degree));
+    }
+    List<EnrichmentEdits.SwitchWish> wishes = new ArrayList<>();
+    wanted.forEach(
+        (element, values) ->
+            wishes.add(new EnrichmentEdits.SwitchWish(nodes.get(element), values)));
+    return new EnrichmentEdits(enrichment).all(name, wishes, List.of());
+  }
+
+  /** Choices of which the one for the degree, and no other, belongs to a schema. */
+  static List<ChoiceValues> put(
+      List<ChoiceValues> choices, String schema, Optional<Degree> degree) {
+    int version = degree.map(d -> VersionLadder.version(d, choices)).orElse(-1);
+    List<ChoiceValues> put = new ArrayList<>();
+    for (int i = 0; i < choices.size(); i++) {
+      ChoiceValues choice = choices.get(i);
+      boolean has = choice.schemas().contains(schema);
+      if (i == version && !has) {
+        put.add(VersionLadder.joined(choice, schema, degree.orElseThrow()));
+      } else if (i != version && has) {
+        List<String> rest = new ArrayList<>(choice.schemas());
+        rest.remove(schema);
+        put.add(rest.isEmpty() ? ChoiceValues.NONE : choice.with(rest));
+      } else {
+        put.add(choice);
+      }
+    }
+    return put;
+  }
+}

@@ -1,0 +1,143 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.schema.SchemaField;
+
+/**
+ * Changes what a MetadataSet says, string by string: those that say what is wanted stay, those of
+ * other kinds too. Several values stand in one string, unless the author has given each its own
+ * (thesis Fig 47).
+ */
+final class SetWriter {
+  private final SceneDocument document;
+  private final Layout layout;
+  private final MetadataText text;
+  private final Sharing sharing;
+
+  SetWriter(SceneDocument document, MetadataText text) {
+    this.document = document;
+    this.layout = document.layout();
+    this.text = text;
+    this.sharing = new Sharing(document);
+  }
+
+  /**
+   * @param about what new strings are named after
+   * @param wanted values of the fields to change; none to clear one
+   */
+  List<TextChange> changes(
+      DocumentMetadata set, String about, Map<SchemaField, List<String>> wanted) {
+    List<TextChange> changes = new ArrayList<>();
+    List<DocumentElement> removed = new ArrayList<>();
+    List<String> lines = new ArrayList<>();
+    wanted.forEach(
+        (field, values) -> {
+          List<DocumentMetadata> strings = new ArrayList<>();
+          collect(set, field, strings);
+          lines.addAll(field(strings, field, about, values, changes, removed));
+        });
+    removed.forEach(sharing::free);
+    if (lines.isEmpty()) {
+      removed.forEach(element -> changes.add(layout.remove(element)));
+      return changes;
+    }
+    DocumentElement owner = set.meant();
+    Optional<DocumentElement> anchor =
+        owner.children().stream().filter(child -> !removed.contains(child)).reduce((a, b) -> b);
+    int first = 0;
+    if (anchor.isPresent()) {
+      changes.add(layout.insertAfter(anchor.get(), lines));
+    } else if (!removed.isEmpty()) {
+      changes.add(layout.replace(removed.get(0), lines));
+      first = 1;
+    } else {
+      changes.add(layout.insertLast(owner, lines));
+    }
+    removed.stream().skip(first).forEach(element -> changes.add(layout.remove(element)));
+    return changes;
+  }
+
+  private static void collect(
+      DocumentMetadata in, SchemaField field, List<DocumentMetadata> strings) {
+    for (DocumentMetadata child : in.children()) {
+      if (child.isSet() && !child.shared()) {
+        collect(child, field, strings);
+      } else if (SchemaField.of(child.name()).filter(field::equals).isPresent()) {
+        strings.add(child);
+      }
+    }
+  }
+
+  /** Changes the strings of a field; returns the lines of new ones. */
+  private List<String> field(
+      List<DocumentMetadata> strings,
+      SchemaField field,
+      String about,
+      List<String> wanted,
+      List<TextChange> changes,
+      List<DocumentElement> removed) {
+    List<DocumentMetadata> own = strings.stream().filter(string -> !string.shared()).toList();
+    strings.stream().filter(DocumentMetadata::shared).forEach(s -> removed.add(s.written()));
+    if (wanted.isEmpty() || own.isEmpty()) {
+      own.forEach(string -> removed.add(string.written()));
+      return text.string(field, about, wanted);
+    }
+    List<List<String>> spread = spread(own, wanted);
+    for (int i = 0; i < own.size(); i++) {
+      DocumentElement element = own.get(i).written();
+      if (spread.get(i).isEmpty()) {
+        removed.add(element);
+      } else if (!spread.get(i).equals(stripped(own.get(i).values()))) {
+        sharing.free(element);
+        changes.add(layout.attribute(element, "value", XmlValues.multiple(spread.get(i))));
+      }
+    }
+    List<String> lines = new ArrayList<>();
+    for (List<String> more : spread.subList(own.size(), spread.size())) {
+      lines.addAll(text.string(field, about, more));
+    }
+    return lines;
+  }
+
+  /**
+   * Which string says which of the wanted values; strings beyond those that are there are new.
+   * Where each value had its own string each keeps or gets one, if their order comes out right.
+   */
+  private static List<List<String>> spread(List<DocumentMetadata> strings, List<String> wanted) {
+    List<List<String>> spread = new ArrayList<>();
+    if (strings.size() > 1) {
+      List<String> rest = new ArrayList<>(wanted);
+      List<String> order = new ArrayList<>();
+      for (DocumentMetadata string : strings) {
+        List<String> kept = new ArrayList<>(stripped(string.values()));
+        kept.retainAll(rest);
+        rest.removeAll(kept);
+        order.addAll(kept);
+        spread.add(kept);
+      }
+      order.addAll(rest);
+      rest.forEach(value -> spread.add(List.of(value)));
+      if (order.equals(wanted)) {
+        return spread;
+      }
+      spread.clear();
+    }
+    spread.add(wanted);
+    while (spread.size() < strings.size()) {
+      spread.add(List.of());
+    }
+    return spread;
+  }
+
+  private static List<String> stripped(List<String> values) {
+    return values.stream().map(String::strip).filter(value -> !value.isEmpty()).toList();
+  }
+}

@@ -1,0 +1,31 @@
+package org.selectiverenderer.document.enrichment;
+
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.ElementTree;
+import org.selectiverenderer.document.SceneDocument;
+
+/** Refuses edits of metadata that stands for other nodes' too, by USE. */
+final class Sharing {
+  private final SceneDocument document;
+
+  Sharing(SceneDocument document) {
+    this.document = document;
+  }
+
+  /**
+   * @throws EditRefused if the element or one in it is USEd somewhere
+   */
+  void free(DocumentElement element) {
+    ElementTree tree = document.tree().orElseThrow();
+    element.visit(
+        each -> {
+          if (each.def().filter(tree::used).isPresent()) {
+            throw new EditRefused(
+                "%s: the metadata '%s' is USEd elsewhere, so that changing it here would change it"
+                        .formatted(document.location(each.start()), each.def().get())
+                    + " there; give each node its own in the source view first");
+          }
+        });
+  }
+}

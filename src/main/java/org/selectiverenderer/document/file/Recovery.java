@@ -1,0 +1,168 @@
+package org.selectiverenderer.document.file;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Properties;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.polygon.versions.FileActions;
+
+/**
+ * Keeps unsaved documents in a folder of the user's, so that a crash costs a few seconds of work at
+ * most. Documents of programs that still run are theirs, and are not found.
+ */
+public final class Recovery {
+  private static final String CONTENT = ".scene";
+  private static final String ABOUT = ".properties";
+  private static final String STEP = "Recover unsaved changes";
+
+  private final Path folder;
+
+  /**
+   * A document that was kept.
+   *
+   * @param file that it is of
+   * @param when it was kept
+   * @param content where
+   */
+  public record Kept(Path file, Instant when, Path content) {}
+
+  /**
+   * @param folder made when something is to be kept
+   */
+  public Recovery(Path folder) {
+    this.folder = folder;
+  }
+
+  /** Keeps a document as it is now in place of what was kept of it before. */
+  public void keep(Path file, Snapshot snapshot) throws IOException {
+    Files.createDirectories(folder);
+    String key = key(file);
+    AtomicFile writing = new AtomicFile(FileActions.REAL);
+    writing.write(folder.resolve(key + CONTENT), snapshot.bytes());
+    String about =
+        "file="
+            + escaped(file.toAbsolutePath().toString())
+            + "\nprocess="
+            + ProcessHandle.current().pid()
+            + "\n";
+    writing.write(folder.resolve(key + ABOUT), about.getBytes(StandardCharsets.ISO_8859_1));
+  }
+
+  /** As java.util.Properties reads it, without the time that it would write. */
+  private static String escaped(String value) {
+    StringBuilder escaped = new StringBuilder();
+    for (char c : value.toCharArray()) {
+      if (c == '\\') {
+        escaped.append("\\\\");
+      } else if (c < ' ' || c > '~') {
+        escaped.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
+      } else {
+        escaped.append(c);
+      }
+    }
+    return escaped.toString();
+  }
+
+  /** Forgets a document: it has been saved, or its changes are not wanted. */
+  public void forget(Path file) throws IOException {
+    Files.deleteIfExists(folder.resolve(key(file) + ABOUT));
+    Files.deleteIfExists(folder.resolve(key(file) + CONTENT));
+  }
+
+  private static String key(Path file) {
+    byte[] name = file.toAbsolutePath().normalize().toString().getBytes(StandardCharsets.UTF_8);
+    return Stamp.digest(name).substring(0, 24);
+  }
+
+  /** What programs that have ended left. What cannot be read is left alone. */
+  public List<Kept> found() throws IOException {
+    List<Kept> found = new ArrayList<>();
+    if (!Files.isDirectory(folder)) {
+      return found;
+    }
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*" + ABOUT)) {
+      for (Path about : files) {
+        kept(about).ifPresent(found::add);
+      }
+    }
+    found.sort((a, b) -> b.when().compareTo(a.when()));
+    return found;
+  }
+
+  private Optional<Kept> kept(Path about) throws IOException {
+    Properties properties = new Properties();
+    try (InputStream in = Files.newInputStream(about)) {
+      properties.load(in);
+    } catch (IllegalArgumentException e) {
+      return Optional.empty(); // not written by us
+    }
+    String file = properties.getProperty("file", "");
+    String name = String.valueOf(about.getFileName());
+    Path content = folder.resolve(name.substring(0, name.length() - ABOUT.length()) + CONTENT);
+    if (file.isEmpty() || !Files.isRegularFile(content) || running(properties)) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Kept(Path.of(file), Files.getLastModifiedTime(content).toInstant(), content));
+  }
+
+  private static boolean running(Properties properties) {
+    String process = properties.getProperty("process", "");
+    if (!process.matches("\\d{1,18}")) {
+      return false;
+    }
+    long pid = Long.parseLong(process);
+    return pid != ProcessHandle.current().pid()
+        && ProcessHandle.of(pid)
+            .filter(ProcessHandle::isAlive)
+            .flatMap(handle -> handle.info().command())
+            .equals(ProcessHandle.current().info().command());
+  }
+
+  /**
+   * Opens what was kept: the file with the unsaved changes as one step that can be undone, or the
+   * changed scene alone if the file is gone.
+   */
+  public DocumentFile open(Kept kept) throws IOException {
+    byte[] bytes = Files.readAllBytes(kept.content());
+    SceneDocument recovered = SceneDocument.of(kept.file().toString(), bytes);
+    if (!Files.isRegularFile(kept.file())) {
+      return DocumentFile.unsaved(kept.file(), recovered);
+    }
+    DocumentFile opened = DocumentFile.open(kept.file());
+    SceneDocument document = opened.document();
+    String before = document.snapshot().text();
+    String after = recovered.snapshot().text();
+    if (!before.equals(after)) {
+      document.perform(new Edit(STEP, List.of(between(before, after))));
+    }
+    return opened;
+  }
+
+  private static TextChange between(String before, String after) {
+    int most = Math.min(before.length(), after.length());
+    int start = 0;
+    while (start < most && before.charAt(start) == after.charAt(start)) {
+      start++;
+    }
+    int same = 0;
+    while (same < most - start
+        && before.charAt(before.length() - 1 - same) == after.charAt(after.length() - 1 - same)) {
+      same++;
+    }
+    return new TextChange(
+        start, before.length() - same, after.substring(start, after.length() - same));
+  }
+}

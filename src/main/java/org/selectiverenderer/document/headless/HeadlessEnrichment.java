@@ -1,0 +1,162 @@
+package org.selectiverenderer.document.headless;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.Fault;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.MetadataTable;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.file.UnifiedDiff;
+import org.selectiverenderer.document.ratings.ObjectMatching;
+import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.document.ratings.RatingPlan;
+import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+
+/** A scene enriched from tables: first what ratings imply, then what a table says outright. */
+public final class HeadlessEnrichment {
+  private final DocumentFile file;
+  private final String before;
+  private final Enrichment enrichment;
+  private final Problems problems;
+
+  private HeadlessEnrichment(DocumentFile file, NodeCatalogue catalogue, Problems problems) {
+    this.file = file;
+    this.before = file.document().snapshot().text();
+    this.enrichment = new Enrichment(file.document(), catalogue);
+    this.problems = problems;
+  }
+
+  /**
+   * What is to be done.
+   *
+   * @param ratings RATINGS.csv, or null
+   * @param metadata METADATA.csv, or null
+   */
+  public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata) {}
+
+  /**
+   * Enriches a scene in memory.
+   *
+   * @return empty if the scene or a table is such that nothing can be done, which is reported
+   * @throws IOException if a file cannot be read, with one line that names it
+   */
+  public static Optional<HeadlessEnrichment> of(
+      Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
+    HeadlessEnrichment run =
+        new HeadlessEnrichment(DocumentFile.open(request.scene()), catalogue, problems);
+    SceneDocument document = run.file.document();
+    Optional<Fault> fault = document.fault();
+    if (fault.isPresent()) {
+      problems.error(
+          new Location(document.name(), fault.get().line(), fault.get().column()),
+          fault.get().message() + "; nothing has been changed");
+      return Optional.empty();
+    }
+    boolean done =
+        (request.ratings() == null || run.ratings(request.ratings()))
+            && (request.metadata() == null || run.metadata(request.metadata()));
+    return done ? Optional.of(run) : Optional.empty();
+  }
+
+  private boolean ratings(Path table) throws IOException {
+    Optional<Ratings> ratings = Ratings.read(table.toString(), read(table), problems);
+    if (ratings.isEmpty()) {
+      return false;
+    }
+    ObjectMatching matching =
+        new ObjectMatching(ratings.get().means().keySet(), enrichment.switches());
+    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true);
+    plan.unused().forEach(match -> unused(table, match));
+    String following =
+        plan.rows().stream()
+            .filter(row -> row.object().isEmpty())
+            .map(row -> row.node().name())
+            .collect(Collectors.joining(", "));
+    if (!following.isEmpty()) {
+      problems.info(
+          Location.of(table.toString()),
+          "not rated, so taken as expected in their room: " + following);
+    }
+    String silent = plan.unrated().stream().map(SwitchNode::name).collect(Collectors.joining(", "));
+    if (!silent.isEmpty()) {
+      problems.info(
+          Location.of(table.toString()), "not rated, so nothing is said of them: " + silent);
+    }
+    return perform(plan.edit("Import ratings"));
+  }
+
+  private void unused(Path table, Match match) {
+    problems.warning(
+        Location.of(table.toString()),
+        match.counts()
+            ? "'%s' is %s, which has no versions or was rated under another name; not used"
+                .formatted(match.object(), match.switchName().orElse(""))
+            : "no Switch of the scene has the name '%s'%s; its ratings are not used"
+                .formatted(
+                    match.object(),
+                    match.switchName().map(name -> "; is " + name + " meant?").orElse("")));
+  }
+
+  private boolean metadata(Path table) throws IOException {
+    return MetadataTable.edit(enrichment, table.toString(), read(table), problems)
+        .filter(this::perform)
+        .isPresent();
+  }
+
+  private boolean perform(Edit edit) {
+    try {
+      file.document().perform(edit);
+      return true;
+    } catch (EditRefused e) {
+      problems.error(Location.of(file.document().name()), e.getMessage());
+      return false;
+    }
+  }
+
+  private static byte[] read(Path table) throws IOException {
+    try {
+      return Files.readAllBytes(table);
+    } catch (NoSuchFileException e) {
+      throw new IOException(table + ": there is no such file", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException(table + ": the file may not be read", e);
+    }
+  }
+
+  /** Whether the scene differs from its file. */
+  public boolean changed() {
+    return !before.contentEquals(file.document().text());
+  }
+
+  /** How the scene differs, in the unified format. */
+  public String difference(Path output) {
+    return UnifiedDiff.of(
+        file.path().toString(), output.toString(), before, file.document().text().toString());
+  }
+
+  /**
+   * Writes the scene, to its own file with a backup, or to another one.
+   *
+   * @throws IOException if it cannot be written, with one line that names it
+   */
+  public void save(Path output) throws IOException {
+    if (output.equals(file.path())) {
+      file.save();
+    } else {
+      file.saveAs(output);
+    }
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * Enriching a scene without a window: the edits of the enricher, told by tables.
+ *
+ * <p>In: a scene, METADATA.csv, RATINGS.csv. Out: the enriched scene, or how it would differ. Uses
+ * the other packages of {@code document}.
+ */
+@NullMarked
+package org.selectiverenderer.document.headless;
+
+import org.jspecify.annotations.NullMarked;

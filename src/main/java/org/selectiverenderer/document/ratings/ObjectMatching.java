@@ -1,0 +1,111 @@
+package org.selectiverenderer.document.ratings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.x3d.Spelling;
+
+/**
+ * Which Switch of a scene each object of a questionnaire is. Begins with what the names say and can
+ * be corrected. A name that is only similar is proposed, but not taken until {@link #choose}.
+ */
+public final class ObjectMatching {
+  /** How an object came to its Switch. */
+  public enum How {
+    /** The names are the same but for prefixes, case and punctuation. */
+    SAME_NAME,
+    /** The author said so. */
+    CHOSEN,
+    /** The names are similar: only a proposal. */
+    PROPOSED,
+    /** There is none. */
+    NONE
+  }
+
+  /**
+   * @param switchName empty for {@link How#NONE}
+   */
+  public record Match(String object, Optional<String> switchName, How how) {
+    /** Whether ratings of the object are used. */
+    public boolean counts() {
+      return how == How.SAME_NAME || how == How.CHOSEN;
+    }
+  }
+
+  private final Map<String, Match> matches = new LinkedHashMap<>();
+
+  /**
+   * @param objects of the questionnaire
+   */
+  public ObjectMatching(Set<String> objects, List<SwitchNode> switches) {
+    Map<String, String> byName = new TreeMap<>();
+    for (SwitchNode node : switches) {
+      for (String name : names(node)) {
+        byName.putIfAbsent(name, node.name());
+      }
+    }
+    for (String object : objects) {
+      matches.put(object, match(object, byName));
+    }
+  }
+
+  /** What a Switch may be called, in plain letters: after its DEF, and after its first file. */
+  private static List<String> names(SwitchNode node) {
+    List<String> names = new ArrayList<>(List.of(plain(node.name()), plain(node.object())));
+    if (!node.choices().isEmpty()) {
+      String url = node.choices().get(0).url();
+      String file = url.substring(url.lastIndexOf('/') + 1);
+      int end = file.indexOf('.');
+      names.add(plain((end < 0 ? file : file.substring(0, end)).replaceFirst("_v\\d+$", "")));
+    }
+    names.removeIf(String::isEmpty);
+    return names;
+  }
+
+  private static String plain(String name) {
+    StringBuilder letters = new StringBuilder();
+    name.toLowerCase(Locale.ROOT)
+        .codePoints()
+        .filter(Character::isLetterOrDigit)
+        .forEach(letters::appendCodePoint);
+    return letters.toString();
+  }
+
+  private static Match match(String object, Map<String, String> byName) {
+    String plain = plain(object);
+    String same = byName.get(plain);
+    if (same != null) {
+      return new Match(object, Optional.of(same), How.SAME_NAME);
+    }
+    Optional<String> near = Spelling.nearest(plain, byName.keySet());
+    if (near.isEmpty() && plain.length() > 2) {
+      near =
+          byName.keySet().stream()
+              .filter(name -> name.contains(plain) || name.length() > 2 && plain.contains(name))
+              .findFirst();
+    }
+    return near.map(name -> new Match(object, Optional.of(byName.get(name)), How.PROPOSED))
+        .orElse(new Match(object, Optional.empty(), How.NONE));
+  }
+
+  /** All objects in the order of the table. */
+  public List<Match> matches() {
+    return List.copyOf(matches.values());
+  }
+
+  /** Says which Switch an object is. */
+  public void choose(String object, String switchName) {
+    matches.put(object, new Match(object, Optional.of(switchName), How.CHOSEN));
+  }
+
+  /** Says that an object is none of the Switches. */
+  public void leaveOut(String object) {
+    matches.put(object, new Match(object, Optional.empty(), How.NONE));
+  }
+}

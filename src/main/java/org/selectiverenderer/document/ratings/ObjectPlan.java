@@ -1,0 +1,74 @@
+package org.selectiverenderer.document.ratings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.ratings.RatingPlan.Implied;
+import org.selectiverenderer.document.ratings.RatingPlan.Row;
+import org.selectiverenderer.document.ratings.Ratings.Mean;
+
+/** What ratings imply for one Switch. */
+final class ObjectPlan {
+  private final SwitchNode node;
+  private final SchemaPlaces places;
+
+  ObjectPlan(SwitchNode node, SchemaPlaces places) {
+    this.node = node;
+    this.places = places;
+  }
+
+  Row row(String object, Map<String, Mean> means) {
+    int versions = node.choices().size();
+    Map<String, Integer> shown = new LinkedHashMap<>();
+    means.forEach(
+        (schema, mean) -> shown.put(schema, VersionBands.version(mean.value(), versions)));
+    boolean steady = shown.values().stream().distinct().count() == 1;
+    boolean ofRoom = means.keySet().stream().anyMatch(schema -> !places.isPart(schema));
+    List<Implied> implied = new ArrayList<>();
+    means.forEach(
+        (schema, mean) -> {
+          // In a part of the room where it is shown as in all of it nothing has to be said.
+          boolean needless = steady && ofRoom && places.isPart(schema);
+          implied.add(
+              new Implied(
+                  schema, mean, needless ? Optional.empty() : Optional.of(shown.get(schema))));
+        });
+    return new Row(node, Optional.of(object), implied, choices(node, implied));
+  }
+
+  /** A Switch that was not rated, in a room where it is expected. */
+  static Row expected(SwitchNode node, String schema) {
+    int last = node.choices().size() - 1;
+    List<ChoiceValues> choices = new ArrayList<>(node.values());
+    choices.set(last, VersionBands.values(last, last + 1).with(List.of(schema)));
+    return new Row(node, Optional.empty(), List.of(), choices);
+  }
+
+  /** What is said already of schemas that were not rated stays. */
+  private static List<ChoiceValues> choices(SwitchNode node, List<Implied> implied) {
+    List<String> rated = implied.stream().map(Implied::schema).toList();
+    List<ChoiceValues> choices = new ArrayList<>();
+    for (int i = 0; i < node.choices().size(); i++) {
+      int index = i;
+      ChoiceValues before = node.choices().get(i).values();
+      List<String> schemas = new ArrayList<>(before.schemas());
+      schemas.removeAll(rated);
+      boolean others = !schemas.isEmpty();
+      implied.stream()
+          .filter(each -> each.choice().filter(choice -> choice == index).isPresent())
+          .forEach(each -> schemas.add(each.schema()));
+      if (schemas.isEmpty()) {
+        choices.add(ChoiceValues.NONE);
+      } else if (others && before.type().isPresent()) {
+        choices.add(before.with(schemas));
+      } else {
+        choices.add(VersionBands.values(i, node.choices().size()).with(schemas));
+      }
+    }
+    return choices;
+  }
+}

@@ -1,0 +1,76 @@
+package org.selectiverenderer.document.ratings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.selectiverenderer.document.enrichment.EnrichmentEdits.SensorWish;
+import org.selectiverenderer.document.enrichment.SensorNode;
+import org.selectiverenderer.document.ratings.Ratings.Mean;
+import org.selectiverenderer.schema.SensorSchemas;
+
+/**
+ * Which of the rated schemas are of parts of a room, and what that says of the sensors. A schema is
+ * of a part if a sensor activates it on entry, or if a sensor of which nothing is said has its
+ * name: DeskProx is the place of DeskSchema (thesis Fig 77). Leaving the part activates the schemas
+ * of rooms that the part's objects were rated in.
+ */
+final class SchemaPlaces {
+  private static final Pattern SENSOR_WORDS =
+      Pattern.compile("(?i)proximity|sensor|prox|area|definition|[^\\p{L}\\p{N}]");
+  private static final Pattern SCHEMA_WORDS = Pattern.compile("(?i)schema|[^\\p{L}\\p{N}]");
+
+  private final Set<String> parts = new LinkedHashSet<>();
+  private final Map<SensorNode, String> newPlaces = new LinkedHashMap<>();
+  private final Ratings ratings;
+
+  SchemaPlaces(List<SensorNode> sensors, Ratings ratings) {
+    this.ratings = ratings;
+    Set<String> schemas = new LinkedHashSet<>();
+    ratings.means().values().forEach(bySchema -> schemas.addAll(bySchema.keySet()));
+    for (SensorNode sensor : sensors) {
+      parts.addAll(sensor.schemas().enter());
+      if (!sensor.enriched()) {
+        String place = SENSOR_WORDS.matcher(sensor.name()).replaceAll("").toLowerCase(Locale.ROOT);
+        schemas.stream()
+            .filter(schema -> !place.isEmpty() && place.equals(placeOf(schema)))
+            .findFirst()
+            .ifPresent(
+                schema -> {
+                  parts.add(schema);
+                  newPlaces.put(sensor, schema);
+                });
+      }
+    }
+  }
+
+  private static String placeOf(String schema) {
+    return SCHEMA_WORDS.matcher(schema).replaceAll("").toLowerCase(Locale.ROOT);
+  }
+
+  /** Whether a schema is of a part of a room. */
+  boolean isPart(String schema) {
+    return parts.contains(schema);
+  }
+
+  /** What sensors of which nothing is said are to say. */
+  List<SensorWish> wishes() {
+    List<SensorWish> wishes = new ArrayList<>();
+    newPlaces.forEach(
+        (sensor, schema) -> {
+          Set<String> rooms = new LinkedHashSet<>();
+          for (Map<String, Mean> means : ratings.means().values()) {
+            if (means.containsKey(schema)) {
+              means.keySet().stream().filter(other -> !isPart(other)).forEach(rooms::add);
+            }
+          }
+          wishes.add(
+              new SensorWish(sensor, new SensorSchemas(List.of(schema), List.copyOf(rooms))));
+        });
+    return wishes;
+  }
+}

@@ -1,0 +1,108 @@
+package org.selectiverenderer.document.enrichment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+class MetadataTableTest {
+  private static final String NODES =
+      """
+      <Switch DEF='Switch_A'>
+        <Shape/>
+        <Shape/>
+      </Switch>
+      <ProximitySensor DEF='Prox'/>
+      """;
+
+  private final Problems problems = new Problems();
+
+  private Optional<Edit> edit(Scenes scene, String table) {
+    return MetadataTable.edit(
+        scene.enrichment, "m.csv", table.getBytes(StandardCharsets.UTF_8), problems);
+  }
+
+  @Test
+  void rowsSayWhatNodesAreToSay() {
+    Scenes scene = Scenes.with(NODES);
+    scene.perform(
+        edit(
+                scene,
+                """
+                node,choice,field,value
+                Switch_A,1,schemaBelonginess,Office
+                Switch_A,1,schemaBelonginess,Lounge
+                Switch_A,1,degreeOfConsistency,high
+                Prox,,enterTimeSchemaActivation,Desk
+                """)
+            .orElseThrow());
+    assertThat(problems.list()).isEmpty();
+    assertThat(scene.switchNode("Switch_A").values().get(1))
+        .isEqualTo(ChoiceValues.NONE.with(Degree.HIGH).with(List.of("Office", "Lounge")));
+    assertThat(scene.sensor("Prox").schemas().enter()).containsExactly("Desk");
+    assertThat(scene.document.history().undoName()).contains("Apply m.csv");
+  }
+
+  @Test
+  void fieldsThatTheTableDoesNotNameStayAndAnEmptyValueClears() {
+    Scenes scene = Scenes.with(NODES);
+    scene.perform(
+        edit(
+                scene,
+                """
+                node;choice;field;value
+                Switch_A;0;schemaBelonginess;Desk
+                Switch_A;0;degreeOfConsistency;0.5
+                """)
+            .orElseThrow());
+    scene.perform(
+        edit(scene, "\ufeffNode, Choice, Field, Value\nSwitch_A,0,degreeOfConsistency,\n")
+            .orElseThrow());
+    assertThat(scene.switchNode("Switch_A").values().get(0))
+        .isEqualTo(ChoiceValues.NONE.with(List.of("Desk")));
+  }
+
+  @Test
+  void aRowThatCannotBeUnderstoodAppliesNothing() {
+    Scenes scene = Scenes.with(NODES);
+    Optional<Edit> edit =
+        edit(
+            scene,
+            """
+            node,choice,field,value
+            Switch_A,0,schemaBelonginess,Desk
+            Switch_B,0,schemaBelonginess,Desk
+            Switch_A,2,schemaBelonginess,Desk
+            Switch_A,0,belongs,Desk
+            Switch_A,0,consistencyType,maybe
+            Switch_A,0,degreeOfConsistency,2
+            Prox,0,enterTimeSchema,Desk
+            """);
+    assertThat(edit).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .containsExactly(
+            "m.csv:3:1: there is no Switch 'Switch_B' in the scene; is Switch_A meant?; the table is not applied",
+            "m.csv:4:1: Switch_A has choices 0 to 1, not '2'; the table is not applied",
+            "m.csv:5:1: there is no field 'belongs' of schema metadata; the table is not applied",
+            "m.csv:6:1: 'maybe' is neither consistent, inconsistent nor frame; the table is not applied",
+            "m.csv:7:1: '2' is neither low, high nor a number from 0 to 1; the table is not applied",
+            "m.csv:8:1: a ProximitySensor has no choices; leave the column choice empty; the table is not applied");
+  }
+
+  @Test
+  void aTableWithoutItsColumnsIsNone() {
+    assertThat(edit(Scenes.with(NODES), "a,b\n1,2\n")).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .containsExactly(
+            "m.csv:1:1: the first line names the columns node,choice,field,value; nothing is read"
+                + " without it");
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.document.enrichment;
+
+import org.jspecify.annotations.NullMarked;

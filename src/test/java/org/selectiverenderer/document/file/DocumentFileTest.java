@@ -1,0 +1,153 @@
+package org.selectiverenderer.document.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.polygon.versions.FileActions;
+
+class DocumentFileTest {
+  private static final String SCENE = "<X3D><Scene/></X3D>\n";
+
+  @TempDir Path folder;
+  private Path path = Path.of("");
+
+  @BeforeEach
+  void writeTheScene() throws IOException {
+    path = Files.writeString(folder.resolve("a.x3d"), SCENE);
+  }
+
+  private long files() throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.count();
+    }
+  }
+
+  @Test
+  void savingKeepsTheFileAsItWasBeside() throws IOException {
+    DocumentFile file = DocumentFile.open(path);
+    file.document().type(0, 0, "<!-- 1 -->");
+    assertThat(file.document().modified()).isTrue();
+    file.save();
+    assertThat(file.document().modified()).isFalse();
+    assertThat(path).hasContent("<!-- 1 -->" + SCENE);
+    assertThat(file.backup()).hasContent(SCENE);
+    assertThat(file.state()).isEqualTo(DiskState.SAME);
+    assertThat(files()).isEqualTo(2);
+    file.document().history().undo();
+    assertThat(file.document().modified()).isTrue();
+    file.document().history().redo();
+    assertThat(file.document().modified()).isFalse();
+  }
+
+  @Test
+  void whatAnotherProgramWroteIsNotOverwritten() throws IOException {
+    DocumentFile file = DocumentFile.open(path);
+    file.document().type(0, 0, " ");
+    Files.writeString(path, "<X3D/>");
+    assertThat(file.state()).isEqualTo(DiskState.CHANGED);
+    assertThatThrownBy(file::save)
+        .isInstanceOf(FileChanged.class)
+        .hasMessage(
+            path
+                + ": another program has changed the file since it was opened; it is not overwritten");
+    assertThat(path).hasContent("<X3D/>");
+    file.saveOver();
+    assertThat(path).hasContent(" " + SCENE);
+    assertThat(file.backup()).hasContent("<X3D/>");
+  }
+
+  @Test
+  void aTouchedFileIsTheSame() throws IOException {
+    DocumentFile file = DocumentFile.open(path);
+    Files.writeString(path, SCENE);
+    Files.setLastModifiedTime(path, FileTime.fromMillis(1));
+    assertThat(file.state()).isEqualTo(DiskState.SAME);
+  }
+
+  @Test
+  void aFileThatIsGoneIsWrittenAgain() throws IOException {
+    DocumentFile file = DocumentFile.open(path);
+    Files.delete(path);
+    assertThat(file.state()).isEqualTo(DiskState.GONE);
+    file.save();
+    assertThat(path).hasContent(SCENE);
+  }
+
+  @Test
+  void aFullDiskChangesNothing() throws IOException {
+    FileActions full = new FullDisk();
+    DocumentFile file = DocumentFile.open(path, full);
+    file.document().type(0, 0, " ");
+    assertThatThrownBy(file::save)
+        .isInstanceOf(IOException.class)
+        .hasMessage(
+            path
+                + ": cannot be saved (No space left on device); file and document are as they were."
+                + " Save it under another name");
+    assertThat(path).hasContent(SCENE);
+    assertThat(files()).isEqualTo(1);
+    assertThat(file.document().modified()).isTrue();
+    assertThat(file.document().text().toString()).isEqualTo(" " + SCENE);
+  }
+
+  /** Takes half of what is written. */
+  private static final class FullDisk implements FileActions {
+    @Override
+    public void createFolder(Path folder) throws IOException {
+      REAL.createFolder(folder);
+    }
+
+    @Override
+    public void write(Path file, byte[] content) throws IOException {
+      Files.write(file, Arrays.copyOf(content, content.length / 2));
+      throw new FileSystemException(file.toString(), null, "No space left on device");
+    }
+
+    @Override
+    public void move(Path from, Path to) throws IOException {
+      REAL.move(from, to);
+    }
+
+    @Override
+    public void delete(Path fileOrFolder) throws IOException {
+      REAL.delete(fileOrFolder);
+    }
+  }
+
+  @Test
+  void aMissingFileIsToldInOneLine() {
+    assertThatThrownBy(() -> DocumentFile.open(folder.resolve("b.x3d")))
+        .hasMessage(folder.resolve("b.x3d") + ": there is no such file");
+  }
+
+  @Test
+  void unsavedWorkIsFoundAgainAndCanBeUndone() throws IOException {
+    Recovery recovery = new Recovery(folder.resolve("settings/recovery"));
+    DocumentFile file = DocumentFile.open(path);
+    int at = SCENE.indexOf("</X3D>");
+    file.document().type(at, at, "<!-- \u00fcber -->");
+    recovery.keep(path, file.document().snapshot());
+    assertThat(recovery.found()).hasSize(1);
+    DocumentFile again = recovery.open(recovery.found().get(0));
+    assertThat(again.path()).isEqualTo(path.toAbsolutePath());
+    assertThat(again.document().text().toString()).contains("<!-- \u00fcber -->");
+    assertThat(again.document().history().undoName()).contains("Recover unsaved changes");
+    again.document().history().undo();
+    assertThat(again.document().text().toString()).isEqualTo(SCENE);
+    Files.delete(path);
+    DocumentFile alone = recovery.open(recovery.found().get(0));
+    assertThat(alone.document().modified()).isTrue();
+    recovery.forget(path);
+    assertThat(recovery.found()).isEmpty();
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.document.file;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.document.headless;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.document;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,130 @@
+package org.selectiverenderer.document.ratings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.enrichment.Scenes;
+import org.selectiverenderer.document.ratings.ObjectMatching.How;
+import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+class RatingPlanTest {
+  private static final ChoiceValues LOW =
+      ChoiceValues.NONE.with(ConsistencyType.INCONSISTENT).with(Degree.LOW);
+  private static final ChoiceValues HIGH =
+      ChoiceValues.NONE.with(ConsistencyType.CONSISTENT).with(Degree.HIGH);
+
+  private final Problems problems = new Problems();
+
+  private Optional<Ratings> ratings(String rows) {
+    String table = "object,schema,rating\n" + rows;
+    return Ratings.read("r.csv", table.getBytes(StandardCharsets.UTF_8), problems);
+  }
+
+  private static String object(String name, int versions) {
+    return "<Switch DEF='Switch_" + name + "'>" + "<Shape/>".repeat(versions) + "</Switch>\n";
+  }
+
+  private RatingPlan plan(Scenes scene, String rows) {
+    Ratings ratings = ratings(rows).orElseThrow();
+    ObjectMatching matching =
+        new ObjectMatching(ratings.means().keySet(), scene.enrichment.switches());
+    return RatingPlan.of(scene.enrichment, ratings, matching, true);
+  }
+
+  @Test
+  void manyRatingsOfAPairAreOneMean() {
+    Ratings.Mean mean =
+        ratings("cup,Desk,2\ncup,Desk,4.5\ncup,Desk,\n")
+            .orElseThrow()
+            .means()
+            .get("cup")
+            .get("Desk");
+    assertThat(mean.value()).isCloseTo(3.25, within(1e-12));
+    assertThat(mean.count()).isEqualTo(2);
+  }
+
+  @Test
+  void aRatingOutOfRangeIsTold() {
+    assertThat(ratings("cup,Desk,0\ncup,Desk,7\ncup,Desk,x\ncup,,3\n")).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .containsExactly(
+            "r.csv:2:1: '0' is no rating from 1 to 6; the table is not used",
+            "r.csv:3:1: '7' is no rating from 1 to 6; the table is not used",
+            "r.csv:4:1: 'x' is no rating from 1 to 6; the table is not used",
+            "r.csv:5:1: a rating needs an object and a schema; the table is not used");
+  }
+
+  @Test
+  void anObjectThatTheDeskTurnsIsShownByItsFirstVersionThere() {
+    Scenes scene = Scenes.with(object("TrashCan", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
+    RatingPlan plan = plan(scene, "trash can,OfficeSchema,5.04\ntrash can,DeskSchema,1.39\n");
+    scene.perform(plan.edit("Import ratings"));
+    assertThat(scene.switchNode("Switch_TrashCan").values())
+        .containsExactly(LOW.with(List.of("DeskSchema")), HIGH.with(List.of("OfficeSchema")));
+    assertThat(scene.sensor("DeskProx").schemas().enter()).containsExactly("DeskSchema");
+    assertThat(scene.sensor("DeskProx").schemas().exit()).containsExactly("OfficeSchema");
+    assertThat(scene.document.history().names()).containsExactly("Import ratings");
+  }
+
+  @Test
+  void whereTheDeskTurnsNothingItIsNotNamed() {
+    Scenes scene = Scenes.with(object("Mug", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
+    scene.perform(plan(scene, "mug,OfficeSchema,3.5\nmug,DeskSchema,4\n").edit("Import"));
+    assertThat(scene.switchNode("Switch_Mug").values())
+        .containsExactly(ChoiceValues.NONE, HIGH.with(List.of("OfficeSchema")));
+  }
+
+  @Test
+  void ofManyVersionsNeutralObjectsShowOneBetween() {
+    Scenes scene = Scenes.with(object("A", 4) + object("B", 4));
+    scene.perform(plan(scene, "a,Room,3.1\nb,Room,3.9\n").edit("Import"));
+    assertThat(scene.switchNode("Switch_A").values().get(1).schemas()).containsExactly("Room");
+    assertThat(scene.switchNode("Switch_B").values().get(2))
+        .isEqualTo(HIGH.with(new Degree(2.0 / 3)).with(List.of("Room")));
+  }
+
+  @Test
+  void whatWasNotRatedFollowsTheRoomThatItStandsIn() {
+    Scenes scene =
+        Scenes.with(
+            "<Group>"
+                + object("A", 2)
+                + object("B", 2)
+                + "</Group><Group>"
+                + object("C", 2)
+                + "</Group>"
+                + object("D", 2));
+    RatingPlan plan = plan(scene, "a,Kitchen,5\nc,Lounge,5\n");
+    scene.perform(plan.edit("Import"));
+    assertThat(scene.switchNode("Switch_B").values().get(1))
+        .isEqualTo(HIGH.with(List.of("Kitchen")));
+    assertThat(plan.unrated()).extracting(node -> node.name()).containsExactly("Switch_D");
+  }
+
+  @Test
+  void similarNamesAreProposedButNotTaken() {
+    Scenes scene = Scenes.with(object("CoffeeMug", 2));
+    ObjectMatching matching =
+        new ObjectMatching(
+            ratings("mug,Desk,1\nsword,Desk,1\n").orElseThrow().means().keySet(),
+            scene.enrichment.switches());
+    assertThat(matching.matches())
+        .containsExactly(
+            new Match("mug", Optional.of("Switch_CoffeeMug"), How.PROPOSED),
+            new Match("sword", Optional.empty(), How.NONE));
+    assertThat(plan(scene, "mug,Desk,1\n").rows()).isEmpty();
+    matching.choose("mug", "Switch_CoffeeMug");
+    Ratings ratings = ratings("mug,Desk,1\n").orElseThrow();
+    assertThat(RatingPlan.of(scene.enrichment, ratings, matching, false).rows()).hasSize(1);
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.document.ratings;
+
+import org.jspecify.annotations.NullMarked;

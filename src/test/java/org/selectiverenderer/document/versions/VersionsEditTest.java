@@ -1,0 +1,65 @@
+package org.selectiverenderer.document.versions;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+
+class VersionsEditTest {
+  private static final String SCENE =
+      "<X3D version='3.3'><Scene>\n  <Shape DEF='Ball'><Sphere/></Shape>\n</Scene></X3D>\n";
+
+  @TempDir Path folder;
+
+  private VersionsEdit plan(DocumentFile file) throws IOException {
+    return VersionsEdit.plan(
+            file.document().snapshot(),
+            new VersionsEdit.Request(
+                file.path(), "Ball", List.of(new Goal.Polygons(100)), "inlineNodes"),
+            NodeCatalogue.load(),
+            new Problems())
+        .orElseThrow();
+  }
+
+  @Test
+  void versionsOfAnUnsavedSceneAreOneStepAndTheFileIsLeftAlone() throws IOException {
+    DocumentFile file = DocumentFile.open(Files.writeString(folder.resolve("ball.x3d"), SCENE));
+    SceneDocument document = file.document();
+    document.type(0, 0, "<!-- not saved -->");
+    VersionsEdit versions = plan(file);
+    assertThat(versions.versions()).hasSize(2);
+    assertThat(folder.resolve("inlineNodes")).doesNotExist();
+    versions.apply(document, FileActions.REAL);
+    assertThat(folder.resolve("inlineNodes/Ball_v2.x3d")).exists();
+    assertThat(file.path()).hasContent(SCENE);
+    assertThat(new Enrichment(document, NodeCatalogue.load()).switches().get(0).choices())
+        .extracting(choice -> choice.url())
+        .containsExactly("inlineNodes/Ball_v1.x3d", "inlineNodes/Ball_v2.x3d");
+    assertThat(document.history().undoName()).contains("Make versions of Ball");
+    document.history().undo();
+    assertThat(document.text().toString()).isEqualTo("<!-- not saved -->" + SCENE);
+  }
+
+  @Test
+  void aPlanOfAnotherTextIsNotApplied() throws IOException {
+    DocumentFile file = DocumentFile.open(Files.writeString(folder.resolve("ball.x3d"), SCENE));
+    VersionsEdit versions = plan(file);
+    file.document().type(0, 0, " ");
+    assertThatThrownBy(() -> versions.apply(file.document(), FileActions.REAL))
+        .isInstanceOf(EditRefused.class);
+    assertThat(folder.resolve("inlineNodes")).doesNotExist();
+  }
+}

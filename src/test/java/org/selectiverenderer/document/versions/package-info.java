@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.document.versions;
+
+import org.jspecify.annotations.NullMarked;
