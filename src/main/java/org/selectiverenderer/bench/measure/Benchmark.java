@@ -67,7 +67,7 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     Activating.measure(many, AFFECTED, report.putObject("activation"));
     progress.accept("apartment: writing it");
     Path apartment = folder.resolve("apartment");
-    new ApartmentGenerator().writeAll(apartment);
+    new ApartmentGenerator().writeAll(apartment, false);
     progress.accept("polygon count process");
     new Simplifying().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
     new RoomRuns(child, runs, progress)

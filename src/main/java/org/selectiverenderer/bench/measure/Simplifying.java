@@ -69,7 +69,7 @@ final class Simplifying {
     return tasks;
   }
 
-  private static Mesh torus() {
+  static Mesh torus() {
     float[] positions = new float[3 * RINGS * STEPS];
     int[] indices = new int[6 * RINGS * STEPS];
     for (int ring = 0; ring < RINGS; ring++) {
