@@ -19,7 +19,6 @@ final class CommandCatalogue {
         new ExperimentCommand(console),
         new ApartmentCommand(console),
         new TrackCommand(console),
-        new ExperimentCommand(console),
         new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
