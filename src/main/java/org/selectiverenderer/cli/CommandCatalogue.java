@@ -13,6 +13,7 @@ final class CommandCatalogue {
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
+        new ValidateCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

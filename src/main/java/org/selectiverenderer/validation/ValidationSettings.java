@@ -1,0 +1,31 @@
+package org.selectiverenderer.validation;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/**
+ * What a user decides.
+ *
+ * @param ignored ids of rules, or beginnings of ids ({@code SR2} for a group)
+ * @param severities by id of rule, instead of the rule's own
+ */
+public record ValidationSettings(
+    Set<String> ignored, Map<String, Severity> severities, List<Budget> budgets) {
+  public ValidationSettings {
+    ignored = Set.copyOf(ignored);
+    severities = Map.copyOf(severities);
+    budgets = List.copyOf(budgets);
+  }
+
+  /** All rules as they are, no budgets. */
+  public static ValidationSettings standard() {
+    return new ValidationSettings(Set.of(), Map.of(), List.of());
+  }
+
+  /** Whether findings of a rule are not wanted. */
+  boolean ignores(String id) {
+    return ignored.stream().anyMatch(id::startsWith);
+  }
+}
