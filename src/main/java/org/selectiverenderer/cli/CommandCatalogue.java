@@ -13,7 +13,7 @@ final class CommandCatalogue {
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
-        new ValidateCommand(console),
+        new ValidateCommand(console, System.in),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

@@ -10,10 +10,7 @@ record FindingFilter(ValidationSettings settings, Map<String, Suppressions> supp
     return findings.stream()
         .filter(finding -> !settings.ignores(finding.rule().id()))
         .filter(finding -> !suppressed(finding))
-        .map(
-            finding ->
-                finding.with(
-                    settings.severities().getOrDefault(finding.rule().id(), finding.severity())))
+        .map(finding -> finding.with(settings.severity(finding.rule())))
         .toList();
   }
 

@@ -1,6 +1,7 @@
 package org.selectiverenderer.validation;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.selectiverenderer.validation.budget.BudgetRules;
 import org.selectiverenderer.validation.enrichment.EnrichmentRules;
@@ -35,5 +36,16 @@ public record RuleCatalogue(List<RuleGroup> groups) {
   /** The rule of an id in any case. */
   public Optional<Rule> find(String id) {
     return rules().stream().filter(rule -> rule.id().equalsIgnoreCase(id)).findFirst();
+  }
+
+  /**
+   * What a user means by an id or by the beginning of ids, such as {@code sr2}: as rules are
+   * compared with it; empty if it fits none.
+   */
+  public Optional<String> resolve(String id) {
+    String wanted = id.strip().toUpperCase(Locale.ROOT);
+    return wanted.length() > 2 && rules().stream().anyMatch(rule -> rule.id().startsWith(wanted))
+        ? Optional.of(wanted)
+        : Optional.empty();
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -27,5 +28,17 @@ public record ValidationSettings(
   /** Whether findings of a rule are not wanted. */
   boolean ignores(String id) {
     return ignored.stream().anyMatch(id::startsWith);
+  }
+
+  /** The same, with more rules ignored. */
+  public ValidationSettings ignoring(Set<String> more) {
+    Set<String> all = new HashSet<>(ignored);
+    all.addAll(more);
+    return new ValidationSettings(all, severities, budgets);
+  }
+
+  /** The severity that findings of a rule are to have. */
+  Severity severity(Rule rule) {
+    return severities.getOrDefault(rule.id(), rule.severity());
   }
 }

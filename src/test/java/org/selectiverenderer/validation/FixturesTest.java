@@ -86,7 +86,14 @@ class FixturesTest {
   }
 
   private static Report validate(String name) throws IOException {
-    return new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), FOLDER)
+    Path settings = FOLDER.resolve(name.replaceAll("\\.x3dz?$", ".json"));
+    RuleCatalogue rules = RuleCatalogue.standard();
+    return new Validator(
+            rules,
+            Files.exists(settings)
+                ? new SettingsFile(settings, rules).read()
+                : ValidationSettings.standard(),
+            FOLDER)
         .validate(List.of(SourceFile.of(FOLDER.resolve(name), FOLDER)));
   }
 
