@@ -1,15 +1,20 @@
 package org.selectiverenderer.validation;
 
 import java.lang.reflect.Array;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.DocumentElement;
 import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.SceneDocument;
 import org.selectiverenderer.x3d.X3dFile;
 
 /** Makes outlines: measures the geometry of a file, then lets its long values go. */
@@ -18,7 +23,7 @@ final class Outliner {
 
   private final Measurer measurer = new Measurer();
 
-  FileOutline outline(SourceFile file, long bytes, X3dFile scene) {
+  FileOutline outline(SourceFile file, long bytes, SceneDocument document, X3dFile scene) {
     List<ParsedNode> nodes = nodes(scene);
     Map<ParsedNode, Measure> measures = new IdentityHashMap<>();
     for (ParsedNode node : nodes) {
@@ -27,34 +32,53 @@ final class Outliner {
       }
     }
     nodes.forEach(Outliner::release);
-    return new FileOutline(file, bytes, scene, nodes, measures);
+    return new FileOutline(file, bytes, scene, nodes, urls(document), measures);
   }
 
-  /** All nodes, each once, parents first. */
+  private static Map<Location, Location> urls(SceneDocument document) {
+    Map<Location, Location> places = new HashMap<>();
+    for (DocumentElement element : document.elements()) {
+      element.attribute("url").ifPresent(url -> places.put(element.location(), url.location()));
+    }
+    return places;
+  }
+
+  /**
+   * All nodes, each once, parents first. Without recursion: a chain of USEs is as deep as the file
+   * is long.
+   */
   private static List<ParsedNode> nodes(X3dFile scene) {
     Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     List<ParsedNode> found = new ArrayList<>();
-    scene.nodes().forEach(node -> collect(node, seen, found));
+    Deque<ParsedNode> waiting = new ArrayDeque<>();
+    push(scene.nodes(), waiting);
+    for (ParsedNode node = waiting.poll(); node != null; node = waiting.poll()) {
+      if (seen.add(node)) {
+        found.add(node);
+        push(children(node), waiting);
+      }
+    }
     return found;
   }
 
-  private static void collect(
-      @Nullable ParsedNode node, Set<ParsedNode> seen, List<ParsedNode> found) {
-    if (node == null || !seen.add(node)) {
-      return;
+  private static void push(List<ParsedNode> nodes, Deque<ParsedNode> waiting) {
+    for (int i = nodes.size() - 1; i >= 0; i--) {
+      waiting.push(nodes.get(i));
     }
-    found.add(node);
+  }
+
+  private static List<ParsedNode> children(ParsedNode node) {
+    List<ParsedNode> children = new ArrayList<>();
     for (FieldDefinition field : node.type().fields()) {
-      if (!field.type().isNode() || !node.given(field.index())) {
-        continue;
-      }
-      Object value = node.value(field.index());
+      Object value =
+          field.type().isNode() && node.given(field.index()) ? node.value(field.index()) : null;
       if (value instanceof List<?> list) {
-        list.forEach(child -> collect((ParsedNode) child, seen, found));
-      } else {
-        collect((ParsedNode) value, seen, found);
+        list.forEach(child -> children.add((ParsedNode) child));
+      } else if (value != null) {
+        children.add((ParsedNode) value);
       }
     }
+    return children;
   }
 
   private static void release(ParsedNode node) {
