@@ -13,6 +13,7 @@ import org.selectiverenderer.x3d.Problem.Severity;
  * @param severity unless a configuration changes it
  * @param template the message with names in braces where a finding puts its own words, for example
  *     <code>unknown element {element}</code>
+ * @param summary what it is about, for lists of rules; empty where the template says it
  * @param explanation why it matters and what to do, in one or two sentences
  * @param bad a short example that has it: a fragment of a Scene, or a whole file from {@code <?xml}
  *     or {@code <X3D}
@@ -23,6 +24,7 @@ public record Rule(
     String id,
     Severity severity,
     String template,
+    String summary,
     String explanation,
     String bad,
     String good,
@@ -31,37 +33,42 @@ public record Rule(
 
   /** An error: the file breaks a rule that everybody relies on, or something will not show. */
   public static Rule error(String id, String template) {
-    return new Rule(id, Severity.ERROR, template, "", "", "", "");
+    return new Rule(id, Severity.ERROR, template, "", "", "", "", "");
   }
 
   /** A warning: it works here, but is not meant so or does not work everywhere. */
   public static Rule warning(String id, String template) {
-    return new Rule(id, Severity.WARNING, template, "", "", "", "");
+    return new Rule(id, Severity.WARNING, template, "", "", "", "", "");
   }
 
   /** A remark, which never makes a run fail. */
   public static Rule info(String id, String template) {
-    return new Rule(id, Severity.INFO, template, "", "", "", "");
+    return new Rule(id, Severity.INFO, template, "", "", "", "", "");
+  }
+
+  /** With words for lists of rules, where the message as a whole differs from case to case. */
+  public Rule about(String what) {
+    return new Rule(id, severity, template, what, explanation, bad, good, reference);
   }
 
   /** With an explanation. */
   public Rule because(String why) {
-    return new Rule(id, severity, template, why.strip(), bad, good, reference);
+    return new Rule(id, severity, template, summary, why.strip(), bad, good, reference);
   }
 
   /** With an example that has it. */
   public Rule bad(String example) {
-    return new Rule(id, severity, template, explanation, example.strip(), good, reference);
+    return new Rule(id, severity, template, summary, explanation, example.strip(), good, reference);
   }
 
   /** With the example put right. */
   public Rule good(String example) {
-    return new Rule(id, severity, template, explanation, bad, example.strip(), reference);
+    return new Rule(id, severity, template, summary, explanation, bad, example.strip(), reference);
   }
 
   /** With a source. */
   public Rule see(String source) {
-    return new Rule(id, severity, template, explanation, bad, good, source);
+    return new Rule(id, severity, template, summary, explanation, bad, good, source);
   }
 
   /**
@@ -87,8 +94,11 @@ public record Rule(
 
   /** The message as a list of rules shows it. */
   public String title() {
+    if (!summary.isEmpty()) {
+      return summary;
+    }
     return PLACEHOLDER
-        .matcher(template)
-        .replaceAll(found -> found.group().toUpperCase(Locale.ROOT).replaceAll("[{}]", ""));
+        .matcher(template.replace("{suggestion}", ""))
+        .replaceAll(place -> place.group().replaceAll("[{}]", "").toUpperCase(Locale.ROOT));
   }
 }

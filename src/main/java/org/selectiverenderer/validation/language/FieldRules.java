@@ -24,6 +24,7 @@ final class FieldRules {
 
   static final Rule VALUE =
       Rule.error("SR103", "{field}: {fault}")
+          .about("a value is not of its field's type")
           .because("A value that is not of its field's type is read in part or not at all.")
           .bad("<Transform translation='1 2'/>")
           .good("<Transform translation='1 2 0'/>")
@@ -31,6 +32,7 @@ final class FieldRules {
 
   static final Rule LOOSE_VALUE =
       Rule.warning("SR104", "{field}: {fault}")
+          .about("a value is spelled loosely")
           .because("This program understands what is meant; stricter ones do not.")
           .bad("<Switch whichChoice='0' visible='TRUE'><Group/></Switch>")
           .good("<Switch whichChoice='0' visible='true'><Group/></Switch>")

@@ -9,6 +9,7 @@ final class HeadRules {
 
   static final Rule VERSION =
       Rule.warning("SR121", "{fault}")
+          .about("the version is missing or none of X3D")
           .because(
               """
               The version says which nodes a browser must know. This program reads all as 4.0; \
@@ -19,6 +20,7 @@ final class HeadRules {
 
   static final Rule PROFILE =
       Rule.warning("SR122", "{fault}")
+          .about("the profile is missing or none of X3D")
           .because("A browser loads what the profile names; without one it may refuse the file.")
           .bad(HEAD + "<X3D profile='Imersive' version='4.0'><Scene/></X3D>")
           .good(HEAD + "<X3D profile='Immersive' version='4.0'><Scene/></X3D>")
@@ -26,6 +28,7 @@ final class HeadRules {
 
   static final Rule COMPONENT =
       Rule.warning("SR123", "{fault}")
+          .about("there is no such component or level")
           .because("A browser that does not have the component at that level refuses the file.")
           .bad(
               HEAD

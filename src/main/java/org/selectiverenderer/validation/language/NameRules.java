@@ -56,6 +56,7 @@ final class NameRules {
 
   static final Rule LINK =
       Rule.error("SR137", "{fault}")
+          .about("an IMPORT or EXPORT that names nothing")
           .because(
               "IMPORT and EXPORT connect names of a file and of a file inlined; both must be there.")
           .bad("<EXPORT localDEF='Dor'/>\n<Group DEF='Door'/>")

@@ -42,6 +42,7 @@ final class PrototypeRules {
 
   static final Rule CONNECT =
       Rule.error("SR154", "{fault}")
+          .about("an IS that connects nothing, or fields of different type or access")
           .because(
               """
               IS connects a field of a node in a prototype's body with a field of the prototype's \
@@ -52,6 +53,7 @@ final class PrototypeRules {
 
   static final Rule FIELD =
       Rule.error("SR155", "{fault}")
+          .about("a field declaration that is not complete")
           .because("A field of an interface or a script has a name, a type and an accessType.")
           .bad(GOOD.replace("type='SFVec3f'", "type='Vec3f'"))
           .good(GOOD)

@@ -8,6 +8,7 @@ import org.selectiverenderer.validation.RuleGroup;
 public final class XmlRules {
   static final Rule NOT_WELL_FORMED =
       Rule.error("SR001", "{fault}")
+          .about("the XML is not well formed")
           .because(
               """
               A file that is not well-formed XML is refused by most programs; this one keeps what \
@@ -18,6 +19,7 @@ public final class XmlRules {
 
   static final Rule NO_X3D =
       Rule.error("SR002", "{fault}")
+          .about("the file is no X3D in the XML encoding")
           .because(
               """
               Only the XML encoding of X3D is read. Scenes in the Classic VRML or JSON encoding can \
@@ -30,6 +32,7 @@ public final class XmlRules {
 
   static final Rule COMPRESSION =
       Rule.error("SR003", "{fault}")
+          .about("the compression is damaged")
           .because(
               """
               A compressed scene ends before its compression does, mostly after a broken download \
@@ -40,6 +43,7 @@ public final class XmlRules {
 
   static final Rule ENCODING =
       Rule.error("SR004", "{fault}")
+          .about("the bytes are not of the encoding that the file names")
           .because(
               """
               Other programs refuse a file whose bytes are not of the encoding that its first line \
@@ -50,6 +54,7 @@ public final class XmlRules {
 
   static final Rule ENTITY =
       Rule.error("SR005", "{fault}")
+          .about("an entity of a DOCTYPE, which is never expanded")
           .because(
               """
               Entities of a DOCTYPE are a way to read other files and to exhaust memory, so browsers \
@@ -89,6 +94,7 @@ public final class XmlRules {
 
   static final Rule LIMIT =
       Rule.error("SR008", "{fault}; nothing is read from here on")
+          .about("more or deeper elements than are read")
           .because(
               """
               Limits keep a hostile file from taking all memory. No real scene that we know comes \
