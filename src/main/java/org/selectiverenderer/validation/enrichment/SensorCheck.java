@@ -36,7 +36,9 @@ final class SensorCheck implements EnrichmentPart {
     SensorSchemas schemas = NodeMetadata.of(sensor).flatMap(reader::sensor).orElse(null);
     if (schemas == null) {
       if (!scene.heard(sensor)) {
-        findings.add(SensorRules.WITHOUT_SCHEMAS, sensor);
+        findings.add(
+            scene.model().isPresent() ? SensorRules.WITHOUT_SCHEMAS : SensorRules.NOT_ENRICHED,
+            sensor);
       }
     } else if (!schemas.enter().isEmpty() && schemas.exit().isEmpty() && !emptyExit[0]) {
       findings.add(SensorRules.WITHOUT_EXIT, sensor);

@@ -13,18 +13,20 @@ final class SensorRules {
               """
               An area activates the schemas that the metadata of its ProximitySensor names; a \
               sensor without them, from which no route leads either, has no effect.""")
-          .bad("<ProximitySensor DEF='DeskProx' size='3 2 3'/>")
-          .good(
-              """
-              <ProximitySensor DEF='DeskProx' size='3 2 3'>
-                <MetadataSet containerField='metadata'>
-                  <MetadataString containerField='value' name='enterTimeSchema' value='"Desk"'/>
-                  <MetadataString containerField='value' name='exitTimeSchema' value='"Office"'/>
-                </MetadataSet>
-              </ProximitySensor>
-              """
-                  + Examples.LAMP)
+          .bad(
+              "<ProximitySensor DEF='ShelfProx' size='3 2 3'/>\n" + Examples.desk() + Examples.LAMP)
+          .good(Examples.desk() + Examples.LAMP)
           .see("thesis 4.2.2, Fig 42");
+
+  static final Rule NOT_ENRICHED =
+      Rule.info("SR426", "the sensor names no schema yet, as nothing in this scene does")
+          .because(
+              """
+              Sensors without schemas, in a scene of which nothing is enriched, wait for their \
+              metadata, or for an application.""")
+          .bad("<ProximitySensor DEF='DeskProx' size='3 2 3'/>")
+          .good(Examples.desk() + Examples.LAMP)
+          .see("thesis 5.4.2, Fig 76");
 
   static final Rule WITHOUT_EXIT =
       Rule.warning(
@@ -74,7 +76,7 @@ final class SensorRules {
           .see("X3D 4.0, 22.4.1");
 
   static final List<Rule> ALL =
-      List.of(WITHOUT_SCHEMAS, WITHOUT_EXIT, NAMES_NOTHING, NO_VOLUME, UNREACHABLE);
+      List.of(WITHOUT_SCHEMAS, WITHOUT_EXIT, NAMES_NOTHING, NO_VOLUME, UNREACHABLE, NOT_ENRICHED);
 
   private SensorRules() {}
 }

@@ -109,7 +109,7 @@ final class FaceCheck implements NodeCheck {
         uz = vz;
       }
       double area = Math.sqrt(nx * nx + ny * ny + nz * nz);
-      return !(area <= STRAIGHT * longest);
+      return !Double.isFinite(longest) || area > STRAIGHT * longest;
     }
 
     private void crowded(ParsedNode node, String field, GeometryFindings findings) {

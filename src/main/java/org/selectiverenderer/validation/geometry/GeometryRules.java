@@ -42,10 +42,16 @@ public final class GeometryRules {
           .good(GOOD)
           .see("X3D 4.0, 11.2.4");
 
-  static final Rule NOT_FINITE =
-      Rule.error("SR204", "{field} has {value} as its value {index}, which is no place in space")
-          .because("A point that is infinite or not a number cannot be drawn, nor what uses it.")
-          .bad(triangle("0 1 2 -1", "0 0 0, 1e99 0 0, 0 1 0"))
+  static final Rule TOO_FAR =
+      Rule.warning(
+              "SR204",
+              "{field} has {value} as its value {index}, where single precision cannot tell places"
+                  + " a unit apart")
+          .because(
+              """
+              Coordinates have some seven digits. Far from the origin neighbouring points fall \
+              together; such values are mostly slips or in another unit.""")
+          .bad(triangle("0 1 2 -1", "0 0 0, 1 0 0, 0 1e8 0"))
           .good(GOOD)
           .see("X3D 4.0, 5.3.5");
 
@@ -82,8 +88,7 @@ public final class GeometryRules {
   public static RuleGroup group() {
     return new RuleGroup(
         "Geometry",
-        List.of(
-            INDEX_OUT_OF_RANGE, COUNTS, NO_AREA, NOT_FINITE, NORMAL_LENGTH, NOTHING, NON_MANIFOLD),
+        List.of(INDEX_OUT_OF_RANGE, COUNTS, NO_AREA, TOO_FAR, NORMAL_LENGTH, NOTHING, NON_MANIFOLD),
         List.of(
             new GeometryCheck(
                 List.of(

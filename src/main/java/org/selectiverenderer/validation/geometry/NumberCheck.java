@@ -2,24 +2,25 @@ package org.selectiverenderer.validation.geometry;
 
 import org.selectiverenderer.x3d.ParsedNode;
 
-/** Points that are nowhere, and normals of another length than 1. */
+/** Points too far away, and normals of another length than 1. */
 final class NumberCheck implements NodeCheck {
+  private static final float FAR = 1e7f;
   private static final double TOLERANCE = 0.01;
 
   @Override
   public void check(ParsedNode node, GeometryFindings findings) {
     switch (node.type().name()) {
-      case "Coordinate" -> finite(node, "point", findings);
+      case "Coordinate" -> near(node, "point", findings);
       case "Normal" -> normals(node, findings);
       default -> {}
     }
   }
 
-  private static void finite(ParsedNode node, String field, GeometryFindings findings) {
+  private static void near(ParsedNode node, String field, GeometryFindings findings) {
     float[] values = node.floats(field);
     for (int i = 0; i < values.length; i++) {
-      if (!Float.isFinite(values[i])) {
-        findings.addAt(GeometryRules.NOT_FINITE, node, field, field, values[i], i);
+      if (!(Math.abs(values[i]) <= FAR)) {
+        findings.addAt(GeometryRules.TOO_FAR, node, field, field, values[i], i);
         return;
       }
     }
