@@ -3,6 +3,8 @@ package org.selectiverenderer.validation;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.SceneDocument;
@@ -15,9 +17,11 @@ final class FileChecker {
   private final X3dReader reader = new X3dReader(catalogue);
   private final Outliner outliner = new Outliner();
   private final List<FileCheck> checks;
+  private final Set<String> ids;
 
   FileChecker(RuleCatalogue rules) {
     checks = rules.groups().stream().flatMap(group -> group.fileChecks().stream()).toList();
+    ids = rules.rules().stream().map(Rule::id).collect(Collectors.toSet());
   }
 
   /**
@@ -34,7 +38,7 @@ final class FileChecker {
     // What the reader says of the scene is for who shows it; here the checks speak.
     X3dFile scene = reader.scene(document, new Problems());
     Findings findings = new Findings();
-    FileView view = new FileView(catalogue, document, scene);
+    FileView view = new FileView(catalogue, document, scene, ids);
     checks.forEach(check -> check.check(view, findings));
     return new FileResult(
         outliner.outline(file, size, scene), findings.list(), Suppressions.of(document));

@@ -1,7 +1,6 @@
 package org.selectiverenderer.validation;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.selectiverenderer.x3d.DocumentElement;
 import org.selectiverenderer.x3d.Location;
@@ -14,8 +13,6 @@ import org.selectiverenderer.x3d.SceneDocument;
  * whole file.
  */
 record Suppressions(List<Suppression> list) {
-  private static final String WORD = "validate-ignore";
-
   /**
    * One comment.
    *
@@ -37,20 +34,15 @@ record Suppressions(List<Suppression> list) {
   static Suppressions of(SceneDocument document) {
     List<Suppression> list = new ArrayList<>();
     for (SceneDocument.Comment comment : document.comments()) {
-      String text = comment.text().strip();
+      IgnoreComment ignoring = IgnoreComment.of(comment).orElse(null);
       DocumentElement element = comment.before();
-      if (text.startsWith(WORD) && element != null) {
-        String ids = text.substring(WORD.length()).split(":", 2)[0];
+      if (ignoring != null && element != null) {
         Location end =
             element
                 .end()
                 .orElse(new Location(document.name(), Integer.MAX_VALUE, Integer.MAX_VALUE));
         list.add(
-            new Suppression(
-                Arrays.stream(ids.split("[\\s,]+")).filter(id -> id.startsWith("SR")).toList(),
-                element.parent().isEmpty(),
-                element.location(),
-                end));
+            new Suppression(ignoring.ids(), element.parent().isEmpty(), element.location(), end));
       }
     }
     return new Suppressions(List.copyOf(list));

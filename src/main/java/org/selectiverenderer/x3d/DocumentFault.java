@@ -14,8 +14,8 @@ public record DocumentFault(Kind kind, Location location, String message) {
     COMPRESSION,
     /** Bytes or an encoding's name that cannot be understood. */
     ENCODING,
-    /** A DOCTYPE or an entity of one, which are never followed. */
-    DOCTYPE,
+    /** An entity of a DOCTYPE, which is never expanded. */
+    ENTITY,
     /** XML that is not well formed. */
     SYNTAX,
     /** More elements or deeper nesting than is read. */

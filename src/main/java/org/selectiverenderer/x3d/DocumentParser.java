@@ -35,6 +35,9 @@ final class DocumentParser {
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());
     Location whole = Location.of(name);
     SceneDocument document = new SceneDocument(name, text);
+    if (bytes.compressed()) {
+      document.compressed();
+    }
     if (bytes.refused() != null) {
       document.add(new DocumentFault(Kind.REFUSED, whole, bytes.refused()));
       return document;
@@ -78,25 +81,40 @@ final class DocumentParser {
         // All is done in event.
       }
     } catch (XMLStreamException e) {
-      breakOff(document, cut, XmlFaults.describe(e), e.getLocation());
+      breakOff(document, cut, e);
     } catch (RuntimeException e) {
       // As in XmlCursor: whatever the parser throws on hostile text means that the text is bad.
       if (e.getCause() instanceof XMLStreamException fault) {
-        breakOff(document, cut, XmlFaults.describe(fault), fault.getLocation());
+        breakOff(document, cut, fault);
       } else {
-        breakOff(document, cut, "the XML is not well formed from here on", xml.getLocation());
+        breakOff(
+            document,
+            cut,
+            Kind.SYNTAX,
+            "the XML is not well formed from here on",
+            xml.getLocation());
       }
     }
   }
 
+  private void breakOff(SceneDocument document, boolean cut, XMLStreamException fault) {
+    String what = XmlFaults.describe(fault);
+    Kind kind = what.contains("entities of a DOCTYPE") ? Kind.ENTITY : Kind.SYNTAX;
+    breakOff(document, cut, kind, what, fault.getLocation());
+  }
+
   private void breakOff(
-      SceneDocument document, boolean cut, String what, javax.xml.stream.@Nullable Location at) {
+      SceneDocument document,
+      boolean cut,
+      Kind kind,
+      String what,
+      javax.xml.stream.@Nullable Location at) {
     if (!cut) {
       Location location =
           at != null
               ? new Location(name, at.getLineNumber(), at.getColumnNumber())
               : Location.of(name);
-      document.add(new DocumentFault(Kind.SYNTAX, location, what));
+      document.add(new DocumentFault(kind, location, what));
     }
   }
 
@@ -114,14 +132,25 @@ final class DocumentParser {
       case XMLStreamConstants.ENTITY_REFERENCE ->
           document.add(
               new DocumentFault(
-                  Kind.DOCTYPE,
+                  Kind.ENTITY,
                   place(xml),
                   "the entity &" + xml.getLocalName() + "; of a DOCTYPE is never expanded"));
+      case XMLStreamConstants.DTD ->
+          document.type(
+              new SceneDocument.DocumentType(
+                  place(xml),
+                  given(xml.getDTDInfo().getDTDRootName()),
+                  given(xml.getDTDInfo().getDTDPublicId()),
+                  given(xml.getDTDInfo().getDTDSystemId())));
       default -> {
-        // Processing instructions say nothing about the scene, nor does the standard's DOCTYPE.
+        // Processing instructions say nothing about the scene.
       }
     }
     return true;
+  }
+
+  private static String given(@Nullable String identifier) {
+    return identifier == null ? "" : identifier;
   }
 
   private Location place(XMLStreamReader2 xml) {

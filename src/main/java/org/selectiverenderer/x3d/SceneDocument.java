@@ -19,12 +19,19 @@ public final class SceneDocument {
    */
   public record Comment(String text, Location location, @Nullable DocumentElement before) {}
 
+  /** A DOCTYPE; its identifiers are empty where it gives none. */
+  public record DocumentType(
+      Location location, String rootName, String publicId, String systemId) {}
+
   private final String name;
   private final SourceText source;
   private final FieldParser parser = new FieldParser();
   private final List<DocumentElement> elements = new ArrayList<>();
   private final List<Comment> comments = new ArrayList<>();
   private final List<DocumentFault> faults = new ArrayList<>();
+
+  private @Nullable DocumentType type;
+  private boolean compressed;
 
   SceneDocument(String name, SourceText source) {
     this.name = name;
@@ -43,6 +50,14 @@ public final class SceneDocument {
     faults.add(fault);
   }
 
+  void type(DocumentType found) {
+    type = found;
+  }
+
+  void compressed() {
+    compressed = true;
+  }
+
   SourceText source() {
     return source;
   }
@@ -54,6 +69,16 @@ public final class SceneDocument {
   /** The name that places call the file by. */
   public String name() {
     return name;
+  }
+
+  /** Whether the file is compressed by gzip. */
+  public boolean isCompressed() {
+    return compressed;
+  }
+
+  /** The DOCTYPE, if the file has one. */
+  public Optional<DocumentType> type() {
+    return Optional.ofNullable(type);
   }
 
   /** The outermost element. */
@@ -81,8 +106,8 @@ public final class SceneDocument {
         .anyMatch(
             fault ->
                 switch (fault.kind()) {
-                  case REFUSED, COMPRESSION, SYNTAX, LIMIT -> true;
-                  case ENCODING, DOCTYPE -> false;
+                  case REFUSED, COMPRESSION, SYNTAX, LIMIT, ENTITY -> true;
+                  case ENCODING -> false;
                 });
   }
 }
