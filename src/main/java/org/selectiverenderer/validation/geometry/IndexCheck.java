@@ -48,7 +48,7 @@ final class IndexCheck implements NodeCheck {
     int count = Vertices.count(data);
     int[] indices = node.ints(field);
     for (int value : indices) {
-      if (count >= 0 && (value >= count || value < -1 || (value < 0 && field.equals("index")))) {
+      if (count >= 0 && value >= count) {
         findings.addAt(
             GeometryRules.INDEX_OUT_OF_RANGE, node, field, field, index.what, value, count);
         return;
