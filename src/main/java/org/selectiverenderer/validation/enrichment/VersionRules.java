@@ -10,6 +10,8 @@ final class VersionRules {
   private static final String VERSIONS = Examples.DETAILED + Examples.SIMPLE;
   private static final String GOOD = Examples.desk() + Examples.LAMP;
 
+  private static final String VIEW = "<Viewpoint position='0 0 8'/>\n";
+
   static final Rule DEGREE_AGAINST_POLYGONS =
       Rule.warning(
               "SR416",
@@ -67,8 +69,8 @@ final class VersionRules {
               Where the scene's first viewpoint stands, the areas around it are entered at once; \
               outside all areas the schemas hold that leaving them activates. What the file shows \
               should agree with them.""")
-          .bad(Examples.desk() + Examples.lamp("0", DESK + OFFICE, VERSIONS))
-          .good(GOOD)
+          .bad(VIEW + Examples.desk() + Examples.lamp("0", DESK + OFFICE, VERSIONS))
+          .good(VIEW + GOOD)
           .see("thesis 5.4.3, Fig 80");
 
   static final Rule ORDER_DEPENDENT =
