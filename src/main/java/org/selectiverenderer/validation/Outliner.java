@@ -1,15 +1,10 @@
 package org.selectiverenderer.validation;
 
 import java.lang.reflect.Array;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import org.selectiverenderer.x3d.DocumentElement;
 import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.Location;
@@ -24,7 +19,7 @@ final class Outliner {
   private final Measurer measurer = new Measurer();
 
   FileOutline outline(SourceFile file, long bytes, SceneDocument document, X3dFile scene) {
-    List<ParsedNode> nodes = nodes(scene);
+    List<ParsedNode> nodes = SceneNodes.all(scene);
     Map<ParsedNode, Measure> measures = new IdentityHashMap<>();
     for (ParsedNode node : nodes) {
       if (node.type().is("X3DGeometryNode")) {
@@ -41,44 +36,6 @@ final class Outliner {
       element.attribute("url").ifPresent(url -> places.put(element.location(), url.location()));
     }
     return places;
-  }
-
-  /**
-   * All nodes, each once, parents first. Without recursion: a chain of USEs is as deep as the file
-   * is long.
-   */
-  private static List<ParsedNode> nodes(X3dFile scene) {
-    Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    List<ParsedNode> found = new ArrayList<>();
-    Deque<ParsedNode> waiting = new ArrayDeque<>();
-    push(scene.nodes(), waiting);
-    for (ParsedNode node = waiting.poll(); node != null; node = waiting.poll()) {
-      if (seen.add(node)) {
-        found.add(node);
-        push(children(node), waiting);
-      }
-    }
-    return found;
-  }
-
-  private static void push(List<ParsedNode> nodes, Deque<ParsedNode> waiting) {
-    for (int i = nodes.size() - 1; i >= 0; i--) {
-      waiting.push(nodes.get(i));
-    }
-  }
-
-  private static List<ParsedNode> children(ParsedNode node) {
-    List<ParsedNode> children = new ArrayList<>();
-    for (FieldDefinition field : node.type().fields()) {
-      Object value =
-          field.type().isNode() && node.given(field.index()) ? node.value(field.index()) : null;
-      if (value instanceof List<?> list) {
-        list.forEach(child -> children.add((ParsedNode) child));
-      } else if (value != null) {
-        children.add((ParsedNode) value);
-      }
-    }
-    return children;
   }
 
   private static void release(ParsedNode node) {

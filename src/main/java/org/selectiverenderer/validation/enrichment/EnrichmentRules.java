@@ -1,23 +1,34 @@
 package org.selectiverenderer.validation.enrichment;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 
 /** SR4xx: enrichment with memory schemata. */
 public final class EnrichmentRules {
-  static final Rule FEWER_SETS =
-      Rule.warning("SR401", "{fault}")
-          .because(
-              """
-              MetadataSet i describes child i of the Switch; a child without one is never shown by \
-              a schema.""")
-          .see("thesis 4.3.2, Fig 49");
-
   private EnrichmentRules() {}
 
   public static RuleGroup group() {
     return new RuleGroup(
-        "Enrichment", List.of(FEWER_SETS), List.of(), List.of(new SwitchMetadataCheck()));
+        "Enrichment",
+        Stream.of(SensorRules.ALL, SwitchRules.ALL, SchemaRules.ALL, VersionRules.ALL)
+            .flatMap(List::stream)
+            .sorted(Comparator.comparing(Rule::id))
+            .toList(),
+        List.of(),
+        List.of(
+            new EnrichmentCheck(
+                List.of(
+                    new SwitchMetadataCheck(),
+                    new SensorCheck(),
+                    new ReachCheck(),
+                    new VocabularyCheck(),
+                    new SchemaNamesCheck(),
+                    new VersionCheck(),
+                    new StartCheck(),
+                    new OverlapCheck(),
+                    new ShownCheck()))));
   }
 }

@@ -1,44 +1,93 @@
 package org.selectiverenderer.validation.enrichment;
 
-import java.util.Collections;
-import java.util.IdentityHashMap;
-import java.util.Set;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.validation.SceneCheck;
-import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
 
-/** The metadata of each Switch against its children. */
-final class SwitchMetadataCheck implements SceneCheck {
+/** The metadata of each Switch by itself, against its children. */
+final class SwitchMetadataCheck implements EnrichmentPart {
   @Override
-  public void check(SceneView scene, Findings findings) {
-    Set<NodeView> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    for (ParsedNode node : scene.main().scene().nodes()) {
-      visit(node, findings, seen);
+  public void check(EnrichedScene scene, Findings findings) {
+    for (ParsedNode node : scene.nodes()) {
+      if (EnrichedScene.isObject(node)) {
+        NodeMetadata.of(node).ifPresent(metadata -> check(scene, node, metadata, findings));
+      }
     }
   }
 
-  private static void visit(NodeView node, Findings findings, Set<NodeView> seen) {
-    if (!seen.add(node)) {
-      return;
+  private static void check(
+      EnrichedScene scene, ParsedNode node, NodeMetadata metadata, Findings findings) {
+    List<NodeMetadata> sets = metadata.children().stream().filter(NodeMetadata::isSet).toList();
+    int children = EnrichedScene.children(node);
+    boolean[] ours = {false};
+    SchemaReader reader =
+        new SchemaReader(
+            problem -> {
+              ours[0] = true;
+              report(problem, sets, children, findings);
+            });
+    SwitchSchemas schemas = reader.switchNode(metadata, children).orElse(null);
+    if (schemas != null) {
+      claims(schemas, node, findings);
     }
-    if (node.type().name().equals("Switch")) {
-      SchemaReader reader =
-          new SchemaReader(
-              problem -> {
-                if (problem.kind() == SchemaProblem.Kind.FEWER_SETS_THAN_CHOICES) {
-                  findings.add(EnrichmentRules.FEWER_SETS, node, problem.message());
-                }
-              });
-      NodeMetadata.of(node)
-          .ifPresent(metadata -> reader.switchNode(metadata, node.nodes("children").size()));
+    if (schemas != null || ours[0]) {
+      range(scene, node, children, findings);
     }
-    if (node.type().field("children").isPresent()) {
-      node.nodes("children").forEach(child -> visit(child, findings, seen));
+  }
+
+  private static void report(
+      SchemaProblem problem, List<NodeMetadata> sets, int children, Findings findings) {
+    NodeMetadata at = (NodeMetadata) problem.metadata();
+    NodeView node = at.node();
+    switch (problem.kind()) {
+      case FEWER_SETS_THAN_CHOICES ->
+          findings.add(SwitchRules.FEWER_SETS, node, Counts.sets(sets), Counts.children(children));
+      case MORE_SETS_THAN_CHOICES ->
+          findings.add(SwitchRules.MORE_SETS, node, Counts.sets(sets), Counts.children(children));
+      case NO_SCHEMA -> findings.add(SwitchRules.NO_SCHEMA, node, Math.max(0, sets.indexOf(at)));
+      case UNKNOWN_TYPE -> findings.add(SwitchRules.UNKNOWN_TYPE, node, first(at));
+      case UNKNOWN_DEGREE -> findings.add(SwitchRules.UNKNOWN_DEGREE, node, first(at));
+      case SEVERAL_VALUES -> findings.add(SwitchRules.SEVERAL_VALUES, node, at.name().strip());
+      case MISPLACED ->
+          findings.add(SchemaRules.MISPLACED, node, at.name().strip(), Misplacement.inSwitch(at));
+    }
+  }
+
+  private static String first(NodeMetadata at) {
+    return "'" + at.values().get(0) + "'";
+  }
+
+  /** Schemas that several sets name. */
+  private static void claims(SwitchSchemas schemas, ParsedNode node, Findings findings) {
+    Map<String, List<Integer>> claims = new LinkedHashMap<>();
+    for (Choice choice : schemas.choices()) {
+      for (String schema : choice.schemas()) {
+        claims.computeIfAbsent(schema, key -> new ArrayList<>()).add(choice.index());
+      }
+    }
+    claims.forEach(
+        (schema, choices) -> {
+          if (choices.size() > 1) {
+            String list = choices.stream().map(String::valueOf).collect(Collectors.joining(", "));
+            findings.add(SwitchRules.CLAIMED_TWICE, node, list, schema);
+          }
+        });
+  }
+
+  private static void range(EnrichedScene scene, ParsedNode node, int children, Findings findings) {
+    int choice = node.integer("whichChoice");
+    if ((choice >= children || choice < -1) && !scene.driven(node, "whichChoice")) {
+      findings.add(SwitchRules.OUT_OF_RANGE, node, choice, Counts.children(children));
     }
   }
 }
