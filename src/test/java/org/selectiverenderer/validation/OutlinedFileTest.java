@@ -95,7 +95,7 @@ class OutlinedFileTest {
   private static Report report(Path scene, List<Budget> budgets) throws IOException {
     return new Validator(
             RuleCatalogue.standard(),
-            new ValidationSettings(Set.of("SR4"), Map.of(), budgets),
+            new ValidationSettings(Set.of("SR4"), Map.of(), budgets, ValidationSettings.MEGABYTES),
             scene.getParent())
         .validate(List.of(SourceFile.of(scene, scene.getParent())));
   }

@@ -8,6 +8,7 @@ import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.DocumentAttribute;
 import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.FieldType;
 import org.selectiverenderer.x3d.NodeType;
 
 /** The attributes of the root and the statements of the head. */
@@ -103,6 +104,8 @@ final class HeadCheck implements FileCheck {
 
   private static void unit(DocumentElement element, Findings findings) {
     if (needs(element, findings, "category", "name", "conversionFactor")) {
+      DocumentAttribute factor = element.attribute("conversionFactor").orElseThrow();
+      FieldCheck.value(factor, FieldType.SFDouble, findings);
       DocumentAttribute category = element.attribute("category").orElseThrow();
       if (!UNITS.contains(category.text().strip())) {
         findings.add(

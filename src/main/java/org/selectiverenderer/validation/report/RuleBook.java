@@ -83,8 +83,15 @@ public final class RuleBook {
     page.append("**").append(markdown(rule.title())).append("** (");
     page.append(Words.of(rule.severity())).append("; ").append(rule.reference()).append(")\n\n");
     page.append(markdown(rule.explanation())).append("\n\n");
-    page.append("```xml\n<!-- bad -->\n").append(rule.bad()).append("\n\n<!-- good -->\n");
-    page.append(rule.good()).append("\n```\n");
+    example(page, "Bad", rule.bad());
+    example(page, "Good", rule.good());
+  }
+
+  private static void example(StringBuilder page, String heading, String example) {
+    String language = example.startsWith("<") ? "xml" : "";
+    page.append(heading).append(":\n\n```").append(language).append('\n');
+    page.append(example).append("\n```\n");
+    page.append(heading.equals("Bad") ? "\n" : "");
   }
 
   private static String markdown(String text) {
