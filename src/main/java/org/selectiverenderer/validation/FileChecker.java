@@ -41,6 +41,6 @@ final class FileChecker {
     FileView view = new FileView(catalogue, document, scene, ids);
     checks.forEach(check -> check.check(view, findings));
     return new FileResult(
-        outliner.outline(file, size, scene), findings.list(), Suppressions.of(document));
+        outliner.outline(file, size, document, scene), findings.list(), Suppressions.of(document));
   }
 }

@@ -3,6 +3,7 @@ package org.selectiverenderer.validation;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.X3dFile;
 
@@ -13,6 +14,7 @@ import org.selectiverenderer.x3d.X3dFile;
  * @param bytes its size on disk
  * @param scene whose nodes have lost their long values
  * @param nodes all of them, each once, parents before what they hold; prototypes expanded
+ * @param urls where the attribute {@code url} of an element stands, by the place of the element
  * @param measures how much each geometry node draws
  */
 public record FileOutline(
@@ -20,7 +22,13 @@ public record FileOutline(
     long bytes,
     X3dFile scene,
     List<ParsedNode> nodes,
+    Map<Location, Location> urls,
     Map<ParsedNode, Measure> measures) {
+
+  /** Where the url of a node stands. */
+  public Location url(ParsedNode node) {
+    return urls.getOrDefault(node.location(), node.location());
+  }
 
   /** How much a geometry node draws; empty for a node that cannot be drawn. */
   public Optional<Measure> measure(ParsedNode geometry) {

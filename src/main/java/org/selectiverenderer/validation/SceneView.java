@@ -1,7 +1,12 @@
 package org.selectiverenderer.validation;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.x3d.ContentRoot;
 import org.selectiverenderer.x3d.ParsedNode;
 
@@ -21,5 +26,19 @@ public record SceneView(
   /** The file in an Inline; empty if it is not to be loaded or could not be read. */
   public Optional<FileOutline> content(ParsedNode inline) {
     return Optional.ofNullable(contents.get(inline));
+  }
+
+  /** All files, the scene's own first, each once. */
+  public List<FileOutline> files() {
+    Set<FileOutline> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    List<FileOutline> files = new ArrayList<>();
+    seen.add(main);
+    files.add(main);
+    for (int i = 0; i < files.size(); i++) {
+      for (ParsedNode node : files.get(i).nodes()) {
+        content(node).filter(seen::add).ifPresent(files::add);
+      }
+    }
+    return files;
   }
 }

@@ -19,7 +19,8 @@ import org.selectiverenderer.x3d.Spelling;
  * <pre>
  * {"ignore": ["SR2"],
  *  "severities": {"SR305": "error"},
- *  "budgets": [{"scope": "Office", "schemas": ["DeskSchema"], "polygons": 170000}]}
+ *  "budgets": [{"scope": "Office", "schemas": ["DeskSchema"], "polygons": 170000}],
+ *  "megabytes": 50}
  * </pre>
  *
  * <p>Each key may be left out, and so may a budget's {@code scope} (the whole scene) and {@code
@@ -46,7 +47,7 @@ public final class SettingsFile {
    */
   public ValidationSettings read() throws IOException {
     JsonNode json = JsonFile.read(file);
-    known(json, List.of("ignore", "severities", "budgets"), "settings");
+    known(json, List.of("ignore", "severities", "budgets", "megabytes"), "settings");
     Set<String> ignored = new HashSet<>();
     for (String id : texts(json, "ignore")) {
       ignored.add(rule(id));
@@ -60,7 +61,12 @@ public final class SettingsFile {
     for (JsonNode budget : array(json, "budgets")) {
       budgets.add(budget(budget));
     }
-    return new ValidationSettings(ignored, severities, budgets);
+    JsonNode megabytes = json.path("megabytes");
+    if (!megabytes.isMissingNode() && !(megabytes.isNumber() && megabytes.asDouble() >= 0)) {
+      throw fault("\"megabytes\" is a number from 0");
+    }
+    double most = megabytes.asDouble(ValidationSettings.MEGABYTES);
+    return new ValidationSettings(ignored, severities, budgets, most);
   }
 
   private Budget budget(JsonNode json) throws IOException {

@@ -29,7 +29,8 @@ public record SourceFile(Path path, String name, byte @Nullable [] content) {
     return content == null ? Files.size(path) : content.length;
   }
 
-  Path folder() {
+  /** The folder that its urls start from. */
+  public Path folder() {
     Path parent = path.getParent();
     return parent == null ? Path.of("") : parent;
   }

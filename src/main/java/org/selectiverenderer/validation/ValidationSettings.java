@@ -11,18 +11,22 @@ import org.selectiverenderer.x3d.Problem.Severity;
  *
  * @param ignored ids of rules, or beginnings of ids ({@code SR2} for a group)
  * @param severities by id of rule, instead of the rule's own
+ * @param megabytes that a scene and all its files may have
  */
 public record ValidationSettings(
-    Set<String> ignored, Map<String, Severity> severities, List<Budget> budgets) {
+    Set<String> ignored, Map<String, Severity> severities, List<Budget> budgets, double megabytes) {
   public ValidationSettings {
     ignored = Set.copyOf(ignored);
     severities = Map.copyOf(severities);
     budgets = List.copyOf(budgets);
   }
 
+  /** Some three times what the thesis's apartment has. */
+  public static final double MEGABYTES = 100;
+
   /** All rules as they are, no budgets. */
   public static ValidationSettings standard() {
-    return new ValidationSettings(Set.of(), Map.of(), List.of());
+    return new ValidationSettings(Set.of(), Map.of(), List.of(), MEGABYTES);
   }
 
   /** Whether findings of a rule are not wanted. */
@@ -34,7 +38,7 @@ public record ValidationSettings(
   public ValidationSettings ignoring(Set<String> more) {
     Set<String> all = new HashSet<>(ignored);
     all.addAll(more);
-    return new ValidationSettings(all, severities, budgets);
+    return new ValidationSettings(all, severities, budgets, megabytes);
   }
 
   /** The severity that findings of a rule are to have. */

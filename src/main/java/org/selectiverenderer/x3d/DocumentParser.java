@@ -1,6 +1,11 @@
 package org.selectiverenderer.x3d;
 
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CoderResult;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
@@ -48,7 +53,7 @@ final class DocumentParser {
       return document;
     }
     if (text.complaint() != null) {
-      document.add(new DocumentFault(Kind.ENCODING, whole, text.complaint()));
+      document.add(new DocumentFault(Kind.ENCODING, badByte(bytes), text.complaint()));
     }
     if (bytes.cut() != null) {
       Location end = text.location(name, text.length());
@@ -62,6 +67,19 @@ final class DocumentParser {
     }
     elements(document, text);
     return document;
+  }
+
+  /** The first byte that is no UTF-8; the file's beginning if all are. */
+  private Location badByte(SceneBytes bytes) {
+    ByteBuffer in = ByteBuffer.wrap(bytes.bytes(), 0, bytes.length());
+    CharBuffer good = CharBuffer.allocate(bytes.length());
+    CoderResult result = StandardCharsets.UTF_8.newDecoder().decode(in, good, true);
+    if (!result.isError()) {
+      return new Location(name, 1, 1);
+    }
+    byte[] before = Arrays.copyOf(bytes.bytes(), in.position());
+    SourceText text = SourceText.of(before, before.length);
+    return text.location(name, text.length());
   }
 
   private void elements(SceneDocument document, SourceText text) {
@@ -127,18 +145,18 @@ final class DocumentParser {
       case XMLStreamConstants.END_ELEMENT -> end(document, xml);
       case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text(xml);
       case XMLStreamConstants.COMMENT -> {
-        comments.add(new SceneDocument.Comment(xml.getText(), place(xml), null));
+        comments.add(new SceneDocument.Comment(xml.getText(), place(document, xml), null));
       }
       case XMLStreamConstants.ENTITY_REFERENCE ->
           document.add(
               new DocumentFault(
                   Kind.ENTITY,
-                  place(xml),
+                  place(document, xml),
                   "the entity &" + xml.getLocalName() + "; of a DOCTYPE is never expanded"));
       case XMLStreamConstants.DTD ->
           document.type(
               new SceneDocument.DocumentType(
-                  place(xml),
+                  place(document, xml),
                   given(xml.getDTDInfo().getDTDRootName()),
                   given(xml.getDTDInfo().getDTDPublicId()),
                   given(xml.getDTDInfo().getDTDSystemId())));
@@ -153,14 +171,24 @@ final class DocumentParser {
     return identifier == null ? "" : identifier;
   }
 
-  private Location place(XMLStreamReader2 xml) {
+  /** Where the current event starts. In front of the root the parser counts white space to it. */
+  private Location place(SceneDocument document, XMLStreamReader2 xml) {
     javax.xml.stream.Location at = xml.getLocationInfo().getStartLocation();
-    return new Location(name, at.getLineNumber(), at.getColumnNumber());
+    SourceText text = document.source();
+    int line = at.getLineNumber();
+    int column = at.getColumnNumber();
+    for (int i = at.getCharacterOffset(); i < text.length() && text.charAt(i) <= ' '; i++) {
+      char c = text.charAt(i);
+      boolean first = c == '\r' && i + 1 < text.length() && text.charAt(i + 1) == '\n';
+      column = c == '\n' || c == '\r' ? 1 : column + 1;
+      line += (c == '\n' || c == '\r') && !first ? 1 : 0;
+    }
+    return new Location(name, line, column);
   }
 
   private boolean start(SceneDocument document, XMLStreamReader2 xml) throws XMLStreamException {
     String element = xml.getLocalName();
-    Location location = place(xml);
+    Location location = place(document, xml);
     if (depth >= limits.maxDepth() || document.elements().size() >= limits.maxNodes()) {
       String limit =
           depth >= limits.maxDepth()

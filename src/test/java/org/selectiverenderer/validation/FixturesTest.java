@@ -68,6 +68,9 @@ class FixturesTest {
   void everyRuleHasABadAndAValidFixture() throws IOException {
     List<String> names = fixtures().toList();
     for (Rule rule : RuleCatalogue.standard().rules()) {
+      if (rule.id().equals("SR309")) {
+        continue; // Git keeps no file that may not be read: UnreadableFileTest.
+      }
       String bad = rule.id() + "-" + rule.severity().name().toLowerCase(Locale.ROOT);
       assertThat(names).as(bad).anyMatch(name -> name.startsWith(bad));
       String valid = rule.id() + "-valid";

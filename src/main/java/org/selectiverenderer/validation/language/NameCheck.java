@@ -59,8 +59,10 @@ final class NameCheck implements ScopeCheck {
     DocumentElement named = scopes.before(name, element).orElse(null);
     if (named == null) {
       if (!scopes.of(element).imported.contains(name)) {
-        Suggestion suggestion = Suggestion.of(name, scopes.of(element).names.keySet());
-        findings.add(NameRules.UNKNOWN, use, name, suggestion);
+        Set<String> names = scopes.of(element).names.keySet();
+        Object hint =
+            names.contains(name) ? "; it is given further down" : Suggestion.of(name, names);
+        findings.add(NameRules.UNKNOWN, use, name, hint);
       }
     } else if (holds(named, element)) {
       findings.add(NameRules.CIRCLE, use, name);

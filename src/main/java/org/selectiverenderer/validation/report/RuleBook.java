@@ -55,7 +55,7 @@ public final class RuleBook {
             """
             # Rules of the validator
 
-            Made from the catalogue in the program by `RulesPageTest`; do not edit it by hand. How to run the
+            Made from the catalogue in the program by `RuleBookTest`; do not edit it by hand. How to run the
             validator, to ignore rules and to read its reports: [validate.md](validate.md).
 
             An error breaks what everybody relies on, or something will not show. A warning works here, but is
