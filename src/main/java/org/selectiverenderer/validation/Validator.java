@@ -10,6 +10,9 @@ import java.util.concurrent.Executors;
 
 /** Checks scenes with all that they inline, on all processors. */
 public final class Validator {
+  /** What USEs nest is as deep as a file is long, and is counted by recursion. */
+  private static final long STACK_BYTES = 256L << 20;
+
   private final RuleCatalogue rules;
   private final ValidationSettings settings;
   private final Path base;
@@ -33,7 +36,7 @@ public final class Validator {
         Executors.newFixedThreadPool(
             Runtime.getRuntime().availableProcessors(),
             task -> {
-              Thread thread = new Thread(task, "validator");
+              Thread thread = new Thread(null, task, "validator", STACK_BYTES);
               thread.setDaemon(true);
               return thread;
             });

@@ -7,8 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,7 +15,6 @@ import org.selectiverenderer.polygon.statistics.PolygonStatistics;
 import org.selectiverenderer.polygon.statistics.SceneModel;
 import org.selectiverenderer.polygon.statistics.SceneModel.Version;
 import org.selectiverenderer.polygon.statistics.SceneStatistics;
-import org.selectiverenderer.x3d.Problem.Severity;
 import org.selectiverenderer.x3d.Problems;
 
 /** The validator counts what {@code polygons} counts, and finds what walking about brings about. */
@@ -53,13 +50,17 @@ class OutlinedFileTest {
                 + lamp("A")
                 + lamp("B")
                 + "</Scene></X3D>");
-    Budget tight = new Budget("", List.of(), 24);
 
     long sphere = 960;
     assertThat(model(scene).states("").stream().mapToLong(SceneModel.State::polygons).max())
         .hasValue(2 * sphere);
-    Report report = report(scene, List.of(tight));
-    assertThat(report.count(Severity.ERROR)).isEqualTo(1);
+    assertThat(report(scene, "{\"budgets\": [{\"polygons\": 1919}]}").findings())
+        .filteredOn(finding -> finding.rule().id().equals("SR501"))
+        .singleElement()
+        .extracting(Finding::message)
+        .asString()
+        .contains("the scene has 1920 polygons")
+        .contains("1 more than its budget of 1919");
   }
 
   private static String area(String schema, int x) {
@@ -92,11 +93,10 @@ class OutlinedFileTest {
     return models.get(0);
   }
 
-  private static Report report(Path scene, List<Budget> budgets) throws IOException {
-    return new Validator(
-            RuleCatalogue.standard(),
-            new ValidationSettings(Set.of("SR4"), Map.of(), budgets, ValidationSettings.MEGABYTES),
-            scene.getParent())
+  private static Report report(Path scene, String settings) throws IOException {
+    Path file = Files.writeString(scene.resolveSibling("settings.json"), settings);
+    RuleCatalogue rules = RuleCatalogue.standard();
+    return new Validator(rules, new SettingsFile(file, rules).read(), scene.getParent())
         .validate(List.of(SourceFile.of(scene, scene.getParent())));
   }
 }

@@ -15,11 +15,8 @@ public final class BudgetRules {
               The settings allow a part of the scene so many polygons. Without schemas the budget \
               is held against the worst state that a viewer can bring about by entering and \
               leaving areas; with schemas against that state alone.""")
-          .bad(
-              """
-              {"budgets": [{"scope": "Office", "polygons": 100000}]}
-              (and an office that has 165,608 polygons when its bookcase is entered)""")
-          .good("{\"budgets\": [{\"scope\": \"Office\", \"polygons\": 170000}]}")
+          .bad(example("Office", 170000, 180500))
+          .good(example("Office", 190000, 180500))
           .see("thesis 6.2, Tables 3-5");
 
   static final Rule NO_SUCH_BUDGET =
@@ -29,11 +26,20 @@ public final class BudgetRules {
               A budget of a group that a scene does not have does not concern that scene. This \
               one has nearly the same name, so that the settings probably have a slip, and the \
               budget is not checked.""")
-          .bad("{\"budgets\": [{\"scope\": \"Ofice\", \"polygons\": 170000}]}")
-          .good("{\"budgets\": [{\"scope\": \"Office\", \"polygons\": 170000}]}")
+          .bad(example("Ofice", 190000, 180500))
+          .good(example("Office", 190000, 180500))
           .see("thesis 6.2");
 
   private BudgetRules() {}
+
+  private static String example(String scope, int budget, int polygons) {
+    return """
+        <!-- with --config: {"budgets": [{"scope": "%s", "polygons": %d}]} -->
+        <Group DEF='Office'>
+          <!-- %d polygons at worst -->
+        </Group>"""
+        .formatted(scope, budget, polygons);
+  }
 
   public static RuleGroup group() {
     return new RuleGroup(
