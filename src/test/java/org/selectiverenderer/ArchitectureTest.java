@@ -92,6 +92,10 @@ class ArchitectureTest {
       onlyUsesOfOurs("polygon.statistics", "polygon.statistics", "x3d", "schema");
 
   @ArchTest
+  static final ArchRule theValidatorUsesFilesTheVocabularyAndCountsOnly =
+      onlyUsesOfOurs("validation", "validation", "polygon.statistics", "schema", "x3d");
+
+  @ArchTest
   static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
       onlyUsesOfOurs("polygon", "polygon", "x3d", "schema");
 

@@ -25,7 +25,7 @@ final class EmptyCheck implements NodeCheck {
     }
     for (String field : new String[] {"coordIndex", "index"}) {
       if (node.type().field(field).isPresent() && node.ints(field).length == 0) {
-        return "faces";
+        return node.type().name().contains("Line") ? "lines" : "faces";
       }
     }
     return node.type().name().equals("Text") && node.strings("string").length == 0 ? "text" : "";

@@ -2,6 +2,7 @@ package org.selectiverenderer.validation.geometry;
 
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.FieldType;
 import org.selectiverenderer.x3d.NodeView;
 
 /** What geometry nodes refer to by index: points, normals, colours, texture coordinates. */
@@ -10,7 +11,7 @@ final class Vertices {
 
   /** The node in a field, if the type has such a field and the file gives it. */
   static @Nullable NodeView in(NodeView geometry, String field) {
-    return geometry.type().field(field).filter(f -> f.type().isNode()).isPresent()
+    return geometry.type().field(field).filter(f -> f.type() == FieldType.SFNode).isPresent()
         ? geometry.node(field)
         : null;
   }

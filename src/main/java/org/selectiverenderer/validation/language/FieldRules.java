@@ -6,7 +6,7 @@ import org.selectiverenderer.validation.Rule;
 /** SR10x: elements, attributes and their values. */
 final class FieldRules {
   static final Rule UNKNOWN_ELEMENT =
-      Rule.error("SR101", "X3D has no element {element}{suggestion}")
+      Rule.error("SR101", "X3D 4.0 has no element {element}{suggestion}")
           .because("A browser leaves out an element that it does not know, with all that is in it.")
           .bad("<Shpe><Box/></Shpe>")
           .good("<Shape><Box/></Shape>")

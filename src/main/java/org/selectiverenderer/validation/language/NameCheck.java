@@ -94,6 +94,9 @@ final class NameCheck implements ScopeCheck {
       if (at.get() == outer) {
         return true;
       }
+      if (at.get().name().equals("Script")) {
+        return false; // A script may know what it stands in.
+      }
     }
     return false;
   }
