@@ -57,7 +57,7 @@ class ThesisFiguresTest {
   @Test
   void theMisspeltSetOfFigure47LeavesTheSensorWithoutSchemas() throws IOException {
     assertThat(findings("fig47.x3d"))
-        .contains("SR101 X3D has no element MetadatSet; did you mean MetadataSet?")
+        .contains("SR101 X3D 4.0 has no element MetadatSet; did you mean MetadataSet?")
         .contains("SR426 the sensor names no schema yet");
   }
 
