@@ -45,6 +45,10 @@ public final class Validator {
     } catch (CompletionException e) {
       if (e.getCause() instanceof UncheckedIOException failure) {
         throw failure.getCause();
+      } else if (e.getCause() instanceof RuntimeException fault) {
+        throw fault;
+      } else if (e.getCause() instanceof Error fault) {
+        throw fault;
       }
       throw e;
     } finally {

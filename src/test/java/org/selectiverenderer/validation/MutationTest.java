@@ -107,17 +107,19 @@ class MutationTest {
     List<byte[]> seeds = new ArrayList<>();
     Path fixtures = Path.of("src/test/resources/org/selectiverenderer/validation/fixtures");
     try (Stream<Path> files = Files.list(fixtures)) {
-      for (Path file :
-          files
-              .filter(path -> path.getFileName().toString().contains("-valid"))
-              .sorted()
-              .toList()) {
+      for (Path file : files.filter(MutationTest::isGood).sorted().toList()) {
         seeds.add(Files.readAllBytes(file));
       }
     }
     seeds.add(Files.readAllBytes(Path.of("scenes/overlap.x3d")));
     seeds.add(Files.readAllBytes(Path.of("scenes/trashcan.x3d")));
     return seeds;
+  }
+
+  /** Valid and understood by the reader too: scripts that name what they stand in are not. */
+  private static boolean isGood(Path file) {
+    String name = file.getFileName().toString();
+    return name.contains("-valid") && !name.equals("SR132-valid-script.x3d");
   }
 
   private static byte[] mutant(byte[] seed, Random random) {
