@@ -14,6 +14,7 @@ final class CommandCatalogue {
         new VersionsCommand(console),
         new PolygonsCommand(console),
         new ValidateCommand(console, System.in),
+        new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

@@ -13,9 +13,10 @@ import org.web3d.x3d.sai.X3DNode;
 
 /**
  * Schemas that have an effect nowhere: of objects, but activated by no area, or activated on entry,
- * but of no object. Both may be meant (thesis 5.4.3: the kitchen has no sensor), so they are only
- * mentioned, unless the other side has nearly the same name. Exit schemas are often activated for
- * the sake of order alone and are not mentioned.
+ * but of no object. Both may be meant, so they are only mentioned, unless the other side has nearly
+ * the same name. A schema that says of all its objects what they show from the start needs no area
+ * (thesis 5.4.3: the kitchen has no sensor), and exit schemas are often activated for the sake of
+ * order alone: neither is mentioned.
  */
 final class UnmatchedSchemas {
   private record Namer(String name, X3DNode node) {}
@@ -49,12 +50,16 @@ final class UnmatchedSchemas {
     known.forEach(
         (schema, object) -> {
           if (!activated.contains(schema)) {
-            problems.add(
+            ControlProblem problem =
                 problem(
                     new Namer(object.name(), object.node()),
                     "no area of the scene activates the schema " + schema,
                     schema,
-                    activated));
+                    activated);
+            boolean meant = objects.stream().allMatch(o -> o.showedAtStart(schema));
+            if (!meant || problem.severity() != Severity.INFO) {
+              problems.add(problem);
+            }
           }
         });
     entered.forEach(

@@ -29,6 +29,7 @@ final class VersionedObject {
 
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
+  private final int atStart;
   private int shown;
 
   /**
@@ -44,7 +45,8 @@ final class VersionedObject {
       Consumer<VersionedObject> onForeignChoice) {
     this.node = node;
     this.name = name;
-    this.shown = node.getWhichChoice();
+    this.atStart = node.getWhichChoice();
+    this.shown = atStart;
     this.children = node.getField("children");
     this.onChildren = event -> onChange.accept(this, event.getTime());
     this.watch = new MetadataWatch(node, time -> onChange.accept(this, time));
@@ -96,6 +98,14 @@ final class VersionedObject {
   }
 
   /** The choice that was last set, by whomever, or that the scene came with. */
+  /** Whether all that a schema says of this object is what the scene's author had it show. */
+  boolean showedAtStart(String schema) {
+    return schemas.stream()
+        .flatMap(all -> all.choices().stream())
+        .filter(choice -> choice.schemas().contains(schema))
+        .allMatch(choice -> choice.index() == atStart);
+  }
+
   int shown() {
     return shown;
   }

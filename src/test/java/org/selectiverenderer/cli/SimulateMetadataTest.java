@@ -54,8 +54,7 @@ class SimulateMetadataTest {
         simulate(SENSOR + object("Short", part("\"A\"") + part("\"B\""), BOX) + GOOD);
     assertThat(result.messages())
         .containsExactly(
-            "scene.x3d:5:1: Short: 2 MetadataSets for 1 child of the Switch; this one is ignored",
-            "scene.x3d:3:1: Short: no area of the scene activates the schema A; it has no effect");
+            "scene.x3d:5:1: Short: 2 MetadataSets for 1 child of the Switch; this one is ignored");
     assertThat(result.out())
         .contains("\"switch\":\"Good\",\"from\":0,\"to\":1,\"schema\":\"B\"")
         .doesNotContain("\"switch\":\"Short\"");
@@ -69,8 +68,7 @@ class SimulateMetadataTest {
         simulate(SENSOR + object("Nameless", part("\"A\"") + part("\"\""), BOX + BOX) + GOOD);
     assertThat(result.messages())
         .containsExactly(
-            "scene.x3d:5:1: Nameless: the metadata names no schema; nothing activates this choice",
-            "scene.x3d:3:1: Nameless: no area of the scene activates the schema A; it has no effect");
+            "scene.x3d:5:1: Nameless: the metadata names no schema; nothing activates this choice");
     assertThat(result.out())
         .contains("\"switch\":\"Good\"")
         .doesNotContain("\"switch\":\"Nameless\"");

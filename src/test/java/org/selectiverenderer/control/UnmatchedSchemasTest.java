@@ -41,10 +41,19 @@ class UnmatchedSchemasTest {
     assertThat(
             problems(
                 area("P", 0, "DeskSchema", "OfficeSchema")
-                    + object("DEF='S'", "DeskSchema", "KitchenSchema")
+                    + object("DEF='S'", "KitchenSchema", "DeskSchema")
                     + object("DEF='T'", "DeskSchema", "KitchenSchema")))
         .containsExactly(
             "INFO S: no area of the scene activates the schema KitchenSchema; it has no effect");
+  }
+
+  @Test
+  void aSchemaThatOnlySaysWhatIsShownFromTheStartNeedsNoArea() {
+    assertThat(
+            problems(
+                area("P", 0, "DeskSchema", "OfficeSchema")
+                    + object("DEF='S'", "DeskSchema", "KitchenSchema")))
+        .isEmpty();
   }
 
   @Test

@@ -17,7 +17,8 @@ import org.w3c.dom.Node;
 class ScenesTest {
 
   @ParameterizedTest
-  @ValueSource(strings = {"hello", "trashcan", "overlap"})
+  @ValueSource(
+      strings = {"hello", "trashcan", "overlap", "apartment", "apartment-plain", "practice"})
   void everyInlineAndEveryUseHasItsTarget(String name) throws IOException {
     check(Path.of("scenes", name + ".x3d"), new HashSet<>());
   }
@@ -67,7 +68,7 @@ class ScenesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"hello-orbit", "desk-visit", "overlap-visit"})
+  @ValueSource(strings = {"hello-orbit", "desk-visit", "overlap-visit", "apartment-tour"})
   void pathsRunForwardInTimeAndNeverTurnTheLongWayRound(String name) throws IOException {
     List<String> lines = Files.readAllLines(Path.of("scenes", "paths", name + ".csv"));
     assertThat(lines.get(0)).isEqualTo("t,x,y,z,yaw,pitch,roll");

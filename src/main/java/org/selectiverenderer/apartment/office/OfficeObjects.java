@@ -38,7 +38,7 @@ public final class OfficeObjects {
     recipes.put("folders", Folders::model);
     recipes.put("letterTray", LetterTray::model);
     recipes.put("notepad", Notepad::model);
-    recipes.put("officeChair", OfficeChair::model);
+    recipes.put("deskChair", DeskChair::model);
     recipes.put("poster", Poster::model);
     recipes.put("stapler", Stapler::model);
     recipes.put("trumpet", Trumpet::model);

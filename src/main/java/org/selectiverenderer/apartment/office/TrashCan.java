@@ -8,8 +8,10 @@ import org.selectiverenderer.modelling.Model;
 import org.selectiverenderer.modelling.Part;
 
 /**
- * A plastic trash can with three ribs and a rolled rim, 0.32 m high and 0.306 m wide: 28 steps of a
- * profile with 18 bands and two centres, 28 * (18 * 2 + 2) = 1064 triangles (thesis Fig 71).
+ * A trash can of thin plastic with three ribs and a flared rim, 0.32 m high and 0.306 m wide: 28
+ * steps of a wall with 18 bands and a centre below, and of a floor inside, 28 * (18 * 2 + 1 + 1) =
+ * 1064 triangles (thesis Fig 71). The wall is one surface seen from both sides: an inner one so
+ * near to it would come through when it is reduced.
  */
 final class TrashCan {
 
@@ -17,21 +19,25 @@ final class TrashCan {
 
   static Model model() {
     Curve ribbedWall =
-        Curve.of(0.106, 0, 0.111, 0.004)
-            .line(0.1165, 0.054)
-            .line(0.1235, 0.064)
-            .line(0.1187, 0.074)
-            .line(0.1262, 0.142)
-            .line(0.1332, 0.152)
-            .line(0.1284, 0.162)
-            .line(0.1359, 0.230)
-            .line(0.1429, 0.240)
-            .line(0.1381, 0.250);
-    Curve rolledRim =
-        Curve.of(0.1430, 0.295, 0.1515, 0.3, 0.153, 0.311, 0.1465, 0.32, 0.1385, 0.314);
-    Curve inside = Curve.of(0.138, 0.296, 0.108, 0.016, 0.1, 0.008);
-    Curve profile = ribbedWall.then(rolledRim).then(inside);
+        Curve.of(0, 0.002, 0.1, 0, 0.106, 0, 0.111, 0.004)
+            .line(0.1160, 0.050)
+            .line(0.1214, 0.061)
+            .line(0.1224, 0.071)
+            .line(0.1194, 0.082)
+            .line(0.1255, 0.138)
+            .line(0.1309, 0.149)
+            .line(0.1319, 0.159)
+            .line(0.1289, 0.170)
+            .line(0.1350, 0.226)
+            .line(0.1404, 0.237)
+            .line(0.1414, 0.247)
+            .line(0.1384, 0.258);
+    Curve rim = Curve.of(0.1420, 0.288, 0.1475, 0.297, 0.1520, 0.308, 0.153, 0.32);
+    Curve floor = Curve.of(0.1, 0.014, 0, 0.014);
     Look plastic = new Look(Colour.of(0.3, 0.42, 0.5), Colour.grey(0.35), 0.35, 0, Colour.grey(0));
-    return Model.of("trashCan", Part.of("body", plastic, Lathe.solid(profile, 28)));
+    return Model.of(
+        "trashCan",
+        Part.of(
+            "body", plastic, Lathe.surface(ribbedWall.then(rim), 28), Lathe.surface(floor, 28)));
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.ManySwitchesScene;
@@ -57,6 +58,16 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     put(report.putObject("light"), light, child.run(light));
     progress.accept("activation among 100,000 switches");
     Activating.measure(many, AFFECTED, report.putObject("activation"));
+    progress.accept("apartment: writing it");
+    Path apartment = folder.resolve("apartment");
+    new ApartmentGenerator().writeAll(apartment);
+    progress.accept("polygon count process");
+    new Simplifying().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
+    new RoomRuns(child, runs, progress)
+        .measure(
+            apartment.resolve("scenes").resolve("apartment.x3d"),
+            apartment,
+            report.putObject("apartment"));
     return report;
   }
 

@@ -7,6 +7,8 @@ import java.util.Locale;
 public final class BenchmarkText {
   private static final String ROW = "%-42s %11s %9s %11s %11s %9s %11s%n";
 
+  private static final String APARTMENT = "%-42s %11s %11s %11s%n";
+
   private BenchmarkText() {}
 
   /** Several lines, the last one ended. */
@@ -73,7 +75,57 @@ public final class BenchmarkText {
     line(
         text,
         "The peers were measured on another machine of 4 cores with software OpenGL: compare with care.");
+    if (report.has("apartment")) {
+      apartment(text, report);
+    }
     return text.toString();
+  }
+
+  private static void apartment(StringBuilder text, JsonNode report) {
+    text.append(System.lineSeparator());
+    line(
+        text,
+        "simplify    %s s for the %s objects of the apartment; %s s for %s triangles to %s",
+        seconds(report, "/simplify/objects_ms"),
+        at(report, "/simplify/objects"),
+        seconds(report, "/simplify/large_ms"),
+        at(report, "/simplify/large_triangles"),
+        at(report, "/simplify/large_left"));
+    text.append(System.lineSeparator());
+    text.append(
+        String.format(
+            Locale.ROOT, APARTMENT, "apartment, turning round", "high", "high-low", "selective"));
+    String[][] rows = {
+      {"frames/s", "fps"},
+      {"polygons drawn", "polygons_drawn"},
+      {"first frame, ms", "first_frame_ms"},
+      {"MB", "rss_mb"}
+    };
+    report
+        .at("/apartment")
+        .properties()
+        .forEach(
+            room -> {
+              for (String[] row : rows) {
+                text.append(
+                    String.format(
+                        Locale.ROOT,
+                        APARTMENT,
+                        room.getKey() + ", " + row[0],
+                        figure(room.getValue(), "high", row[1]),
+                        figure(room.getValue(), "high-low", row[1]),
+                        figure(room.getValue(), "selective", row[1])));
+              }
+              line(
+                  text,
+                  "%s: selective draws %s times the frames of high",
+                  room.getKey(),
+                  room.getValue().get("selective_to_high").asText());
+            });
+  }
+
+  private static String figure(JsonNode room, String condition, String key) {
+    return String.format(Locale.ROOT, "%,.0f", room.get(condition).get(key).asDouble());
   }
 
   private static String seconds(JsonNode report, String key) {

@@ -34,7 +34,7 @@ record ChildRun(String mainClass, int runs) {
   Result run(BenchScene scene) throws IOException, InterruptedException {
     List<JsonNode> all = new ArrayList<>();
     for (int i = 0; i < runs; i++) {
-      all.add(once(scene));
+      all.add(once(scene.scene(), scene.path(), SECONDS));
     }
     return new Result(
         median(all, "/first_frame_ms"),
@@ -46,23 +46,30 @@ record ChildRun(String mainClass, int runs) {
         all.get(0).get("gl"));
   }
 
-  private static double median(List<JsonNode> all, String key) {
+  static double median(List<JsonNode> all, String key) {
     return Figures.median(all.stream().mapToDouble(node -> node.at(key).asDouble()).toArray());
   }
 
-  private JsonNode once(BenchScene scene) throws IOException, InterruptedException {
+  /**
+   * The figures of one run.
+   *
+   * @param seconds of the path
+   * @param more options of {@code run}
+   */
+  JsonNode once(Path scene, Path path, String seconds, String... more)
+      throws IOException, InterruptedException {
     Path stats = Files.createTempFile("selective-renderer-bench", ".json");
     Path log = Files.createTempFile("selective-renderer-bench", ".log");
     try {
       Process process =
-          new ProcessBuilder(command(scene, stats))
+          new ProcessBuilder(command(scene, path, seconds, stats, more))
               .redirectErrorStream(true)
               .redirectOutput(log.toFile())
               .start();
       if (process.waitFor() != 0) {
         throw new IOException(
             "running %s failed: %s"
-                .formatted(scene.scene(), Files.readString(log, StandardCharsets.UTF_8).strip()));
+                .formatted(scene, Files.readString(log, StandardCharsets.UTF_8).strip()));
       }
       return new ObjectMapper().readTree(stats.toFile());
     } finally {
@@ -71,16 +78,17 @@ record ChildRun(String mainClass, int runs) {
     }
   }
 
-  private List<String> command(BenchScene scene, Path stats) {
+  private List<String> command(Path scene, Path path, String seconds, Path stats, String... more) {
     List<String> command = new ArrayList<>();
     command.add(ProcessHandle.current().info().command().orElse("java"));
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
     String flags = System.getProperty(FLAGS, "");
     command.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
-    command.addAll(List.of("run", scene.scene().toString()));
+    command.addAll(List.of("run", scene.toString()));
     command.addAll(List.of("--offscreen", "--size", SIZE, "--samples", "0"));
-    command.addAll(List.of("--path", scene.path().toString(), "--duration", SECONDS));
+    command.addAll(List.of("--path", path.toString(), "--duration", seconds));
+    command.addAll(List.of(more));
     command.addAll(List.of("--stats", stats.toString()));
     return command;
   }

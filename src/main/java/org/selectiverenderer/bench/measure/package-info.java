@@ -1,9 +1,10 @@
 /**
  * What this machine reaches: reading, loading, frames, activation, memory.
  *
- * <p>In: the scenes that {@code bench} generates. Out: one JSON object, and a text that sets it
- * beside the peers' figures. Scenes are run in processes of their own, so that each starts cold and
- * has its own peak of memory. Uses {@code app} and {@code x3d}.
+ * <p>In: the scenes that {@code bench} and {@code apartment} generate. Out: one JSON object, and a
+ * text that sets it beside the peers' figures. Scenes are run in processes of their own, so that
+ * each starts cold and has its own peak of memory. Uses {@code app}, {@code apartment}, {@code
+ * polygon} and {@code x3d}.
  */
 @NullMarked
 package org.selectiverenderer.bench.measure;

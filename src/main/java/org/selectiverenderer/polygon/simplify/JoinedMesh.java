@@ -160,6 +160,28 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return Areas.dropEmpty(with(rounded, indices)).compact();
   }
 
+  /**
+   * The same mesh, its box brought to another on each axis where that takes no more than so large a
+   * factor; positions on a grid of so many steps per unit of length. Itself, if triangles would
+   * become empty by it.
+   */
+  JoinedMesh fitted(float[] box, double largest, double scale) {
+    float[] own = Mesh.boundsOf(positions(), indices);
+    float[] fitted = vertices.clone();
+    for (int axis = 0; axis < 3; axis++) {
+      double has = (double) own[axis + 3] - own[axis];
+      double wanted = (double) box[axis + 3] - box[axis];
+      if (has > 0 && wanted / has <= largest && has / wanted <= largest) {
+        for (int i = axis; i < fitted.length; i += STRIDE) {
+          double at = box[axis] + (vertices[i] - own[axis]) / has * wanted;
+          fitted[i] = (float) (Math.rint(at * scale) / scale) + 0.0f;
+        }
+      }
+    }
+    JoinedMesh result = with(fitted, indices);
+    return Areas.dropEmpty(result).polygons() == polygons() ? result : this;
+  }
+
   /** These triangles of vertices that may have moved. */
   JoinedMesh with(float[] moved, int[] triangles) {
     return new JoinedMesh(moved, triangles, origins);

@@ -25,6 +25,9 @@ final class Reduction {
 
   private static final int AHEAD = 4;
 
+  /** A part that has gone is not made good for by stretching the rest. */
+  private static final double LARGEST_STRETCH = 1.1;
+
   private final JoinedMesh original;
   private final Likeness likeness;
   private final double scale;
@@ -38,6 +41,10 @@ final class Reduction {
     this.likeness = new Likeness(original);
     this.scale = scale(original.extent());
     this.bounds = Mesh.boundsOf(original.positions(), original.indices());
+  }
+
+  JoinedMesh original() {
+    return original;
   }
 
   /** The mesh nearest to that number of polygons, and of those the most like; never empty. */
@@ -86,6 +93,15 @@ final class Reduction {
     return reduced.polygons() > polygons
         ? nearest
         : Approach.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
+  }
+
+  /**
+   * A reduced mesh as high, wide and deep as the original: few polygons cut the corners of what is
+   * round, and an object that has become smaller would float above what it stands on, and be seen
+   * to jump when its version changes.
+   */
+  JoinedMesh fitted(JoinedMesh reduced) {
+    return reduced == original ? reduced : reduced.fitted(bounds, LARGEST_STRETCH, scale);
   }
 
   private JoinedMesh base(int polygons) {

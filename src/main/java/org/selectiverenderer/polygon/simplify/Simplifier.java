@@ -42,15 +42,15 @@ public final class Simplifier {
         reduced = reduction.exactly(polygons.count());
       }
       return result(
-          parts, original, reduced, Simplified.near(reduced.polygons(), polygons.count()));
+          parts, reduction, reduced, Simplified.near(reduced.polygons(), polygons.count()));
     }
     if (goal instanceof Goal.Exactly exactly) {
       check(exactly.count(), original.polygons(), "polygons");
       JoinedMesh reduced = reduction.exactly(exactly.count());
-      return result(parts, original, reduced, reduced.polygons() == exactly.count());
+      return result(parts, reduction, reduced, reduced.polygons() == exactly.count());
     }
     if (goal instanceof Goal.LargestError largest) {
-      return within(parts, original, reduction, largest.error());
+      return within(parts, reduction, largest.error());
     }
     int has = Seams.positions(original);
     int wanted =
@@ -59,7 +59,7 @@ public final class Simplifier {
             : (int) Math.round(has * ((Goal.VertexPercent) goal).percent() / 100);
     check(wanted, has, "vertices");
     JoinedMesh reduced = has <= wanted ? original : reduction.toPositions(Math.max(1, wanted), has);
-    return result(parts, original, reduced, Simplified.near(Seams.positions(reduced), wanted));
+    return result(parts, reduction, reduced, Simplified.near(Seams.positions(reduced), wanted));
   }
 
   private static void check(int wanted, int has, String what) {
@@ -70,9 +70,8 @@ public final class Simplifier {
   }
 
   /** The collapse's own estimate is no bound, so what comes out is measured. */
-  private static Simplified within(
-      List<Mesh> parts, JoinedMesh original, Reduction reduction, double largest) {
-    Simplified best = result(parts, original, original, true);
+  private static Simplified within(List<Mesh> parts, Reduction reduction, double largest) {
+    Simplified best = result(parts, reduction, reduction.original(), true);
     double allowed = largest;
     for (int i = 0; i < ERROR_TRIES; i++) {
       JoinedMesh reduced = reduction.within(allowed);
@@ -80,7 +79,7 @@ public final class Simplifier {
         allowed *= ALL_GONE;
         continue;
       }
-      Simplified result = result(parts, original, reduced, true);
+      Simplified result = result(parts, reduction, reduced, true);
       if (result.error() <= largest && result.polygons() < best.polygons()) {
         best = result;
       }
@@ -94,7 +93,9 @@ public final class Simplifier {
   }
 
   private static Simplified result(
-      List<Mesh> parts, JoinedMesh original, JoinedMesh reduced, boolean met) {
+      List<Mesh> parts, Reduction reduction, JoinedMesh found, boolean met) {
+    JoinedMesh original = reduction.original();
+    JoinedMesh reduced = reduction.fitted(found);
     int[][] triangles = byPart(reduced, parts.size());
     CornerNormals corners = new CornerNormals(original);
     int[] own = new int[reduced.vertexCount()];

@@ -52,7 +52,8 @@ class OfficeObjectsTest {
           Map.entry("poster", Set.of("mount", "sky", "upperSky")),
           Map.entry("printer", Set.of("print", "brand")),
           Map.entry("ruler", Set.of("lines", "numbers")),
-          Map.entry("telephoneLibrary", Set.of("digits", "display")));
+          Map.entry("telephoneLibrary", Set.of("digits", "display")),
+          Map.entry("trashCan", Set.of("body")));
 
   static Collection<String> all() {
     return OfficeObjects.all().keySet();
@@ -150,7 +151,7 @@ class OfficeObjectsTest {
     "libraryPencilHolder, 9, 20, 9",
     "mug, 12, 9, 8",
     "notepad, 16, 2, 21",
-    "officeChair, 63, 98, 59",
+    "deskChair, 63, 98, 59",
     "pencilHolderDesk, 9, 20, 9",
     "plant, 89, 124, 81",
     "poster, 90, 62, 2",

@@ -15,12 +15,12 @@ class TrashCanTest {
   }
 
   @Test
-  void standsOnTheFloorAndIsClosed() {
+  void standsOnTheFloorAndIsSeenFromBothSides() {
     Model can = TrashCan.model();
     Bounds bounds = can.bounds();
 
     assertThat(bounds.minY()).isZero();
     assertThat(bounds.height()).isCloseTo(0.32, within(1e-6));
-    assertThat(can.parts()).allMatch(part -> part.mesh().isClosed());
+    assertThat(can.parts()).allMatch(part -> part.bothSides());
   }
 }

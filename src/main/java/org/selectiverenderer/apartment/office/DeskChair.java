@@ -11,14 +11,14 @@ import org.selectiverenderer.modelling.Sweep;
 import org.selectiverenderer.modelling.TriangleMesh;
 
 /** A swivel chair with arms on five castors, 0.98 m high; one version. */
-final class OfficeChair {
+final class DeskChair {
   private static final double SEAT = 0.46;
 
-  private OfficeChair() {}
+  private DeskChair() {}
 
   static Model model() {
     return Model.of(
-        "officeChair",
+        "deskChair",
         Part.of("cushions", Looks.BLUE, seat(), back()).crease(70),
         Part.of("frame", Looks.BLACK, spine(), Copies.bothSides(arm())),
         Part.of("armPads", Looks.CHARCOAL, Copies.bothSides(pad())),

@@ -1,0 +1,55 @@
+package org.selectiverenderer.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ApartmentCommandTest {
+  private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+  @TempDir private Path folder;
+
+  @Test
+  void someObjectsAreWrittenAlone() throws IOException {
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan,shovel")).isZero();
+
+    assertThat(folder.resolve("inlineNodes"))
+        .isDirectoryContaining("glob:**/trashCan_v1.x3d")
+        .isDirectoryContaining("glob:**/trashCan_v2.x3d")
+        .isDirectoryContaining("glob:**/shovel.x3d");
+    assertThat(folder.resolve("scenes")).doesNotExist();
+    assertThat(text()).contains("trashCan_v1.x3d: 1064 polygons", "trashCan_v2.x3d: 93 polygons");
+  }
+
+  @Test
+  void anObjectWithoutARecipeIsOneSentence() {
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan,unicorn")).isEqualTo(2);
+
+    assertThat(text()).contains("there is no recipe named unicorn").doesNotContain("Exception");
+    assertThat(folder.resolve("inlineNodes")).doesNotExist();
+  }
+
+  @Test
+  void aFileInTheWayOfTheFolderIsOneSentence() throws IOException {
+    Files.writeString(folder.resolve("inlineNodes"), "in the way");
+
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan")).isEqualTo(2);
+    assertThat(text()).contains("inlineNodes").doesNotContain("Exception:");
+  }
+
+  private int execute(String... args) {
+    PrintStream stream = new PrintStream(err, true, StandardCharsets.UTF_8);
+    return Main.execute(args, new PrintStream(new ByteArrayOutputStream()), stream);
+  }
+
+  private String text() {
+    return err.toString(StandardCharsets.UTF_8);
+  }
+}
