@@ -19,6 +19,7 @@ final class CommandCatalogue {
         new ExperimentCommand(console),
         new ApartmentCommand(console),
         new TrackCommand(console),
+        new ValidateCommand(console, System.in),
         new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
