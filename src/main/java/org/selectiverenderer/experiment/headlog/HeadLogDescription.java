@@ -69,7 +69,7 @@ public record HeadLogDescription(
     for (Column column : Column.values()) {
       ObjectNode node = columns.putObject(column.header()).put("description", column.meaning);
       if (!column.units.isEmpty()) {
-        node.put("units", column.units);
+        node.put("units", column.units).put("decimals", column.decimals);
       }
     }
     ObjectNode drawn = root.putObject("map");

@@ -1,13 +1,11 @@
 package org.selectiverenderer.experiment.headlog;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
+import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -19,58 +17,107 @@ import org.selectiverenderer.x3d.Problem;
  * own, {@code head-log}, writes them four times a second, so that whatever ends the program takes
  * at most the last quarter of a second with it, and has the disk keep them once a second, so that a
  * power cut takes little more. A disk that is full ends the log with a message, not the session.
+ *
+ * <p>So many samples may wait, minutes of them; while a disk is slower than that new ones are left
+ * out, which is counted and told, and drawing goes on.
  */
 public final class HeadLogWriter implements AutoCloseable {
+  /** Samples that may wait: at 60 frames per second those of nine minutes, about 8 MB. */
+  static final int MOST_WAITING = 1 << 15;
+
   private static final long PAUSE = 250_000_000;
   private static final int PER_FORCE = 4;
 
+  /** Where the lines of a log go. */
+  interface Lines {
+    /** Takes lines, each ended; may wait. */
+    void write(String text) throws IOException;
+
+    /** Has the disk keep what was written. */
+    void keep() throws IOException;
+
+    /** Ends the log. */
+    void close() throws IOException;
+  }
+
   private final Path file;
-  private final FileChannel channel;
+  private final Lines lines;
+  private final int mostWaiting;
   private final Consumer<Problem> problem;
-  private final ConcurrentLinkedQueue<HeadSample> queue = new ConcurrentLinkedQueue<>();
+  private final Queue<HeadSample> queue = new ConcurrentLinkedQueue<>();
+  private final AtomicInteger waiting = new AtomicInteger();
+  private final AtomicLong lost = new AtomicLong();
   private final Thread thread = new Thread(this::work, "head-log");
+  private long lostTold;
   private volatile boolean closing;
   private volatile boolean failed;
 
-  private HeadLogWriter(Path file, FileChannel channel, Consumer<Problem> problem) {
+  private HeadLogWriter(Path file, Lines lines, int mostWaiting, Consumer<Problem> problem) {
     this.file = file;
-    this.channel = channel;
+    this.lines = lines;
+    this.mostWaiting = mostWaiting;
     this.problem = problem;
+  }
+
+  /**
+   * Begins a log in files that are not there yet.
+   *
+   * @param csv ends in .csv; the description goes beside it, ending in .json
+   * @param problem hears when the log cannot go on, on the log's thread
+   * @throws java.nio.file.FileAlreadyExistsException if one is there
+   * @throws IOException if they cannot be written
+   */
+  public static HeadLogWriter open(
+      Path csv, HeadLogDescription description, Consumer<Problem> problem) throws IOException {
+    return open(HeadLogFiles.claim(csv, false), description, problem);
   }
 
   /**
    * Begins a log: writes its description and its header.
    *
-   * @param file ends in .csv; the description goes beside it, ending in .json
+   * @param files closed with the writer, or when it cannot begin
    * @param problem hears when the log cannot go on, on the log's thread
-   * @throws IOException if the files cannot be written
+   * @throws IOException if they cannot be written
    */
   public static HeadLogWriter open(
-      Path file, HeadLogDescription description, Consumer<Problem> problem) throws IOException {
-    Files.writeString(
-        HeadLogDescription.beside(file), description.json() + "\n", StandardCharsets.UTF_8);
-    FileChannel channel =
-        FileChannel.open(
-            file,
-            StandardOpenOption.CREATE,
-            StandardOpenOption.WRITE,
-            StandardOpenOption.TRUNCATE_EXISTING);
-    HeadLogWriter writer = new HeadLogWriter(file, channel, problem);
+      HeadLogFiles files, HeadLogDescription description, Consumer<Problem> problem)
+      throws IOException {
     try {
-      writer.write(Column.headers() + "\n");
+      return start(files.csv(), files.begin(description), MOST_WAITING, problem);
     } catch (IOException e) {
-      channel.close();
+      files.close();
       throw e;
     }
+  }
+
+  /**
+   * Begins to write.
+   *
+   * @param file for messages
+   * @param mostWaiting samples
+   */
+  static HeadLogWriter start(Path file, Lines lines, int mostWaiting, Consumer<Problem> problem) {
+    HeadLogWriter writer = new HeadLogWriter(file, lines, mostWaiting, problem);
     writer.thread.start();
     return writer;
   }
 
-  /** Hands over a sample; never waits. */
+  /** Hands over a sample; called by one thread; never waits. */
   public void add(HeadSample sample) {
-    if (!failed) {
-      queue.add(sample);
+    if (failed) {
+      return;
     }
+    if (waiting.get() >= mostWaiting) {
+      lost.incrementAndGet();
+      return;
+    }
+    waiting.incrementAndGet();
+    queue.add(sample);
+  }
+
+  /** How many samples were left out since the disk could not keep up. */
+  public long lost() {
+    return lost.get();
   }
 
   private void work() {
@@ -79,16 +126,13 @@ public final class HeadLogWriter implements AutoCloseable {
       try {
         writeQueue();
         if (last || round % PER_FORCE == 0) {
-          channel.force(false);
+          lines.keep();
         }
-      } catch (IOException e) {
+        tellLost();
+      } catch (IOException | RuntimeException e) {
         failed = true;
         queue.clear();
-        problem.accept(
-            new Problem(
-                Problem.Severity.ERROR,
-                Location.of(file.toString()),
-                "the head log ends here: " + reason(e)));
+        tell(Problem.Severity.ERROR, "the head log ends here: " + reason(e));
       }
       if (last) {
         return;
@@ -97,25 +141,40 @@ public final class HeadLogWriter implements AutoCloseable {
     }
   }
 
-  private static String reason(IOException e) {
+  private static String reason(Exception e) {
+    if (e instanceof RuntimeException) {
+      return "an internal error, please report it (" + e + ")";
+    }
     String message = e.getMessage();
     return message == null ? "it cannot be written" : message;
   }
 
-  private void writeQueue() throws IOException {
-    StringBuilder lines = new StringBuilder();
-    for (HeadSample sample = queue.poll(); sample != null; sample = queue.poll()) {
-      lines.append(Column.line(sample)).append('\n');
-    }
-    if (!lines.isEmpty()) {
-      write(lines.toString());
+  private void tellLost() {
+    long now = lost.get();
+    if (now > lostTold) {
+      tell(
+          Problem.Severity.WARNING,
+          "the disk is too slow: "
+              + (now - lostTold)
+              + " frames are missing from the head log here, "
+              + now
+              + " in all");
+      lostTold = now;
     }
   }
 
-  private void write(String text) throws IOException {
-    ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
-    while (bytes.hasRemaining()) {
-      channel.write(bytes);
+  private void tell(Problem.Severity severity, String message) {
+    problem.accept(new Problem(severity, Location.of(file.toString()), message));
+  }
+
+  private void writeQueue() throws IOException {
+    StringBuilder text = new StringBuilder();
+    for (HeadSample sample = queue.poll(); sample != null; sample = queue.poll()) {
+      waiting.decrementAndGet();
+      text.append(Column.line(sample)).append('\n');
+    }
+    if (!text.isEmpty()) {
+      lines.write(text.toString());
     }
   }
 
@@ -139,6 +198,6 @@ public final class HeadLogWriter implements AutoCloseable {
     if (interrupted != null) {
       Thread.currentThread().interrupt();
     }
-    channel.close();
+    lines.close();
   }
 }

@@ -106,7 +106,9 @@ public final class LiveTracker implements HeadTracker {
           state = State.ENDED;
           return;
         } catch (IOException e) {
-          lost(e);
+          lost(e.getMessage());
+        } catch (RuntimeException e) {
+          lost("the tracker's driver failed, please report it (" + e + ")");
         }
       } while (reopened());
     } finally {
@@ -114,15 +116,15 @@ public final class LiveTracker implements HeadTracker {
     }
   }
 
-  private void lost(IOException failure) {
-    if (!reading()) {
+  private void lost(String reason) {
+    if (!reading() || ProcessEnd.begun()) {
       return;
     }
     source.close();
     meter.pause();
     wasLost = meter.records() > 0;
     state = wasLost ? State.LOST : State.CONNECTING;
-    episodes.lost(failure.getMessage());
+    episodes.lost(reason);
   }
 
   private boolean reopened() {
@@ -131,7 +133,7 @@ public final class LiveTracker implements HeadTracker {
         source.open();
         return true;
       } catch (TrackerException e) {
-        episodes.lost(e.getMessage());
+        lost(e.getMessage());
       }
     }
     return false;

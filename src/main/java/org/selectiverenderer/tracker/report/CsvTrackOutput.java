@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.selectiverenderer.csv.FixedDecimals;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 
@@ -26,13 +27,13 @@ public final class CsvTrackOutput implements TrackOutput, AutoCloseable {
   @Override
   public void sample(double time, PoseSample sample) throws IOException {
     writer
-        .append(Decimals.of(time, 6))
+        .append(FixedDecimals.of(time, 6))
         .append(',')
-        .append(Decimals.of(sample.yaw(), 4))
+        .append(FixedDecimals.of(sample.yaw(), 4))
         .append(',')
-        .append(Decimals.of(sample.pitch(), 4))
+        .append(FixedDecimals.of(sample.pitch(), 4))
         .append(',')
-        .append(Decimals.of(sample.roll(), 4))
+        .append(FixedDecimals.of(sample.roll(), 4))
         .append('\n');
   }
 

@@ -77,7 +77,7 @@ class HeadLogTest {
   }
 
   @Test
-  void whatIsWrittenIsReadAgainToTheLastDigit() throws IOException {
+  void whatIsWrittenIsReadAgainToAMillionth() throws IOException {
     List<HeadSample> samples =
         List.of(
             sample(0, 12.345678901234567, -3, "Switch_Desk"),
@@ -85,8 +85,8 @@ class HeadLogTest {
                 0.1, 0, 0, 0, 0, 0, 0, false, "", Double.NaN, -1, List.of(), List.of(), 5),
             sample(0.2, 1e-7, 0, "a \"quoted\", one"));
     HeadLog log = read(write(samples));
-    assertThat(log.samples().get(0).yaw()).isEqualTo(12.345678901234567);
-    assertThat(log.samples().get(0).z()).isEqualTo(-1.0 / 3);
+    assertThat(log.samples().get(0).yaw()).isEqualTo(12.345679);
+    assertThat(log.samples().get(0).z()).isEqualTo(-0.333333);
     assertThat(log.samples().get(1)).isEqualTo(samples.get(1));
     assertThat(log.samples().get(2).object()).isEqualTo("a \"quoted\", one");
     assertThat(log.description().map().rooms().get(0).bounds()).containsExactly(-2, 0, -2, 2, 3, 2);
@@ -131,9 +131,40 @@ class HeadLogTest {
     Files.createSymbolicLink(link, full);
     assertThat(
             org.assertj.core.api.Assertions.catchThrowable(
-                () -> HeadLogWriter.open(link, DESCRIPTION, problem -> {})))
+                () ->
+                    HeadLogWriter.open(HeadLogFiles.claim(link, true), DESCRIPTION, problem -> {})))
         .isInstanceOf(IOException.class);
     Files.delete(link);
+  }
+
+  @Test
+  void numbersHaveAFixedNumberOfDecimalsThatTheDescriptionTells() throws IOException {
+    Path file =
+        write(
+            List.of(
+                new HeadSample(
+                    2.0 / 3,
+                    1e-7,
+                    -1e-9,
+                    12345678.5,
+                    -90,
+                    0,
+                    180,
+                    true,
+                    "",
+                    4,
+                    -1,
+                    List.of(),
+                    List.of(),
+                    16.6666)));
+    assertThat(Files.readAllLines(file).get(1))
+        .isEqualTo(
+            "0.666667,0.000000,0.000000,12345678.500000,-90.000000,0.000000,180.000000,moved,,4.000,,,,16.667");
+    JsonNode columns =
+        new ObjectMapper().readTree(folder.resolve("session.json").toFile()).get("columns");
+    assertThat(columns.get("yaw").get("decimals").asInt()).isEqualTo(6);
+    assertThat(columns.get("distance").get("decimals").asInt()).isEqualTo(3);
+    assertThat(columns.get("object").has("decimals")).isFalse();
   }
 
   @Test

@@ -1,0 +1,137 @@
+package org.selectiverenderer.experiment.headlog;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+
+/**
+ * The two files of a head log, its CSV and the description beside it. They are taken before
+ * anything else of a session begins, so that what stands in the way is told at once; files that
+ * were there are changed only when the log begins. Files made for a log that never began go again.
+ */
+public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
+  private final Claimed csv;
+  private final Claimed json;
+  private boolean begun;
+
+  private HeadLogFiles(Claimed csv, Claimed json) {
+    this.csv = csv;
+    this.json = json;
+  }
+
+  private record Claimed(Path file, FileChannel channel, boolean made) {
+    static Claimed of(Path file, boolean replace) throws IOException {
+      boolean there = Files.exists(file);
+      if (there && !replace) {
+        throw new FileAlreadyExistsException(file.toString());
+      }
+      try {
+        return new Claimed(
+            file,
+            FileChannel.open(
+                file,
+                StandardOpenOption.WRITE,
+                there ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW),
+            !there);
+      } catch (FileAlreadyExistsException e) {
+        throw e; // It came into being this moment.
+      } catch (FileSystemException e) {
+        throw new IOException(file + ": the head log cannot be written there", e);
+      }
+    }
+
+    void write(String text) throws IOException {
+      ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
+      while (bytes.hasRemaining()) {
+        channel.write(bytes);
+      }
+    }
+
+    void close(boolean keep) throws IOException {
+      channel.close();
+      if (!keep && made) {
+        Files.deleteIfExists(file);
+      }
+    }
+  }
+
+  /**
+   * The files of a log.
+   *
+   * @param csv ends in .csv; the description goes beside it, ending in .json
+   */
+  public static List<Path> of(Path csv) {
+    return List.of(csv, HeadLogDescription.beside(csv));
+  }
+
+  /**
+   * Takes the files of a log.
+   *
+   * @param replace whether files that are there may be replaced
+   * @throws FileAlreadyExistsException if one is there and may not
+   * @throws IOException if one cannot be written
+   */
+  public static HeadLogFiles claim(Path csv, boolean replace) throws IOException {
+    Path description = HeadLogDescription.beside(csv);
+    if (!replace && Files.exists(description)) {
+      throw new FileAlreadyExistsException(description.toString());
+    }
+    Claimed log = Claimed.of(csv, replace);
+    try {
+      return new HeadLogFiles(log, Claimed.of(description, replace));
+    } catch (IOException e) {
+      log.close(false);
+      throw e;
+    }
+  }
+
+  /** The log's CSV. */
+  Path csv() {
+    return csv.file();
+  }
+
+  /**
+   * Begins the log: writes description and header.
+   *
+   * @return where its lines go
+   */
+  HeadLogWriter.Lines begin(HeadLogDescription description) throws IOException {
+    csv.channel().truncate(0);
+    json.channel().truncate(0);
+    begun = true;
+    csv.write(Column.headers() + "\n");
+    json.write(description.json() + "\n");
+    json.channel().force(false);
+    return this;
+  }
+
+  @Override
+  public void write(String text) throws IOException {
+    csv.write(text);
+  }
+
+  @Override
+  public void keep() throws IOException {
+    csv.channel().force(false);
+  }
+
+  /** Closes both; does nothing the second time. */
+  @Override
+  public void close() throws IOException {
+    if (!csv.channel().isOpen()) {
+      return;
+    }
+    try {
+      json.close(begun);
+    } finally {
+      csv.close(begun);
+    }
+  }
+}
