@@ -11,6 +11,7 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.headlog.Gaze;
 import org.selectiverenderer.experiment.headlog.HeadLogDescription;
+import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.experiment.headlog.HeadLogWriter;
 import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.experiment.headlog.SceneSurvey;
@@ -40,18 +41,18 @@ final class HeadRecorder implements AutoCloseable {
   }
 
   /**
-   * Begins the log that the settings name.
+   * Begins a log.
    *
+   * @param files of the log; closed with it
    * @throws IOException if it cannot be written
    */
-  static HeadRecorder open(RunSettings settings, Walkthrough walk, RunListener listener)
+  static HeadRecorder open(
+      HeadLogFiles files, RunSettings settings, Walkthrough walk, RunListener listener)
       throws IOException {
-    HeadSettings head = settings.head();
     return new HeadRecorder(
         walk,
-        HeadLogWriter.open(
-            head.log().orElseThrow(), description(settings, walk), listener::problem),
-        head.coneDegrees());
+        HeadLogWriter.open(files, description(settings, walk), listener::problem),
+        settings.head().coneDegrees());
   }
 
   private static HeadLogDescription description(RunSettings settings, Walkthrough walk) {

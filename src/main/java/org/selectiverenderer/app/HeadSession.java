@@ -3,6 +3,7 @@ package org.selectiverenderer.app;
 import java.io.IOException;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.TrackedMotion;
 import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.tracker.HeadTracker;
@@ -28,24 +29,46 @@ final class HeadSession implements AutoCloseable {
   private final RunListener listener;
   private final HeadTracker tracker;
   private final @Nullable ReplayLog log;
+  private final @Nullable HeadLogFiles files;
   private final LatencyMeter latency = new LatencyMeter();
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
 
   private HeadSession(
-      RunSettings settings, RunListener listener, HeadTracker tracker, @Nullable ReplayLog log) {
+      RunSettings settings,
+      RunListener listener,
+      HeadTracker tracker,
+      @Nullable ReplayLog log,
+      @Nullable HeadLogFiles files) {
     this.settings = settings;
     this.listener = listener;
     this.tracker = tracker;
     this.log = log;
+    this.files = files;
   }
 
   /**
-   * Opens the tracker.
+   * Takes the log's files, then opens the tracker.
    *
    * @throws TrackerException when it cannot be used
+   * @throws IOException when the log cannot be written or is there already
    */
   static HeadSession open(RunSettings settings, RunListener listener) throws IOException {
+    HeadSettings head = settings.head();
+    HeadLogFiles files =
+        head.log().isEmpty() ? null : HeadLogFiles.claim(head.log().get(), head.replaceLog());
+    try {
+      return open(settings, listener, files);
+    } catch (IOException | RuntimeException e) {
+      if (files != null) {
+        files.close();
+      }
+      throw e;
+    }
+  }
+
+  private static HeadSession open(
+      RunSettings settings, RunListener listener, @Nullable HeadLogFiles files) throws IOException {
     TrackerListener heard =
         new TrackerListener() {
           @Override
@@ -56,14 +79,14 @@ final class HeadSession implements AutoCloseable {
     HeadSettings head = settings.head();
     if (!(head.tracker() instanceof TrackerSpec.Replay replay)) {
       HeadTracker live = Trackers.open(head.tracker(), head.options(), heard);
-      return new HeadSession(settings, listener, live, null);
+      return new HeadSession(settings, listener, live, null, files);
     }
     // A log is replayed by the frames' clock, so that each run of it shows the same.
     ReplayLog log =
         ReplayLog.read(replay.file(), new Problems(heard::problem))
             .orElseThrow(() -> new TrackerException("the log " + replay.file() + " has faults"));
     HeadTracker stepped = new SteppedReplay(replay, log, head.options());
-    return new HeadSession(settings, listener, stepped, log);
+    return new HeadSession(settings, listener, stepped, log, files);
   }
 
   /** How many seconds a replay lasts; empty for a live tracker. */
@@ -80,8 +103,8 @@ final class HeadSession implements AutoCloseable {
    * @throws IOException if the log cannot be written
    */
   ViewerMotion begin(Walkthrough walk, ViewerMotion walking) throws IOException {
-    if (settings.head().log().isPresent()) {
-      recorder = HeadRecorder.open(settings, walk, listener);
+    if (files != null) {
+      recorder = HeadRecorder.open(files, settings, walk, listener);
     }
     if (!settings.head().tracked()) {
       return walking;
@@ -146,6 +169,8 @@ final class HeadSession implements AutoCloseable {
     tracker.close();
     if (recorder != null) {
       recorder.close();
+    } else if (files != null) {
+      files.close();
     }
   }
 }

@@ -14,15 +14,27 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param whenLost what turns the view while the tracker is silent
  * @param log the file of the head log; empty for none
  * @param coneDegrees width of the cone in which the log names objects
+ * @param replaceLog whether a log that is there already may be replaced
  */
 public record HeadSettings(
     TrackerSpec tracker,
     TrackerOptions options,
     WhenLost whenLost,
     Optional<Path> log,
-    double coneDegrees) {
+    double coneDegrees,
+    boolean replaceLog) {
   /** Degrees: about what an eye that rests looks over without turning. */
   public static final double CONE = 10;
+
+  /** With a log that must not be there yet. */
+  public HeadSettings(
+      TrackerSpec tracker,
+      TrackerOptions options,
+      WhenLost whenLost,
+      Optional<Path> log,
+      double coneDegrees) {
+    this(tracker, options, whenLost, log, coneDegrees, false);
+  }
 
   /** No tracker, no log. */
   public static final HeadSettings NONE =

@@ -7,6 +7,7 @@ import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.OffscreenView;
+import org.selectiverenderer.runtime.render.context.GlShutdown;
 
 /**
  * Runs a scene without a window, as fast as it can be drawn. With a path its frames are those of a
@@ -24,6 +25,17 @@ public final class OffscreenRun {
    * @throws IOException with a one-line message when the scene cannot be read
    */
   public RunResult run(RunListener listener) throws IOException {
+    return run(listener, new RunStop());
+  }
+
+  /**
+   * The same, until somebody stops it.
+   *
+   * @param stop by which it is stopped
+   * @throws IOException with a one-line message when the scene cannot be read
+   */
+  public RunResult run(RunListener listener, RunStop stop) throws IOException {
+    settings.describe(listener);
     FigureKeeper keeper = new FigureKeeper();
     try (HeadSession head = HeadSession.open(settings, listener);
         SceneOpening opening = new SceneOpening(settings, listener);
@@ -32,14 +44,17 @@ public final class OffscreenRun {
             OffscreenView.open(
                 settings.width(), settings.height(), samples(), settings.presentation().layout());
         Walkthrough walk = opening.await()) {
+      GlShutdown.before(stop::stopAndWait);
       keeper.loaded();
-      walk(walk, view, keeper, head);
+      walk(walk, view, keeper, head, stop);
       walk.end();
       return new RunResult(
           keeper.figures(view.info(), head.latency()),
           walk.problems().any(),
           Optional.of(view.screenshot()),
           Optional.empty());
+    } finally {
+      stop.ended();
     }
   }
 
@@ -52,7 +67,8 @@ public final class OffscreenRun {
         .orElseGet(() -> still ? AntiAliasing.SMOOTH : AntiAliasing.forMotion());
   }
 
-  private void walk(Walkthrough walk, OffscreenView view, FigureKeeper keeper, HeadSession head)
+  private void walk(
+      Walkthrough walk, OffscreenView view, FigureKeeper keeper, HeadSession head, RunStop stop)
       throws IOException {
     FrameSchedule schedule = schedule(head);
     ViewerMotion motion =
@@ -62,7 +78,7 @@ public final class OffscreenRun {
                 .path()
                 .map(path -> (ViewerMotion) new PathMotion(path, 0))
                 .orElse(Walkthrough.STANDING));
-    for (long frame = 0; schedule.has(frame); frame++) {
+    for (long frame = 0; schedule.has(frame) && !(frame > 0 && stop.asked()); frame++) {
       if (settings.head().tracked()) {
         view.awaitReady(); // The pose is read in the step: the later, the newer.
       }

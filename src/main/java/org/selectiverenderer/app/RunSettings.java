@@ -23,6 +23,7 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  *     else {@value #PATH_RATE} per second
  * @param head its tracker and its log
  * @param operator whether there is a window for whoever runs the session
+ * @param sized whether the size was asked for; else it is what suits the presentation
  */
 public record RunSettings(
     Path scene,
@@ -36,7 +37,63 @@ public record RunSettings(
     Presentation presentation,
     boolean pathFrames,
     HeadSettings head,
-    boolean operator) {
+    boolean operator,
+    boolean sized) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;
+
+  /** Of a size that suits the presentation. */
+  public RunSettings(
+      Path scene,
+      SelectiveController.Settings rendering,
+      Optional<CameraPath> path,
+      OptionalDouble duration,
+      int width,
+      int height,
+      OptionalInt samples,
+      MouseMapping mouse,
+      Presentation presentation,
+      boolean pathFrames,
+      HeadSettings head,
+      boolean operator) {
+    this(
+        scene,
+        rendering,
+        path,
+        duration,
+        width,
+        height,
+        samples,
+        mouse,
+        presentation,
+        pathFrames,
+        head,
+        operator,
+        false);
+  }
+
+  /** Says what the pictures of two eyes are. */
+  void describe(RunListener listener) {
+    if (presentation.stereo()) {
+      listener.printed(presentation.describe(width, height));
+    }
+  }
+
+  /** The same run shown in another way. */
+  RunSettings shownAs(Presentation other, int otherWidth, int otherHeight) {
+    return new RunSettings(
+        scene,
+        rendering,
+        path,
+        duration,
+        otherWidth,
+        otherHeight,
+        samples,
+        mouse,
+        other,
+        pathFrames,
+        head,
+        operator,
+        sized);
+  }
 }

@@ -15,6 +15,7 @@ import org.selectiverenderer.runtime.render.OperatorPage;
 import org.selectiverenderer.runtime.render.WorldHost;
 import org.selectiverenderer.runtime.render.WorldWindow;
 import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.GlShutdown;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 
 /**
@@ -41,6 +42,8 @@ public final class WindowRun implements WorldHost {
   private boolean overlay;
   private boolean unlogged;
   private boolean finished;
+  private boolean opened;
+  private @Nullable RunStop stop;
 
   private WindowRun(RunSettings settings, RunListener listener) throws IOException {
     this.settings = settings;
@@ -59,13 +62,29 @@ public final class WindowRun implements WorldHost {
    */
   public static RunResult run(RunSettings settings, RunListener listener)
       throws IOException, InterruptedException {
-    WindowRun run = new WindowRun(settings, listener);
-    WorldWindow window = new WorldWindow(WindowStage.of(settings, listener::printed), run);
+    return run(settings, listener, new RunStop());
+  }
+
+  /**
+   * The same, until somebody stops it.
+   *
+   * @param stop by which it is stopped
+   * @throws IOException with a one-line message when the scene cannot be read
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static RunResult run(RunSettings settings, RunListener listener, RunStop stop)
+      throws IOException, InterruptedException {
+    RunSettings fitted = WindowStage.fitted(settings, listener::printed);
+    fitted.describe(listener);
+    WindowRun run = new WindowRun(fitted, listener);
+    run.stop = stop;
+    WorldWindow window = new WorldWindow(WindowStage.of(fitted, listener::printed), run);
     try {
       window.run();
       return run.result(window);
     } finally {
       run.close();
+      stop.ended();
     }
   }
 
@@ -73,8 +92,17 @@ public final class WindowRun implements WorldHost {
     try (head;
         opening) {
       if (walk != null) {
+        logFrame();
         walk.close();
       }
+    }
+  }
+
+  /** Logs the frame last stepped, unless that is done. */
+  private void logFrame() {
+    if (unlogged) {
+      unlogged = false;
+      head.log(walk.world().time());
     }
   }
 
@@ -102,8 +130,13 @@ public final class WindowRun implements WorldHost {
 
   @Override
   public Optional<World> step() {
+    RunStop asking = stop;
+    if (asking != null && !opened) {
+      opened = true;
+      GlShutdown.before(asking::stopAndWait);
+    }
     List<NavigationCommand> commands = controls.takeCommands();
-    finished |= commands.contains(NavigationCommand.LEAVE);
+    finished |= asking != null && asking.asked() || commands.contains(NavigationCommand.LEAVE);
     if (walk == null && !open()) {
       return Optional.empty();
     }
@@ -151,6 +184,7 @@ public final class WindowRun implements WorldHost {
     settings.duration().ifPresent(seconds -> finished |= elapsed >= seconds);
     FrameSchedule recorded = frames;
     if (recorded == null) {
+      logFrame(); // One that was stepped but, in a hidden window, not drawn.
       walk.step(elapsed, motion);
       unlogged = true;
       return;
@@ -185,10 +219,7 @@ public final class WindowRun implements WorldHost {
   @Override
   public void submitted() {
     head.submitted();
-    if (unlogged) {
-      unlogged = false;
-      head.log(walk.world().time());
-    }
+    logFrame();
   }
 
   @Override

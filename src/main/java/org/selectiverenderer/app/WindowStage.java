@@ -15,7 +15,8 @@ import org.selectiverenderer.runtime.render.window.WindowOptions;
 
 /**
  * Chooses the windows of a run by what the desktop has. Where a monitor or the driver's quad
- * buffers are missing, both eyes are shown side by side in one window, and that is said.
+ * buffers are missing, both eyes are shown side by side in one window, and that is said ({@link
+ * #fitted}).
  */
 final class WindowStage {
   private static final int OPERATOR_WIDTH = 1120;
@@ -39,19 +40,67 @@ final class WindowStage {
    * @param message hears what is not as asked for
    */
   static Stage of(RunSettings settings, Consumer<String> message) {
-    WindowStage stage = new WindowStage(settings, message);
-    Presentation shown = settings.presentation();
-    return switch (shown.mode()) {
-      case DUAL -> stage.dual(shown);
-      case QUAD -> stage.quad(shown);
-      default -> stage.single(shown, settings.width(), settings.height());
+    WindowStage stage = new WindowStage(fitted(settings, message), message);
+    return switch (stage.settings.presentation().mode()) {
+      case DUAL -> stage.dual();
+      case QUAD -> stage.quad();
+      default -> stage.single();
     };
   }
 
-  private Stage single(Presentation shown, int width, int height) {
+  /**
+   * The settings with the display that there is, in the size that it really has.
+   *
+   * @param message hears what is not as asked for
+   */
+  static RunSettings fitted(RunSettings settings, Consumer<String> message) {
+    return switch (settings.presentation().mode()) {
+      case DUAL -> fittedDual(settings, message);
+      case QUAD -> fittedQuad(settings, message);
+      default -> settings;
+    };
+  }
+
+  private static RunSettings fittedDual(RunSettings settings, Consumer<String> message) {
+    List<Monitor> monitors = Monitors.all();
+    DisplayProfile profile = settings.presentation().geometry().profile();
+    int most = Math.max(profile.leftScreen(), profile.rightScreen());
+    if (profile.leftScreen() != profile.rightScreen() && most < monitors.size()) {
+      Monitor left = monitors.get(profile.leftScreen());
+      return settings.shownAs(settings.presentation(), 2 * left.width(), left.height());
+    }
+    message.accept(
+        "--display dual needs monitors %d and %d, but there %s; both eyes are shown side by side in a window"
+            .formatted(
+                profile.leftScreen(),
+                profile.rightScreen(),
+                monitors.size() == 1
+                    ? "is only monitor 0, " + monitors.get(0)
+                    : "are " + monitors.size() + ", counted from 0"));
+    return sideBySide(settings);
+  }
+
+  private static RunSettings fittedQuad(RunSettings settings, Consumer<String> message) {
+    if (QuadBuffers.available()) {
+      return settings;
+    }
+    message.accept(
+        "--display quad needs a driver with quad-buffered stereo, and this one has none; both"
+            + " eyes are shown side by side in a window");
+    return sideBySide(settings);
+  }
+
+  private static RunSettings sideBySide(RunSettings settings) {
+    Presentation instead = settings.presentation().as(DisplayMode.SIDE_BY_SIDE);
+    return settings.sized()
+        ? settings.shownAs(instead, settings.width(), settings.height())
+        : settings.shownAs(instead, instead.width(), instead.height());
+  }
+
+  private Stage single() {
     return new Stage(
-        new WindowOptions(title, width, height, samples, false),
-        shown.layout(),
+        new WindowOptions(title, settings.width(), settings.height(), samples, false),
+        settings.presentation().layout(),
         Optional.empty(),
         operator());
   }
@@ -63,27 +112,15 @@ final class WindowStage {
         : Optional.empty();
   }
 
-  private Stage dual(Presentation shown) {
+  private Stage dual() {
     List<Monitor> monitors = Monitors.all();
-    DisplayProfile profile = shown.geometry().profile();
-    int most = Math.max(profile.leftScreen(), profile.rightScreen());
-    if (profile.leftScreen() == profile.rightScreen() || most >= monitors.size()) {
-      message.accept(
-          "--display dual needs monitors %d and %d, but there %s; both eyes are shown side by side in a window"
-              .formatted(
-                  profile.leftScreen(),
-                  profile.rightScreen(),
-                  monitors.size() == 1
-                      ? "is only monitor 0, " + monitors.get(0)
-                      : "are " + monitors.size() + ", counted from 0"));
-      return sideBySide(shown);
-    }
+    DisplayProfile profile = settings.presentation().geometry().profile();
     Monitor left = monitors.get(profile.leftScreen());
     Monitor right = monitors.get(profile.rightScreen());
     message.accept("left eye: monitor %s; right eye: monitor %s".formatted(left, right));
     return new Stage(
         WindowOptions.filling(left, "Left eye - " + title, samples),
-        shown.layout(),
+        settings.presentation().layout(),
         Optional.of(WindowOptions.filling(right, "Right eye - " + title, 0)),
         operatorBeside(monitors, left, right));
   }
@@ -111,20 +148,9 @@ final class WindowStage {
                 false));
   }
 
-  private Stage quad(Presentation shown) {
-    if (!QuadBuffers.available()) {
-      message.accept(
-          "--display quad needs a driver with quad-buffered stereo, and this one has none; both"
-              + " eyes are shown side by side in a window");
-      return sideBySide(shown);
-    }
-    Stage stage = single(shown, settings.width(), settings.height());
+  private Stage quad() {
+    Stage stage = single();
     return new Stage(
         stage.main().withQuadBuffers(), stage.layout(), Optional.empty(), stage.operator());
-  }
-
-  private Stage sideBySide(Presentation shown) {
-    Presentation instead = shown.as(DisplayMode.SIDE_BY_SIDE);
-    return single(instead, instead.width(), instead.height());
   }
 }

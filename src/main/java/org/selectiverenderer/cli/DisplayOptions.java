@@ -56,6 +56,29 @@ final class DisplayOptions {
               + " schemas, figures, the tracker's health (default: with dual and quad)")
   private @Nullable Boolean operator;
 
+  /** The display's file, if it is named by one; else null. */
+  @Nullable Path file() {
+    return hmd == null || DisplayProfiles.builtIn(hmd).isPresent() ? null : Path.of(hmd);
+  }
+
+  /**
+   * Looks at the options before any work begins.
+   *
+   * @param picture of the operator's window; null for none
+   */
+  void check(boolean offscreen, @Nullable Path picture) {
+    if (offscreen && operator != null && operator) {
+      throw CommandFailure.usage("--operator opens a window, and --offscreen has none");
+    }
+    if (offscreen && picture != null) {
+      throw CommandFailure.usage(
+          "--operator-screenshot is a picture of a window, and --offscreen has none");
+    }
+    if (picture != null && !operator()) {
+      throw CommandFailure.usage("--operator-screenshot goes with --operator");
+    }
+  }
+
   /** Whether there is a window for the operator. */
   boolean operator() {
     return operator == null ? mode == DisplayMode.DUAL || mode == DisplayMode.QUAD : operator;

@@ -7,13 +7,16 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.HeadSettings;
 import org.selectiverenderer.app.OffscreenRun;
 import org.selectiverenderer.app.Replays;
 import org.selectiverenderer.app.RunResult;
 import org.selectiverenderer.app.RunSettings;
+import org.selectiverenderer.app.RunStop;
 import org.selectiverenderer.app.WindowRun;
+import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.navigation.CameraPath;
@@ -126,9 +129,9 @@ final class RunCommand extends CliCommand {
 
   @Override
   ExitStatus run() throws IOException {
-    check();
-    Problems pathProblems = new Problems(console()::problem);
     TrackerSpec tracker = head.tracker();
+    check(tracker);
+    Problems pathProblems = new Problems(console()::problem);
     boolean session =
         tracker instanceof TrackerSpec.Replay replay && Replays.hasPositions(replay.file());
     Path walkedFile = session ? ((TrackerSpec.Replay) tracker).file() : path;
@@ -146,9 +149,6 @@ final class RunCommand extends CliCommand {
     }
     Presentation shown = shown(presentation.get());
     PixelSize pixels = size == null ? new PixelSize(shown.width(), shown.height()) : size;
-    if (shown.stereo()) {
-      console().message(shown.describe(pixels.width(), pixels.height()));
-    }
     RunSettings settings =
         new RunSettings(
             scene,
@@ -162,18 +162,38 @@ final class RunCommand extends CliCommand {
             shown,
             session,
             headSettings,
-            display.operator());
-    RunResult result = show(settings);
+            display.operator(),
+            size != null);
+    RunStop stop = new RunStop();
+    AtomicReference<ExitStatus> ended = new AtomicReference<>(ExitStatus.DONE);
+    Interruption.stops(
+        stop::stop,
+        () -> {
+          RunResult result = show(settings, stop);
+          write(result);
+          if (result.problems() || pathProblems.any()) {
+            ended.set(ExitStatus.PROBLEMS);
+          }
+        });
+    return ended.get();
+  }
+
+  private void write(RunResult result) throws IOException {
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);
     }
     if (operatorScreenshot != null && result.operator().isPresent()) {
       result.operator().get().writePng(operatorScreenshot);
+    } else if (operatorScreenshot != null) {
+      console()
+          .message(
+              "--operator-screenshot "
+                  + operatorScreenshot
+                  + ": there was no operator's window; nothing is written");
     }
     if (stats != null) {
       Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
     }
-    return result.problems() || pathProblems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 
   private void checkPath(CameraPath walked, TrackerSpec tracker, boolean session) {
@@ -199,7 +219,7 @@ final class RunCommand extends CliCommand {
     return wanted.as(DisplayMode.SIDE_BY_SIDE);
   }
 
-  private void check() {
+  private void check(TrackerSpec tracker) throws IOException {
     if (duration != null && !(duration > 0)) {
       throw CommandFailure.usage("--duration is a number of seconds above 0");
     }
@@ -207,16 +227,34 @@ final class RunCommand extends CliCommand {
       throw CommandFailure.usage("--samples is a number from 0 to 16");
     }
     OutputFile.check("--screenshot", screenshot, ".png");
-    head.check();
     OutputFile.check("--operator-screenshot", operatorScreenshot, ".png");
     OutputFile.check("--timeline", timeline, "");
     OutputFile.check("--stats", stats, "");
+    display.check(offscreen, operatorScreenshot);
+    trackerFlags.check(tracker);
+    RunFiles files =
+        new RunFiles()
+            .reads("the scene", scene)
+            .reads("--path", path)
+            .reads("--hmd", display.file())
+            .writes("--screenshot", screenshot)
+            .writes("--operator-screenshot", operatorScreenshot)
+            .writes("--timeline", timeline)
+            .writes("--stats", stats);
+    if (tracker instanceof TrackerSpec.Replay replay) {
+      HeadLogFiles.of(replay.file()).forEach(file -> files.reads("--tracker", file));
+    }
+    head.check(tracker, files);
+    files.check();
+    head.checkNew();
     GlAvailability.check().ifPresent(this::noDisplay);
   }
 
-  private RunResult show(RunSettings settings) throws IOException {
+  private RunResult show(RunSettings settings, RunStop stop) throws IOException {
     try (RunOutput output = RunOutput.open(console(), timeline)) {
-      return offscreen ? new OffscreenRun(settings).run(output) : WindowRun.run(settings, output);
+      return offscreen
+          ? new OffscreenRun(settings).run(output, stop)
+          : WindowRun.run(settings, output, stop);
     } catch (GlUnavailableException e) {
       noDisplay(e.getMessage());
       throw e;

@@ -109,6 +109,11 @@ final class TrackCommand extends CliCommand {
   private ExitStatus watch() throws IOException {
     TrackerSpec tracker = tracker();
     OutputFile.check("--output", output, ".csv");
+    RunFiles files = new RunFiles().writes("--output", output);
+    if (tracker instanceof TrackerSpec.Replay replay) {
+      files.reads("the replayed log", replay.file());
+    }
+    files.check();
     Problems problems = new Problems(console()::problem);
     List<TrackOutput> outputs = new ArrayList<>();
     outputs.add(

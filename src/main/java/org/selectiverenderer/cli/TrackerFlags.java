@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.Axis;
 import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
 import picocli.CommandLine.Option;
 
 /** The options that say how a tracker's records are read, shared by several commands. */
@@ -43,6 +44,13 @@ final class TrackerFlags {
           "shows where the head will look after this time, 0 to 100 ms: the known delay of the"
               + " display; default: off")
   private double predictionMs;
+
+  /** Refuses options that would do nothing. */
+  void check(TrackerSpec spec) {
+    if (spec instanceof TrackerSpec.None && !options().equals(TrackerOptions.NONE)) {
+      throw CommandFailure.usage("--invert, --swap, --smooth and --predict go with --tracker");
+    }
+  }
 
   TrackerOptions options() {
     try {

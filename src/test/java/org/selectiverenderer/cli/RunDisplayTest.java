@@ -2,6 +2,8 @@ package org.selectiverenderer.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -99,6 +101,75 @@ class RunDisplayTest {
     assertThat(run("--head-log", file("log.txt"))).isEqualTo(2);
     assertThat(run("--tracker", "replay:" + file("no-such.csv"))).isEqualTo(2);
     assertThat(messages()).contains("no-such.csv").doesNotContain("Exception");
+  }
+
+  @Test
+  void optionsThatWouldDoNothingAreRefused() {
+    assertThat(run("--offscreen", "--operator-screenshot", file("o.png"))).isEqualTo(2);
+    assertThat(messages()).contains("--operator-screenshot", "--offscreen has none");
+    assertThat(run("--operator-screenshot", file("o.png"))).isEqualTo(2);
+    assertThat(messages()).contains("--operator-screenshot goes with --operator");
+    assertThat(run("--offscreen", "--operator")).isEqualTo(2);
+    assertThat(run("--offscreen", "--tracker-lost", "mouse")).isEqualTo(2);
+    assertThat(messages()).contains("--tracker-lost goes with --tracker");
+    assertThat(run("--offscreen", "--invert", "yaw")).isEqualTo(2);
+    assertThat(messages()).contains("go with --tracker");
+    assertThat(run("--offscreen", "--cone", "5")).isEqualTo(2);
+    assertThat(messages()).contains("--cone goes with --head-log");
+    assertThat(run("--offscreen", "--force")).isEqualTo(2);
+  }
+
+  @Test
+  void aHeadLogIsReplacedOnlyWhenAskedToAndNeverItsOwnSource() throws IOException {
+    Path log = Files.writeString(folder.resolve("p01.csv"), "a participant's");
+    // A port that is not there: the tracker is not opened before.
+    String tracker = "intertrax2:" + file("ttyUSB7");
+    assertThat(run("--offscreen", "--tracker", tracker, "--head-log", log.toString())).isEqualTo(2);
+    assertThat(messages()).contains("p01.csv is there already (--force replaces it)");
+    assertThat(log).hasContent("a participant's");
+    Files.move(log, folder.resolve("p01.json"));
+    assertThat(run("--offscreen", "--head-log", log.toString())).isEqualTo(2);
+    assertThat(messages()).contains("p01.json is there already");
+    assertThat(run("--offscreen", "--head-log", log.toString(), "--force")).isZero();
+    assertThat(log).content().startsWith("t,x,y,z");
+    String before = Files.readString(log);
+    assertThat(
+            run(
+                "--offscreen",
+                "--tracker",
+                "replay:" + log,
+                "--head-log",
+                log.toString(),
+                "--force"))
+        .isEqualTo(2);
+    assertThat(messages()).contains("would be written over --tracker");
+    assertThat(log).hasContent(before);
+    assertThat(run("--offscreen", "--head-log", file("p02.csv"), "--stats", file("p02.json")))
+        .isEqualTo(2);
+    assertThat(messages()).contains("p02.json: is written by --stats");
+    assertThat(run("--offscreen", "--head-log", "/proc/p03.csv")).isEqualTo(2);
+    assertThat(messages()).contains("/proc/p03.csv").doesNotContain("json");
+  }
+
+  @Test
+  void theHeadLogOfAWindowHasEveryFrameToTheLast() throws IOException {
+    assertThat(
+            run(
+                "--duration",
+                "0.4",
+                "--size",
+                "200x150",
+                "--head-log",
+                file("log.csv"),
+                "--timeline",
+                file("log.jsonl")))
+        .isZero();
+    List<String> log = Files.readAllLines(folder.resolve("log.csv"));
+    List<String> timeline = Files.readAllLines(folder.resolve("log.jsonl"));
+    JsonNode end = new ObjectMapper().readTree(timeline.get(timeline.size() - 1));
+    assertThat(log).hasSize(1 + end.get("frames").asInt());
+    assertThat(Double.parseDouble(log.get(log.size() - 1).split(",")[0]))
+        .isEqualTo(end.get("t").asDouble());
   }
 
   @Test
@@ -201,7 +272,11 @@ class RunDisplayTest {
                 file("operator.png")))
         .isZero();
     assertThat(messages())
-        .contains("--display dual needs monitors 14 and 15", "shown side by side in a window");
+        .contains(
+            "--display dual needs monitors 14 and 15",
+            "shown side by side in a window",
+            "two pictures of 400x300, side by side")
+        .doesNotContain("on monitor 14");
     var picture = ImageIO.read(folder.resolve("dual.png").toFile());
     assertThat(picture.getWidth()).isEqualTo(800);
     assertThat(ImageIO.read(folder.resolve("operator.png").toFile()).getWidth()).isPositive();
@@ -217,11 +292,35 @@ class RunDisplayTest {
   }
 
   @Test
-  void quadBuffersThatTheDriverHasNotAreTold() {
+  void quadBuffersThatTheDriverHasNotAreTold() throws IOException {
     if (org.selectiverenderer.runtime.render.window.QuadBuffers.available()) {
       return;
     }
-    assertThat(run("--display", "quad", "--duration", "0.3")).isZero();
-    assertThat(messages()).contains("this one has none", "side by side in a window");
+    assertThat(
+            run(
+                "--display",
+                "quad",
+                "--duration",
+                "0.3",
+                "--size",
+                "600x300",
+                "--screenshot",
+                file("quad.png"),
+                "--head-log",
+                file("quad.csv")))
+        .isZero();
+    assertThat(messages())
+        .contains(
+            "this one has none",
+            "side by side in a window",
+            "two pictures of 300x225 (the display has 640x480), side by side")
+        .doesNotContain("buffers,");
+    assertThat(ImageIO.read(folder.resolve("quad.png").toFile()).getWidth()).isEqualTo(600);
+    assertThat(
+            new ObjectMapper()
+                .readTree(folder.resolve("quad.json").toFile())
+                .get("display")
+                .asText())
+        .contains("300x225", "side by side");
   }
 }
