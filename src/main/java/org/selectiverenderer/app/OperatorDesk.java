@@ -22,7 +22,6 @@ final class OperatorDesk {
   static final int FAINT = 0xff9aa0a6;
   static final int GOOD = 0xff7ec699;
   static final int ALARM = 0xffff6b5e;
-  private static final int MOST_LATENCY = 100;
   private static final int MARGIN = 16;
   private static final double LETTERS = 15;
   private static final double LINE = 22;
@@ -136,15 +135,9 @@ final class OperatorDesk {
         y,
         FAINT,
         text(
-            "record to picture: %s ms, 99 of 100 within %s ms",
-            milliseconds(head.latency().percentileMs(0.5)),
-            milliseconds(head.latency().percentileMs(0.99))),
+            "record to picture: %.1f ms, 99 of 100 within %.1f ms",
+            head.latency().percentileMs(0.5), head.latency().percentileMs(0.99)),
         marks);
-  }
-
-  /** The meter does not tell what is beyond its end apart. */
-  private static String milliseconds(double value) {
-    return value >= MOST_LATENCY ? "over " + MOST_LATENCY : text("%.1f", value);
   }
 
   /** What nobody may overlook. */

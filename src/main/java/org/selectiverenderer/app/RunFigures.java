@@ -49,6 +49,7 @@ public record RunFigures(
       node.putObject("latency_ms")
           .put("p50", hundredth(latency.percentileMs(0.5)))
           .put("p99", hundredth(latency.percentileMs(0.99)))
+          .put("max", hundredth(latency.maxMs()))
           .put("records", latency.count());
     }
     node.put("peak_rss_mb", tenth(peakMegabytes));

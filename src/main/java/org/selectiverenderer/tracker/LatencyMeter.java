@@ -5,21 +5,38 @@ import java.util.concurrent.atomic.AtomicLongArray;
 
 /**
  * How long things took: a histogram of fixed size that any thread adds to without locks and
- * allocations. Steps of 10 microseconds up to 100 ms; what takes longer counts as that long, except
- * for {@link #maxMs}.
+ * allocations, and that has no end. Steps of a microsecond up to {@value #STEPS} microseconds; from
+ * there each doubling has as many steps, so that no figure is off by more than half a percent (the
+ * layout of Tene's HdrHistogram).
  */
 public final class LatencyMeter {
-  private static final long STEP = 10_000;
-  private static final int STEPS = 10_000;
+  private static final int BITS = 7;
 
-  private final AtomicLongArray counts = new AtomicLongArray(STEPS + 1);
+  /** Steps of the first part, and of each doubling after it. */
+  private static final int STEPS = 1 << BITS;
+
+  private static final int NANOS = 1000;
+
+  private final AtomicLongArray counts = new AtomicLongArray(step(Long.MAX_VALUE / NANOS) + 1);
   private final AtomicLong count = new AtomicLong();
   private final AtomicLong longest = new AtomicLong();
+
+  /** The step of a duration in microseconds. */
+  private static int step(long micros) {
+    int doublings = Math.max(0, Long.SIZE - 1 - Long.numberOfLeadingZeros(micros | 1) - BITS);
+    return doublings * STEPS + (int) (micros >>> doublings);
+  }
+
+  /** The middle of a step, in nanoseconds. */
+  private static double middle(int step) {
+    int doublings = Math.max(0, step / STEPS - 1);
+    return (step - doublings * STEPS + 0.5) * (1L << doublings) * NANOS;
+  }
 
   /** Adds a duration in nanoseconds; a negative one counts as 0. */
   public void record(long nanos) {
     long positive = Math.max(0, nanos);
-    counts.incrementAndGet((int) Math.min(STEPS, positive / STEP));
+    counts.incrementAndGet(step(positive / NANOS));
     count.incrementAndGet();
     // No accumulator function: a lambda may allocate.
     long seen = longest.get();
@@ -39,20 +56,24 @@ public final class LatencyMeter {
   }
 
   /**
-   * The duration that a share of all did not exceed, in milliseconds, to the middle of a step; 0
-   * without any.
+   * The duration that a share of all did not exceed, in milliseconds, to the middle of a step and
+   * never above the longest; 0 without any.
    *
-   * @param share 0.5 for the median, 0.99 for the 99th percentile
+   * @param share 0.5 for the median, 0.99 for the 99th percentile, 1 for the longest
    */
   public double percentileMs(double share) {
-    long wanted = Math.max(1, (long) Math.ceil(share * count()));
+    long all = count();
+    long wanted = Math.max(1, (long) Math.ceil(share * all));
+    if (all == 0 || wanted >= all) {
+      return maxMs();
+    }
     long seen = 0;
-    for (int i = 0; i <= STEPS && count() > 0; i++) {
+    for (int i = 0; i < counts.length(); i++) {
       seen += counts.get(i);
       if (seen >= wanted) {
-        return (i + 0.5) * STEP * 1e-6;
+        return Math.min(middle(i), longest.get()) * 1e-6;
       }
     }
-    return 0;
+    return maxMs();
   }
 }

@@ -62,7 +62,7 @@ class TrackCommandTest {
         .startsWith("t,yaw,pitch,roll")
         .last()
         .asString()
-        .endsWith(",-14.5,-3.0,1.0");
+        .endsWith(",-14.5000,-3.0000,1.0000");
     out.reset();
     assertThat(execute("replay:" + copy, "--format", "json", "--swap", "yaw,roll")).isZero();
     assertThat(text(out)).contains("\"yaw\":1.0,\"pitch\":-3.0,\"roll\":-14.5}");

@@ -45,6 +45,7 @@ final class TrackerLatency {
         row.put("records", stats.at("/latency_ms/records").asLong());
         row.put("p50_ms", stats.at("/latency_ms/p50").asDouble());
         row.put("p99_ms", stats.at("/latency_ms/p99").asDouble());
+        row.put("max_ms", stats.at("/latency_ms/max").asDouble());
         row.put("frame_p50_ms", stats.at("/frame_ms/p50").asDouble());
         row.put("frame_p99_ms", stats.at("/frame_ms/p99").asDouble());
       } catch (IOException e) {

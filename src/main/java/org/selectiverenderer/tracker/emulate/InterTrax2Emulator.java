@@ -159,7 +159,8 @@ public final class InterTrax2Emulator implements AutoCloseable {
         settings.motion().at(seconds(), pose);
         InterTraxWriter.continuous(pose, record);
         write(record);
-        due += period;
+        // A reader that kept it waiting is sent the present, not what it missed.
+        due = Math.max(due + period, System.nanoTime());
         while (!closed && System.nanoTime() < due) {
           LockSupport.parkNanos(this, due - System.nanoTime());
         }

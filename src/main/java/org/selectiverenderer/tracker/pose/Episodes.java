@@ -14,11 +14,13 @@ import org.selectiverenderer.x3d.Problem.Severity;
  * they do. Used on the tracker's thread only.
  */
 final class Episodes {
+  private final TrackerSpec spec;
   private final Location location;
   private final TrackerListener listener;
   private final Set<String> said = new HashSet<>();
 
   Episodes(TrackerSpec spec, TrackerListener listener) {
+    this.spec = spec;
     location = Location.of(spec.toString());
     this.listener = listener;
   }
@@ -38,8 +40,18 @@ final class Episodes {
             ? "nothing came for " + silence + "; the last orientation is kept until records come"
             : "what came for "
                 + silence
-                + " makes no sense (wrong speed, or another device?); it is thrown away and the"
-                + " last orientation kept");
+                + " makes no sense ("
+                + expected()
+                + "); it is thrown away and the last orientation kept");
+  }
+
+  /** What may be wrong with a sender that is not understood. */
+  private String expected() {
+    if (spec instanceof TrackerSpec.Tcp) {
+      return "a line is to be three numbers, yaw pitch roll in degrees";
+    }
+    boolean serial = spec instanceof TrackerSpec.InterTrax2 || spec instanceof TrackerSpec.Fastrak;
+    return serial ? "wrong speed, or another device?" : "another program?";
   }
 
   void flood() {

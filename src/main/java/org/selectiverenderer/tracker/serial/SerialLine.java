@@ -2,6 +2,7 @@ package org.selectiverenderer.tracker.serial;
 
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.TrackerException;
 
 /**
@@ -13,6 +14,12 @@ final class SerialLine {
    * A read waits no longer for its first byte, in milliseconds; the system's timers count tenths.
    */
   static final int READ_MS = 100;
+
+  /** A device that sends all the time never falls quiet. */
+  private static final long STALE_NANOS = 100_000_000;
+
+  private static final int QUIET_LOOKS = 4;
+  private static final long LOOK_NANOS = 500_000;
 
   private final String name;
   private final SerialPort port;
@@ -43,7 +50,31 @@ final class SerialLine {
     // A pseudo-terminal has no such wires; what they do not do is no fault.
     port.clearDTR();
     port.clearRTS();
-    return new SerialLine(name, port);
+    SerialLine line = new SerialLine(name, port);
+    line.discardStale();
+    return line;
+  }
+
+  /**
+   * Throws away what came before the port was opened: it tells where the head was then. A
+   * pseudo-terminal or an adapter has more of it behind what the system shows, which follows at
+   * once.
+   */
+  private void discardStale() {
+    port.flushIOBuffers();
+    byte[] bytes = new byte[4096];
+    long end = System.nanoTime() + STALE_NANOS;
+    int quiet = 0;
+    while (quiet < QUIET_LOOKS && System.nanoTime() < end) {
+      int waiting = port.bytesAvailable();
+      if (waiting > 0) {
+        port.readBytes(bytes, Math.min(waiting, bytes.length));
+        quiet = 0;
+      } else {
+        quiet++;
+        LockSupport.parkNanos(LOOK_NANOS);
+      }
+    }
   }
 
   /**

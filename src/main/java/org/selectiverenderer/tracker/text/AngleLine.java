@@ -3,12 +3,19 @@ package org.selectiverenderer.tracker.text;
 import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
 import org.selectiverenderer.tracker.pose.Intake;
 
-/** A line of three numbers, {@code yaw pitch roll} in degrees, between them spaces or tabs. */
+/**
+ * A line of three numbers, {@code yaw pitch roll} in degrees, between them spaces or tabs, or two
+ * commas. A line with another number of commas is none: a comma may be meant as a decimal point.
+ */
 public final class AngleLine implements LineSplitter.Records {
   private final double[] angles = new double[3];
 
   @Override
   public boolean read(byte[] line, int length, long arrival, Intake intake) {
+    int commas = commas(line, length);
+    if (commas != 0 && commas != angles.length - 1) {
+      return false;
+    }
     int at = 0;
     for (int i = 0; i < angles.length; i++) {
       at = spaces(line, at, length);
@@ -16,13 +23,27 @@ public final class AngleLine implements LineSplitter.Records {
       if (end == at || !number(line, at, end, i)) {
         return false;
       }
-      at = end;
+      at = spaces(line, end, length);
+      if (commas > 0 && i < angles.length - 1) {
+        if (at == length || line[at] != ',') {
+          return false;
+        }
+        at++;
+      }
     }
-    if (spaces(line, at, length) != length) {
+    if (at != length) {
       return false;
     }
     intake.angles(arrival, angles[0], angles[1], angles[2]);
     return true;
+  }
+
+  private static int commas(byte[] line, int length) {
+    int commas = 0;
+    for (int i = 0; i < length; i++) {
+      commas += line[i] == ',' ? 1 : 0;
+    }
+    return commas;
   }
 
   private boolean number(byte[] line, int from, int to, int index) {
@@ -44,7 +65,7 @@ public final class AngleLine implements LineSplitter.Records {
 
   private static int word(byte[] line, int from, int length) {
     int at = from;
-    while (at < length && !blank(line[at])) {
+    while (at < length && !blank(line[at]) && line[at] != ',') {
       at++;
     }
     return at;

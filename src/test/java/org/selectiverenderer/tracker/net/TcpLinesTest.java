@@ -38,6 +38,31 @@ class TcpLinesTest {
   }
 
   @Test
+  void commasMayStandBetweenTheNumbersButNotInThem() throws IOException {
+    try (ServerSocket server = server();
+        HeadTracker tracker = open(server);
+        Socket client = server.accept()) {
+      say(client, "1,2,3\n1.5, -2 ,\t3\n1,5 2,5 3,5\n1,5 2 3\n1,2 3\n1,2,\n,1,2\n7 8 9\n");
+      watching.until("the last", () -> watching.samples() == 3);
+      assertThat(watching.orientations)
+          .containsExactly(
+              new Orientation(1, 2, 3), new Orientation(1.5, -2, 3), new Orientation(7, 8, 9));
+      assertThat(tracker.health().bad()).isEqualTo(5);
+    }
+  }
+
+  @Test
+  void whatIsNoLineOfNumbersIsNotPutDownToASpeed() throws IOException {
+    try (ServerSocket server = server();
+        HeadTracker tracker = open(server);
+        Socket client = server.accept()) {
+      say(client, "GET / HTTP/1.1\n");
+      watching.problem("a line is to be three numbers, yaw pitch roll in degrees");
+      assertThat(tracker.health().bad()).isEqualTo(1);
+    }
+  }
+
+  @Test
   void malformedLinesAreCounted() throws IOException {
     try (ServerSocket server = server();
         HeadTracker tracker = open(server);
