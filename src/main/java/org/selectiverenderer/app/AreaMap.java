@@ -3,7 +3,7 @@ package org.selectiverenderer.app;
 import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.hmd.FieldOfView;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.render.sketch.Mark;
 
@@ -15,6 +15,7 @@ import org.selectiverenderer.runtime.render.sketch.Mark;
  */
 record AreaMap(SceneMap map, double left, double top, double width, double height) {
   private static final int ROOM = 0xff5a626b;
+  private static final int ROOM_NAME = 0xffb8c0c8;
   private static final int AREA = 0xff6ea8fe;
   private static final int ENTERED = 0xffffc857;
   private static final int SIGHT = 0x40ffffff;
@@ -34,8 +35,14 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
     }
   }
 
-  void draw(Viewer viewer, Presentation shown, List<String> entered, List<Mark> marks) {
+  /**
+   * Draws it.
+   *
+   * @param seen what both eyes see together
+   */
+  void draw(Viewer viewer, FieldOfView seen, List<String> entered, List<Mark> marks) {
     marks.add(Mark.rectangle(left, top, width, height, 0xff1c1f23));
+    MapLabels labels = new MapLabels(left + width, top + height);
     Scale scale = scale(viewer);
     for (SceneMap.Box room : map.rooms()) {
       double[] b = room.bounds();
@@ -49,7 +56,7 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
           ROOM,
           2,
           marks);
-      marks.add(new Mark.Text(room.name(), scale.right(b[0]) + 4, scale.down(b[5]) - 5, 12, ROOM));
+      labels.add(room.name(), scale.right(b[0]) + 3, scale.down(b[5]) - 18, ROOM_NAME);
     }
     for (SceneMap.Area area : map.areas()) {
       boolean inside = entered.contains(area.name());
@@ -62,10 +69,10 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
       marks.add(new Mark.Area(corners, color & 0xffffff | (inside ? 0x50000000 : 0x20000000)));
       outline(scale, area.outline(), color, 1.5, marks);
       double[] at = area.outline().get(0);
-      marks.add(
-          new Mark.Text(area.name(), scale.right(at[0]) + 4, scale.down(at[1]) + 14, 12, color));
+      labels.add(area.name(), scale.right(at[0]) + 3, scale.down(at[1]) + 3, color);
     }
-    viewer(scale, viewer, shown, marks);
+    labels.draw(marks);
+    viewer(scale, viewer, seen, marks);
   }
 
   private Scale scale(Viewer viewer) {
@@ -100,13 +107,10 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
     }
   }
 
-  private static void viewer(Scale scale, Viewer viewer, Presentation shown, List<Mark> marks) {
+  private static void viewer(Scale scale, Viewer viewer, FieldOfView seen, List<Mark> marks) {
     Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));
     double heading = Math.atan2(ahead.x, -ahead.z);
-    double half =
-        shown.stereo()
-            ? Math.atan(shown.geometry().profile().fieldOfView().x())
-            : viewer.fieldOfView() / 2;
+    double half = Math.atan(seen.x());
     double x = scale.right(viewer.position().x());
     double y = scale.down(viewer.position().z());
     double reach = REACH * scale.pixels();

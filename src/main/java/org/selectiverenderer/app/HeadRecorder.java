@@ -16,6 +16,7 @@ import org.selectiverenderer.experiment.headlog.HeadLogWriter;
 import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.experiment.headlog.SceneSurvey;
 import org.selectiverenderer.hmd.FieldOfView;
+import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.tracker.PoseSample;
 
@@ -58,31 +59,21 @@ final class HeadRecorder implements AutoCloseable {
   private static HeadLogDescription description(RunSettings settings, Walkthrough walk) {
     int width = settings.width();
     int height = settings.height();
-    boolean stereo = settings.presentation().stereo();
-    FieldOfView field =
-        stereo
-            ? settings.presentation().geometry().profile().fieldOfView()
-            : window(walk.world().viewer(), width, height);
+    Presentation shown = settings.presentation();
+    FieldOfView field = shown.seen(walk.world().viewer().fieldOfView(), width, height);
     SelectiveController.Settings rendering = settings.rendering();
     return new HeadLogDescription(
         OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString(),
         String.valueOf(settings.scene().getFileName()),
         rendering.condition().name().toLowerCase(Locale.ROOT).replace('_', '-'),
         rendering.seed(),
-        stereo
-            ? settings.presentation().describe(width, height)
-            : "window of %dx%d".formatted(width, height),
+        shown.stereo() ? shown.describe(width, height) : "window of %dx%d".formatted(width, height),
         settings.head().tracker().toString(),
         field.x(),
         field.y(),
         walk.world().scene().unitLength(),
         settings.head().coneDegrees(),
         SceneSurvey.of(walk.world().instances()));
-  }
-
-  private static FieldOfView window(Viewer viewer, int width, int height) {
-    double half = Math.tan(viewer.fieldOfView() / 2) / Math.min(width, height);
-    return new FieldOfView(half * width, half * height);
   }
 
   /** A frame was stepped. */

@@ -58,7 +58,13 @@ final class OperatorDesk {
     double top = MARGIN + shownHeight + MARGIN;
     double side = Math.min(height - top - MARGIN, width * 0.45);
     new AreaMap(map, MARGIN, top, width * 0.5 - 2 * MARGIN, side)
-        .draw(walk.world().viewer(), settings.presentation(), walk.enteredAreas(), marks);
+        .draw(
+            walk.world().viewer(),
+            settings
+                .presentation()
+                .seen(walk.world().viewer().fieldOfView(), pictureWidth, pictureHeight),
+            walk.enteredAreas(),
+            marks);
     lines(walk, interval, width * 0.5, top, marks);
     alarm(width, marks);
     return new OperatorPage((width - shownWidth) / 2, MARGIN, shownWidth, shownHeight, marks);

@@ -71,11 +71,11 @@ public record CheckPattern(StereoLayout layout) implements ViewLayout {
     degrees(page);
     circle(page);
     squares(page, eye);
-    // Half a pixel inside, so that a side cut off by the display is missed at once.
-    page.line(new double[] {0, 1}, new double[] {width, 1}, 2, FRAME);
-    page.line(new double[] {0, height - 1}, new double[] {width, height - 1}, 2, FRAME);
-    page.line(new double[] {1, 0}, new double[] {1, height}, 2, FRAME);
-    page.line(new double[] {width - 1, 0}, new double[] {width - 1, height}, 2, FRAME);
+    // The outermost pixels and no others, so that a side cut off by the display is missed at once.
+    page.line(new double[] {0, 0.5}, new double[] {width, 0.5}, 1, FRAME);
+    page.line(new double[] {0, height - 0.5}, new double[] {width, height - 0.5}, 1, FRAME);
+    page.line(new double[] {0.5, 0}, new double[] {0.5, height}, 1, FRAME);
+    page.line(new double[] {width - 0.5, 0}, new double[] {width - 0.5, height}, 1, FRAME);
     double size = height / 14.0;
     page.text(eye.name(), eye == Eye.LEFT ? size / 2 : width - 3.6 * size, 1.4 * size, size, FRAME);
     return page.marks();
@@ -88,7 +88,7 @@ public record CheckPattern(StereoLayout layout) implements ViewLayout {
       double tangent = Math.tan(Math.toRadians(degrees));
       boolean coarse = degrees % (2 * STEP) == 0;
       int color = coarse ? COARSE : FINE;
-      double thick = degrees == 0 ? 3 : coarse ? 1.6 : 1;
+      double thick = coarse ? 2 : 1;
       if (tangent > frustum.left() && tangent < frustum.right()) {
         double[] top = page.at(tangent, frustum.top());
         page.line(top, page.at(tangent, frustum.bottom()), thick, color);

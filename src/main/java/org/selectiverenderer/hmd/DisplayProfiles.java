@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import org.joml.Vector3d;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
@@ -43,6 +44,10 @@ public final class DisplayProfiles {
           "image_distance",
           "eye_offsets_mm",
           "screens");
+
+  private static final Set<String> ANGLES =
+      new TreeSet<>(Set.of("diagonal", "horizontal", "vertical"));
+  private static final Set<String> EYES = new TreeSet<>(Set.of("left", "right"));
 
   private final String file;
   private final Problems problems;
@@ -105,24 +110,18 @@ public final class DisplayProfiles {
   }
 
   private DisplayProfile profile(JsonNode root) {
-    for (Iterator<String> names = root.fieldNames(); names.hasNext(); ) {
-      String name = names.next();
-      if (!KEYS.contains(name)) {
-        problems.warning(
-            Location.of(file), "a display profile has no \"" + name + "\"; it is passed over");
-      }
-    }
-    int width = (int) number(root, "width", 1, 16384, Double.NaN);
-    int height = (int) number(root, "height", 1, 16384, Double.NaN);
-    JsonNode offsets = root.path("eye_offsets_mm");
-    JsonNode screens = root.path("screens");
-    FieldOfView field = field(root.path("field_of_view"), width, height);
+    known(root, KEYS, "a display profile");
+    int width = whole(root, "width", 1, 16384, -1);
+    int height = whole(root, "height", 1, 16384, -1);
+    JsonNode offsets = part(root, "eye_offsets_mm", EYES);
+    JsonNode screens = part(root, "screens", EYES);
+    FieldOfView field = field(part(root, "field_of_view", ANGLES), width, height);
     double overlap = number(root, "overlap", 1, 100, 100) / 100;
     double distance = number(root, "image_distance", 0.05, 1e6, Double.POSITIVE_INFINITY);
     Vector3d left = offset(offsets, "left");
     Vector3d right = offset(offsets, "right");
-    int leftScreen = (int) number(screens, "left", 0, 15, 0);
-    int rightScreen = (int) number(screens, "right", 0, 15, 1);
+    int leftScreen = whole(screens, "left", 0, 15, 0);
+    int rightScreen = whole(screens, "right", 0, 15, 1);
     return faulty
         ? DisplayProfile.DESK
         : new DisplayProfile(
@@ -140,7 +139,9 @@ public final class DisplayProfiles {
 
   private FieldOfView field(JsonNode field, int width, int height) {
     boolean diagonal = field.has("diagonal");
-    if (!diagonal && !(field.has("horizontal") && field.has("vertical"))) {
+    if (diagonal
+        ? field.has("horizontal") || field.has("vertical")
+        : !(field.has("horizontal") && field.has("vertical"))) {
       fault("\"field_of_view\" needs \"diagonal\", or \"horizontal\" and \"vertical\", in degrees");
       return DisplayProfile.DESK.fieldOfView();
     }
@@ -153,6 +154,38 @@ public final class DisplayProfiles {
     double horizontal = number(field, "horizontal", 1, FieldOfView.WIDEST, Double.NaN);
     double vertical = number(field, "vertical", 1, FieldOfView.WIDEST, Double.NaN);
     return faulty ? DisplayProfile.DESK.fieldOfView() : FieldOfView.angles(horizontal, vertical);
+  }
+
+  /** A part that is an object of its own; an empty one where it is missing. */
+  private JsonNode part(JsonNode root, String key, Set<String> keys) {
+    JsonNode part = root.path(key);
+    if (part.isMissingNode()) {
+      return part;
+    }
+    if (!part.isObject()) {
+      fault("\"" + key + "\" is to be an object with " + String.join(", ", keys));
+    }
+    known(part, keys, "\"" + key + "\"");
+    return part;
+  }
+
+  /** Mentions keys that nobody reads. */
+  private void known(JsonNode node, Set<String> keys, String whose) {
+    for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
+      String name = names.next();
+      if (!keys.contains(name)) {
+        problems.warning(Location.of(file), whose + " has no \"" + name + "\"; it is passed over");
+      }
+    }
+  }
+
+  /** A whole number in a range; the default where it is missing, a fault where that is below 0. */
+  private int whole(JsonNode node, String key, int least, int most, int otherwise) {
+    double number = number(node, key, least, most, otherwise < 0 ? Double.NaN : otherwise);
+    if (number != Math.rint(number)) {
+      fault("\"" + key + "\" is to be a whole number, not " + node.path(key).asText());
+    }
+    return Double.isNaN(number) ? least : (int) number;
   }
 
   /** A number in a range; the default where it is missing, a fault where that is NaN. */
@@ -186,7 +219,8 @@ public final class DisplayProfiles {
     List<String> axes = List.of("right", "up", "back");
     Vector3d offset = new Vector3d();
     for (int axis = 0; axis < 3; axis++) {
-      double millimetres = three.path(axis).asDouble(Double.NaN);
+      JsonNode value = three.path(axis);
+      double millimetres = value.isNumber() ? value.asDouble() : Double.NaN;
       if (three.size() != 3 || !(Math.abs(millimetres) <= 500)) {
         fault(
             "\"eye_offsets_mm\" of the %s eye are to be three numbers (%s) up to 500"

@@ -33,6 +33,18 @@ public record EyeGeometry(DisplayProfile profile, double interpupillaryDistance)
   }
 
   /**
+   * What both eyes see together: where their pictures overlap in part more than one eye does. To
+   * the side on which it reaches farther.
+   */
+  public FieldOfView bothEyes() {
+    EyeFrustum left = frustum(Eye.LEFT);
+    EyeFrustum right = frustum(Eye.RIGHT);
+    return new FieldOfView(
+        Math.max(Math.max(-left.left(), -right.left()), Math.max(left.right(), right.right())),
+        Math.max(Math.max(-left.bottom(), -right.bottom()), Math.max(left.top(), right.top())));
+  }
+
+  /**
    * What an eye sees.
    *
    * <p>The picture of an eye is a window of the half extents (x, y) times D in the plane at

@@ -35,6 +35,22 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
     return mode == DisplayMode.SIDE_BY_SIDE || mode == DisplayMode.DUAL;
   }
 
+  /**
+   * What is seen at all: by both eyes together, or in a window.
+   *
+   * @param fieldOfView of a window's viewer in radians: the smaller of its two angles (X3D 4.0,
+   *     23.3.5)
+   * @param width of the window's picture
+   * @param height of the window's picture
+   */
+  public FieldOfView seen(double fieldOfView, int width, int height) {
+    if (stereo()) {
+      return geometry.bothEyes();
+    }
+    double half = Math.tan(fieldOfView / 2) / Math.min(width, height);
+    return new FieldOfView(half * width, half * height);
+  }
+
   /** How the views are arranged in one target. */
   public ViewLayout layout() {
     if (!stereo()) {

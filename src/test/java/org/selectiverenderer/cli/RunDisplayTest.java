@@ -192,6 +192,36 @@ class RunDisplayTest {
   }
 
   @Test
+  void theCheckPatternsLinesAreWhereTheyMeasureAndAsThickAsMeant() throws IOException {
+    assertThat(
+            run("--offscreen", "--samples", "0", "--hmd-check", "--screenshot", file("check.png")))
+        .isZero();
+    var picture = ImageIO.read(folder.resolve("check.png").toFile());
+    // The frame is the outermost pixel on all sides of both pictures.
+    for (int left : new int[] {0, 640}) {
+      for (int[] at : new int[][] {{0, 50}, {639, 50}, {200, 0}, {200, 479}}) {
+        assertThat(picture.getRGB(left + at[0], at[1]) & 0xffffff).isEqualTo(0xffffff);
+      }
+      for (int[] at : new int[][] {{1, 50}, {638, 50}, {200, 1}, {200, 478}}) {
+        assertThat(picture.getRGB(left + at[0], at[1]) & 0xffffff).isNotEqualTo(0xffffff);
+      }
+      // 50 degrees from corner to corner: half the width is 800/640 of tan 25 degrees.
+      double half = Math.tan(Math.toRadians(25)) * 640 / 800;
+      for (int degrees : new int[] {-15, -10, -5, 0, 5, 10, 15}) {
+        double at = 320 + 320 * Math.tan(Math.toRadians(degrees)) / half;
+        int wide = degrees % 10 == 0 ? 2 : 1;
+        for (int x = (int) at - 4; x <= (int) at + 4; x++) {
+          boolean on = x + 0.5 > at - wide / 2.0 && x + 0.5 <= at + wide / 2.0;
+          int color = picture.getRGB(left + x, 30) & 0xffffff;
+          assertThat(color == (wide == 2 ? 0x55c878 : 0x2f6f3f))
+              .as(degrees + ": " + x)
+              .isEqualTo(on);
+        }
+      }
+    }
+  }
+
+  @Test
   void aReplayedHeadLogShowsTheSameFramesAgain() throws IOException {
     Path path = folder.resolve("path.csv");
     Files.writeString(

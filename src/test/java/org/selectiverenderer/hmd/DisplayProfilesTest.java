@@ -79,6 +79,61 @@ class DisplayProfilesTest {
   }
 
   @Test
+  void halfAPixelOrMonitorIsRefusedNotCutOff() {
+    assertThat(
+            refused("{\"width\": 640.7, \"height\": 480, \"field_of_view\": {\"diagonal\": 50}}"))
+        .contains("\"width\" is to be a whole number, not 640.7");
+  }
+
+  @Test
+  void halfAMonitorIsRefused() {
+    assertThat(
+            refused(
+                "{\"width\": 640, \"height\": 480, \"field_of_view\": {\"diagonal\": 50},"
+                    + " \"screens\": {\"left\": 0, \"right\": 1.5}}"))
+        .contains("\"right\" is to be a whole number, not 1.5");
+  }
+
+  @Test
+  void aMisspeltKeyInAPartIsMentioned() {
+    assertThat(
+            parse(
+                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50, \"x\": 1},"
+                    + " \"screens\": {\"lefft\": 1}, \"eye_offsets_mm\": {\"middle\": [0, 0, 0]}}"))
+        .isPresent();
+    assertThat(problems.list().toString())
+        .contains(
+            "\"field_of_view\" has no \"x\"",
+            "\"screens\" has no \"lefft\"",
+            "\"eye_offsets_mm\" has no \"middle\"");
+  }
+
+  @Test
+  void aPartThatIsNoObjectIsRefused() {
+    assertThat(
+            refused(
+                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50}, \"screens\": [1, 0]}"))
+        .contains("\"screens\" is to be an object with left, right");
+  }
+
+  @Test
+  void anAngleTooManyIsRefused() {
+    assertThat(
+            refused(
+                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50, \"vertical\": 30}}"))
+        .contains("\"field_of_view\" needs");
+  }
+
+  @Test
+  void anOffsetThatIsATextIsRefused() {
+    assertThat(
+            refused(
+                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50},"
+                    + " \"eye_offsets_mm\": {\"left\": [\"1\", 0, 0]}}"))
+        .contains("three numbers");
+  }
+
+  @Test
   void aMisspeltKeyIsMentioned() {
     assertThat(
             parse(

@@ -135,4 +135,26 @@ class EyeGeometryTest {
     assertThat(clip.y).isCloseTo(frustum.project(point).y, within(1e-12));
     assertThat(clip.z).isBetween(-1.0, 1.0);
   }
+
+  @Test
+  void bothEyesSeeMoreThanOneWhereTheirPicturesOverlapInPart() {
+    EyeGeometry full = new EyeGeometry(display(1, Double.POSITIVE_INFINITY), 0.063);
+    EyeGeometry part = new EyeGeometry(display(0.5, Double.POSITIVE_INFINITY), 0.063);
+    double x = full.profile().fieldOfView().x();
+    assertThat(full.bothEyes().x()).isEqualTo(x);
+    assertThat(part.bothEyes().x()).isCloseTo(1.5 * x, within(1e-12));
+    assertThat(part.bothEyes().y()).isEqualTo(full.bothEyes().y());
+  }
+
+  @Test
+  void theFieldOfAWindowIsTheWiderOneAcrossWhereItIsBroad() {
+    Presentation window =
+        new Presentation(
+            DisplayMode.WINDOW,
+            new EyeGeometry(display(1, Double.POSITIVE_INFINITY), 0.063),
+            false);
+    FieldOfView seen = window.seen(Math.toRadians(45), 1600, 900);
+    assertThat(seen.vertical()).isCloseTo(45, within(1e-9));
+    assertThat(seen.x()).isCloseTo(16.0 / 9 * seen.y(), within(1e-12));
+  }
 }

@@ -33,12 +33,17 @@ public final class BenchmarkText {
         at(report, "/activation/affected"),
         at(report, "/activation/switches"),
         at(report, "/activation/idle_frame_us"));
-    for (String scene : new String[] {"heavy", "light"}) {
-      String at = "/stereo/" + scene;
+    for (String at :
+        new String[] {
+          "/stereo/heavy",
+          "/stereo/heavy/small_pictures",
+          "/stereo/light",
+          "/stereo/light/small_pictures"
+        }) {
       line(
           text,
-          "both eyes   %s scene, %sx%s each: %s ms for one eye, %s ms for both; the second costs %s of the first",
-          scene,
+          "both eyes   %s scene, %sx%s each: %s ms for one eye, %s ms for both; the second adds %s of the first",
+          at.contains("heavy") ? "heavy" : "light",
           at(report, at + "/eye_width"),
           at(report, at + "/eye_height"),
           at(report, at + "/one_eye_ms"),
@@ -50,10 +55,11 @@ public final class BenchmarkText {
           text,
           row.has("skipped")
               ? "tracker     %s records/s: not measured, %s"
-              : "tracker     %s records/s: record to picture %s ms, 99 of 100 within %s ms (frames: %s and %s ms)",
+              : "tracker     %s records/s: record to picture %s ms, 99 of 100 within %s ms, the longest %s ms (frames: %s and %s ms)",
           at(row, "/rate_hz"),
           row.has("skipped") ? at(row, "/skipped") : at(row, "/p50_ms"),
           at(row, "/p99_ms"),
+          at(row, "/max_ms"),
           at(row, "/frame_p50_ms"),
           at(row, "/frame_p99_ms"));
     }

@@ -10,6 +10,10 @@ final class Figures {
     return Math.round(value * 10) / 10.0;
   }
 
+  static double hundredth(double value) {
+    return Math.round(value * 100) / 100.0;
+  }
+
   /** The middle one; of an even number the lower middle. */
   static double median(double[] values) {
     double[] sorted = values.clone();
