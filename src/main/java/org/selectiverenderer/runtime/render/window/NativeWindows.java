@@ -7,6 +7,7 @@ import com.jogamp.newt.event.WindowAdapter;
 import com.jogamp.newt.event.WindowEvent;
 import com.jogamp.newt.opengl.GLWindow;
 import com.jogamp.opengl.GLCapabilities;
+import com.jogamp.opengl.GLContext;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
@@ -91,6 +92,22 @@ final class NativeWindows {
   /** Pixels per unit of the desktop. */
   static float scale(GLWindow window) {
     return Math.max(1, window.getCurrentSurfaceScale(new float[2])[1]);
+  }
+
+  /**
+   * Shows what was drawn, complete: with another window's context current Mesa's software renderer
+   * shows a picture that is still being filled.
+   */
+  static void swap(GLWindow window) {
+    GLContext context = window.getContext();
+    if (context == null || context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) {
+      return; // It is being closed.
+    }
+    try {
+      window.swapBuffers();
+    } finally {
+      context.release();
+    }
   }
 
   /** Draws a last time, for the drawing to free what it has, and closes the window. */

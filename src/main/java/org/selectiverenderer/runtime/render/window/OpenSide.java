@@ -35,7 +35,7 @@ final class OpenSide {
   /** Shows what was drawn. */
   void swap() {
     if (drawn) {
-      window.swapBuffers();
+      NativeWindows.swap(window);
     }
   }
 

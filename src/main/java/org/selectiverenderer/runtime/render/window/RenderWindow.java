@@ -176,7 +176,7 @@ public final class RenderWindow {
         side.draw();
       }
       if (drawn != before) {
-        window.swapBuffers();
+        NativeWindows.swap(window);
         for (OpenSide side : open) {
           side.swap();
         }
