@@ -2,22 +2,33 @@ package org.selectiverenderer.tracker.serial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.FileInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(value = 30, unit = TimeUnit.SECONDS)
 class SerialLineTest {
+  /** Less than a terminal holds. */
+  private static final int STALE = 2000;
+
   @TempDir Path folder;
 
   @Test
   void whatWasSentBeforeItWasOpenedIsThrownAway() throws IOException {
     Path link = folder.resolve("tracker");
     try (FarEnd device = new FarEnd(link, (command, far) -> far.says(command + 1))) {
-      device.says(new byte[20_000]);
+      device.says(new byte[STALE]);
+      // What does not read sees how much has come so far.
+      try (FileInputStream arrived = new FileInputStream(link.toFile())) {
+        while (arrived.available() < STALE) {
+          LockSupport.parkNanos(1_000_000);
+        }
+      }
       SerialLine line = SerialLine.open(link.toString(), 38400);
       byte[] bytes = new byte[100];
       line.write((byte) 'a');
