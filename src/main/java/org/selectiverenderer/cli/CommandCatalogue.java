@@ -17,7 +17,6 @@ final class CommandCatalogue {
         new VersionsCommand(console),
         new PolygonsCommand(console),
         new ExperimentCommand(console),
-        new ApartmentCommand(console),
         new TrackCommand(console),
         new ApartmentCommand(console),
         new BenchCommand(console),
