@@ -104,6 +104,10 @@ class ArchitectureTest {
       onlyUsesOfOurs("statistics", "statistics", "chart", "csv", "x3d");
 
   @ArchTest
+  static final ArchRule theValidatorUsesFilesTheVocabularyAndCountsOnly =
+      onlyUsesOfOurs("validation", "validation", "polygon.statistics", "schema", "x3d");
+
+  @ArchTest
   static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
       onlyUsesOfOurs("polygon", "polygon", "x3d", "schema");
 

@@ -39,14 +39,14 @@ final class StateFinder {
    */
   List<StateCount> states(Scope scope, long high, Collection<List<Area>> sets) {
     List<StateCount> states = new ArrayList<>();
-    long loaded = count(scope, activation());
+    long loaded = count(scope, activation(objects, areas));
     states.add(StateCount.of(mainSchemas(scope), loaded, high));
     Set<List<String>> listed = new HashSet<>();
     listed.add(states.get(0).schemas());
     for (List<Area> set : sets) {
       Set<Long> counts = new HashSet<>();
       for (List<Area> order : orders(set)) {
-        Activation<Area, Item> activation = activation();
+        Activation<Area, Item> activation = activation(objects, areas);
         order.forEach(activation::enter);
         long polygons = count(scope, activation);
         if (counts.add(polygons) && listed.add(activation.activeSchemas())) {
@@ -57,7 +57,8 @@ final class StateFinder {
     return states;
   }
 
-  private Activation<Area, Item> activation() {
+  /** A scene as loaded, before the viewer has entered any area. */
+  static Activation<Area, Item> activation(List<Item> objects, List<Area> areas) {
     Activation<Area, Item> activation = new Activation<>();
     areas.forEach(area -> activation.putArea(area, area.schemas));
     for (Item object : objects) {
