@@ -17,7 +17,6 @@ final class CommandCatalogue {
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
-        new ExperimentCommand(console),
         new TrackCommand(console),
         new ExperimentCommand(console),
         new ApartmentCommand(console),

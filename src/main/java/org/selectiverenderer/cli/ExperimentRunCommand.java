@@ -144,6 +144,9 @@ final class ExperimentRunCommand extends CliCommand {
             reason -> {
               throw CommandFailure.environment(reason + "; a session needs windows");
             });
+    if (!unattended) {
+      LibraryProperties.allowSwing();
+    }
   }
 
   private Session open(StudyMaterial material, Problems problems) throws IOException {
