@@ -2,6 +2,8 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
 import java.awt.FlowLayout;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.time.LocalTime;
 import java.time.temporal.ChronoUnit;
 import javax.swing.BorderFactory;
@@ -42,7 +44,10 @@ public final class ControlWindow implements AutoCloseable {
     below.add(buttons(), BorderLayout.SOUTH);
     frame.add(below, BorderLayout.SOUTH);
     frame.pack();
-    frame.setLocationByPlatform(true);
+    // In a corner, so that a single monitor shows it beside the participant's window.
+    Rectangle most = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    frame.setLocation(
+        most.x + most.width - frame.getWidth(), most.y + most.height - frame.getHeight());
     refresh = new Timer(200, event -> status.setText(controls.status() + " "));
     refresh.start();
   }

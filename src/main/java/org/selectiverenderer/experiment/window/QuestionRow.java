@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
 import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.BoxLayout;
 import javax.swing.ButtonGroup;
 import javax.swing.JLabel;
@@ -53,8 +54,10 @@ final class QuestionRow {
     name.setMinimumSize(name.getPreferredSize());
     name.setMaximumSize(name.getPreferredSize());
     panel.add(name);
+    panel.setAlignmentX(0);
     if (kind == QuestionKind.RECOGNITION) {
       panel.add(choices(values, List.of("yes", "no"), wording, this::value));
+      panel.add(Box.createHorizontalStrut(40));
       panel.add(
           choices(
               levels,
@@ -68,6 +71,26 @@ final class QuestionRow {
     }
     show();
     current(false);
+  }
+
+  /** What stands over the rows' columns. */
+  static JPanel heading(QuestionKind kind, Wording wording) {
+    JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 0, 4));
+    line.setBorder(BorderFactory.createEmptyBorder(0, 16, 0, 12));
+    line.add(column("", NAME_WIDTH));
+    if (kind == QuestionKind.RECOGNITION) {
+      line.add(column(wording.of("recognition.question"), 180));
+      line.add(column(wording.of("recognition.confidence"), 300));
+    } else {
+      line.add(column(wording.of("expectancy.question"), 300));
+    }
+    return line;
+  }
+
+  private static JLabel column(String text, int width) {
+    JLabel label = new JLabel(text);
+    label.setPreferredSize(new Dimension(width, 20));
+    return label;
   }
 
   private JPanel choices(
@@ -93,6 +116,7 @@ final class QuestionRow {
       buttons.add(button);
       line.add(button);
     }
+    line.setMaximumSize(line.getPreferredSize());
     return line;
   }
 

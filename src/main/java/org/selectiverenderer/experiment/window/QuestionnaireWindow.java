@@ -148,6 +148,7 @@ public final class QuestionnaireWindow {
     head.add(title, BorderLayout.NORTH);
     head.add(text, BorderLayout.CENTER);
     JScrollPane scroll = new JScrollPane(list);
+    scroll.setColumnHeaderView(QuestionRow.heading(screen.kind(), wording));
     scroll.getVerticalScrollBar().setUnitIncrement(24);
     next.setText(wording.of("next"));
     next.setName("next");
