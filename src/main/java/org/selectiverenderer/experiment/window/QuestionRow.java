@@ -69,6 +69,7 @@ final class QuestionRow {
       panel.add(choices(values, List.of("1", "2", "3", "4", "5", "6"), wording, this::value));
       panel.add(new JLabel(" " + wording.of("expectancy.most")));
     }
+    panel.add(Box.createHorizontalGlue());
     show();
     current(false);
   }
