@@ -42,6 +42,13 @@ final class ExperimentCollectCommand extends CliCommand {
       description = "writes the means of the ratings with their bands and consistency (thesis 5.1)")
   private @Nullable Path bands;
 
+  @Option(
+      names = "--session",
+      defaultValue = "1",
+      paramLabel = "N",
+      description = "which session of each participant counts (default: ${DEFAULT-VALUE})")
+  private int number = 1;
+
   ExperimentCollectCommand(Console console) {
     super(console);
   }
@@ -56,7 +63,7 @@ final class ExperimentCollectCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    CollectedAnswers answers = CollectedAnswers.of(material.get(), problems);
+    CollectedAnswers answers = CollectedAnswers.of(material.get(), number, problems);
     if (responses == null && ratings == null && bands == null) {
       console().out().print(answers.responses());
     }

@@ -3,6 +3,7 @@ package org.selectiverenderer.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -37,7 +38,7 @@ final class ExperimentNewCommand extends CliCommand {
 
   @Override
   ExitStatus run() throws IOException {
-    for (Path needed : java.util.List.of(scene, scene.resolveSibling("practice.x3d"))) {
+    for (Path needed : List.of(scene, scene.resolveSibling("practice.x3d"))) {
       if (!Files.isRegularFile(needed)) {
         throw CommandFailure.usage("there is no scene " + needed + ": give --scene");
       }

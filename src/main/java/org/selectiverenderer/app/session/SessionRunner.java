@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.selectiverenderer.app.WindowChain;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
@@ -22,17 +23,14 @@ public final class SessionRunner {
   private final SessionDesk desk;
   private final ShownSteps shown;
   private final OperatorControls controls;
-  private final java.util.function.Consumer<String> message;
+  private final Consumer<String> message;
 
   /**
    * @param settings how scenes are shown
    * @param message hears what is not as asked for, a line at a time
    */
   public SessionRunner(
-      Session session,
-      SessionDesk desk,
-      SessionShow settings,
-      java.util.function.Consumer<String> message) {
+      Session session, SessionDesk desk, SessionShow settings, Consumer<String> message) {
     this.session = session;
     this.desk = desk;
     this.message = message;

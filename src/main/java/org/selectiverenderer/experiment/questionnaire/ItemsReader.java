@@ -13,6 +13,7 @@ import org.selectiverenderer.csv.CsvTable;
 import org.selectiverenderer.experiment.study.QuestionKind;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /**
@@ -76,8 +77,7 @@ public final class ItemsReader {
       items.add(item(row, area, object));
     }
     if (items.isEmpty()) {
-      problems.error(
-          org.selectiverenderer.x3d.Location.of(table.file()), "there are no items" + UNUSED);
+      problems.error(Location.of(table.file()), "there are no items" + UNUSED);
     }
     return items;
   }

@@ -2,6 +2,7 @@ package org.selectiverenderer.experiment.session;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -31,15 +32,21 @@ public record CollectedAnswers(String responses, String ratings, String bands) {
   /**
    * Collects them.
    *
+   * @param number of the sessions that count: two of a participant would answer everything twice
    * @throws IOException if a journal cannot be read
    */
-  public static CollectedAnswers of(StudyMaterial material, Problems problems) throws IOException {
+  public static CollectedAnswers of(StudyMaterial material, int number, Problems problems)
+      throws IOException {
     StringBuilder responses = new StringBuilder(AnswersCsv.responsesHeader());
     StringBuilder ratings = new StringBuilder(AnswersCsv.RATINGS);
     Map<Rated, List<Integer>> all = new LinkedHashMap<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
       SessionHistory history = SessionHistory.read(folder.journal());
       Location place = Location.of(folder.journal().toString());
+      if (folder.number() != number) {
+        problems.info(place, "this is not session " + number + "; its answers are left out");
+        continue;
+      }
       tell(history, place, problems);
       for (SessionStep step : material.steps()) {
         if (step instanceof SessionStep.Questions questions) {
@@ -95,8 +102,7 @@ public record CollectedAnswers(String responses, String ratings, String bands) {
     StringBuilder text = new StringBuilder("area,schema,object,mean,count,band,consistency\n");
     all.entrySet().stream()
         .sorted(
-            java.util.Comparator.comparing(
-                    (Map.Entry<Rated, List<Integer>> entry) -> entry.getKey().area())
+            Comparator.comparing((Map.Entry<Rated, List<Integer>> entry) -> entry.getKey().area())
                 .thenComparing(entry -> entry.getKey().object()))
         .forEach(
             entry -> {

@@ -16,6 +16,7 @@ import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
 import org.selectiverenderer.experiment.questionnaire.Item;
 import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
 
@@ -142,7 +143,7 @@ public final class Session implements AutoCloseable {
     }
     if (!history.checksum().equals(sum)) {
       problems.warning(
-          org.selectiverenderer.x3d.Location.of(material.study().file().toString()),
+          Location.of(material.study().file().toString()),
           "the study has changed since this session began; it goes on with the study as it is now,"
               + " and its events say so");
     }

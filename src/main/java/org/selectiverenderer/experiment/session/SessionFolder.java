@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
@@ -111,7 +112,7 @@ public record SessionFolder(Path study, String participant, int number) {
     Path file = path().resolve(name);
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     if (Files.exists(file)) {
-      if (!java.util.Arrays.equals(Files.readAllBytes(file), bytes)) {
+      if (!Arrays.equals(Files.readAllBytes(file), bytes)) {
         throw new IOException(file + " is there with other content; nothing is written over");
       }
       return;

@@ -124,6 +124,11 @@ public final class SessionJournal implements AutoCloseable {
     ObjectNode line = JSON.createObjectNode();
     line.put("time", OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString());
     line.put("event", event);
+    // Map.of has another order in every process: what an event is of comes first.
+    Object step = more.get("step");
+    if (step != null) {
+      line.put("step", String.valueOf(step));
+    }
     more.forEach((key, value) -> line.set(key, JSON.valueToTree(value)));
     byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
     return writer.submit(() -> write(bytes));

@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.session;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -18,7 +19,7 @@ public record SessionOptions(
 
   /** What the journal says of it. */
   Map<String, Object> recorded() {
-    Map<String, Object> values = new java.util.LinkedHashMap<>();
+    Map<String, Object> values = new LinkedHashMap<>();
     values.put("software", software);
     values.put(
         "java", System.getProperty("java.version") + " " + System.getProperty("java.vendor"));

@@ -51,7 +51,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
    *
    * @param planned participants; one more in some groups where they cannot be equal
    * @param assigned participants
-   * @param finished first sessions
+   * @param finished participants with a finished session
    */
   public record Group(String condition, int planned, int assigned, int finished) {}
 

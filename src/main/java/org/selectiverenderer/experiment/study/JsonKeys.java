@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.study;
 
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -47,7 +48,7 @@ final class JsonKeys {
                       entry -> (String) entry.getKey(),
                       entry -> (Member) entry.getValue(),
                       (a, b) -> a,
-                      java.util.LinkedHashMap::new));
+                      LinkedHashMap::new));
     } else {
       problems.error(part.at(), subject + " is to be an object in braces" + UNUSED);
     }

@@ -1,8 +1,11 @@
 package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
+import java.awt.FlowLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
 import javax.swing.ButtonGroup;
@@ -25,8 +28,7 @@ public final class FormWindow {
   private final JCheckBox consent = new JCheckBox();
   private final JButton begin = new JButton();
 
-  private FormWindow(
-      String participant, Wording wording, java.util.function.Consumer<Optional<String>> answer) {
+  private FormWindow(String participant, Wording wording, Consumer<Optional<String>> answer) {
     JPanel fields = new JPanel();
     fields.setLayout(new BoxLayout(fields, BoxLayout.Y_AXIS));
     fields.setBorder(BorderFactory.createEmptyBorder(16, 16, 16, 16));
@@ -34,7 +36,7 @@ public final class FormWindow {
     id.setFont(id.getFont().deriveFont(20f));
     id.setAlignmentX(0);
     fields.add(id);
-    JPanel bands = new JPanel(new java.awt.FlowLayout(java.awt.FlowLayout.LEFT));
+    JPanel bands = new JPanel(new FlowLayout(FlowLayout.LEFT));
     bands.setAlignmentX(0);
     bands.add(new JLabel(wording.of("form.age") + ":"));
     for (String age : AGES) {
@@ -59,7 +61,7 @@ public final class FormWindow {
     JButton cancel = new JButton(wording.of("form.cancel"));
     cancel.setName("cancel");
     cancel.addActionListener(event -> answer.accept(Optional.empty()));
-    JPanel buttons = new JPanel(new java.awt.FlowLayout(java.awt.FlowLayout.RIGHT));
+    JPanel buttons = new JPanel(new FlowLayout(FlowLayout.RIGHT));
     buttons.add(cancel);
     buttons.add(begin);
     frame.setName("form");
@@ -78,7 +80,7 @@ public final class FormWindow {
    * @return the age band; empty when the participant does not take part
    */
   public static Optional<String> ask(String participant, Wording wording) {
-    List<Optional<String>> answers = new java.util.concurrent.CopyOnWriteArrayList<>();
+    List<Optional<String>> answers = new CopyOnWriteArrayList<>();
     Waiting.on(
         done ->
             new FormWindow(

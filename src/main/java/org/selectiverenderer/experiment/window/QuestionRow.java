@@ -6,6 +6,7 @@ import java.awt.FlowLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -95,10 +96,7 @@ final class QuestionRow {
   }
 
   private JPanel choices(
-      List<JToggleButton> buttons,
-      List<String> keys,
-      Wording wording,
-      java.util.function.Consumer<String> chosen) {
+      List<JToggleButton> buttons, List<String> keys, Wording wording, Consumer<String> chosen) {
     JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 4, 0));
     line.setOpaque(false);
     ButtonGroup group = new ButtonGroup();

@@ -2,9 +2,11 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.GridLayout;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -155,7 +157,7 @@ public final class QuestionnaireWindow {
     next.addActionListener(event -> goOn());
     JPanel foot = new JPanel(new BorderLayout(16, 0));
     foot.setBorder(BorderFactory.createEmptyBorder(12, 16, 16, 16));
-    JPanel told = new JPanel(new java.awt.GridLayout(2, 1));
+    JPanel told = new JPanel(new GridLayout(2, 1));
     told.add(left);
     told.add(new JLabel(PaperPage.fill(wording.of("keys"), wording.of("keys." + kind))));
     foot.add(told, BorderLayout.CENTER);
@@ -166,7 +168,7 @@ public final class QuestionnaireWindow {
     frame.add(head, BorderLayout.NORTH);
     frame.add(scroll, BorderLayout.CENTER);
     frame.add(foot, BorderLayout.SOUTH);
-    Dimension most = java.awt.Toolkit.getDefaultToolkit().getScreenSize();
+    Dimension most = Toolkit.getDefaultToolkit().getScreenSize();
     frame.setSize(Math.min(960, most.width), Math.min(1000, most.height));
     frame.setLocationRelativeTo(null);
   }

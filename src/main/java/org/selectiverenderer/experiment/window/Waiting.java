@@ -2,8 +2,10 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.EventQueue;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
 
@@ -16,7 +18,7 @@ final class Waiting {
    *
    * @param make makes the window; it is to call what it is given once, when it is done
    */
-  static void on(java.util.function.Function<Runnable, JFrame> make) {
+  static void on(Function<Runnable, JFrame> make) {
     CountDownLatch done = new CountDownLatch(1);
     JFrame frame = onSwing(() -> make.apply(done::countDown));
     onSwing(
@@ -48,11 +50,11 @@ final class Waiting {
   }
 
   private static final class Holder<T> implements Consumer<T>, Supplier<T> {
-    private java.util.List<T> value = java.util.List.of();
+    private List<T> value = List.of();
 
     @Override
     public synchronized void accept(T made) {
-      value = java.util.List.of(made);
+      value = List.of(made);
     }
 
     @Override

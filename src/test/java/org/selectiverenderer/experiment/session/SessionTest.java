@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -99,7 +100,7 @@ class SessionTest {
       session.end();
     }
     Problems problems = new Problems();
-    CollectedAnswers collected = CollectedAnswers.of(material(), problems);
+    CollectedAnswers collected = CollectedAnswers.of(material(), 1, problems);
     assertThat(collected.responses())
         .isEqualTo(Files.readString(folder.resolve("sub-001/ses-01/responses.csv")));
     Responses responses =
@@ -112,6 +113,20 @@ class SessionTest {
     assertThat(collected.bands())
         .contains("hall,HallSchema,coat,2.000000,1,non-expectant,inconsistent");
     assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void answersOfASecondSessionAreNotMixedWithThoseOfTheFirst() throws IOException {
+    try (Session session = Session.begin(material(), "001", 2, OPTIONS)) {
+      form(session);
+      answerAll(session, "yes", 4);
+    }
+    Problems problems = new Problems();
+    assertThat(CollectedAnswers.of(material(), 1, problems).responses()).hasLineCount(1);
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly("this is not session 1; its answers are left out");
+    assertThat(CollectedAnswers.of(material(), 2, problems).responses()).hasLineCount(3);
   }
 
   @Test
@@ -211,8 +226,8 @@ class SessionTest {
     assertThat(status.sessions())
         .extracting(StudyStatus.Row::participant, StudyStatus.Row::state)
         .containsExactly(
-            org.assertj.core.api.Assertions.tuple("001", StudyStatus.State.ABORTED),
-            org.assertj.core.api.Assertions.tuple("002", StudyStatus.State.OPEN));
+            Assertions.tuple("001", StudyStatus.State.ABORTED),
+            Assertions.tuple("002", StudyStatus.State.OPEN));
     assertThat(status.sessions().get(0).missing())
         .containsExactly("recognition-bath", "expectancy-hall");
     assertThat(status.groups())
@@ -220,7 +235,7 @@ class SessionTest {
         .containsExactlyInAnyOrder(0, 1);
     assertThat(status.text()).contains("0 of 4 participants planned have a finished session");
     Problems problems = new Problems();
-    assertThat(CollectedAnswers.of(material(), problems).responses()).hasLineCount(3);
+    assertThat(CollectedAnswers.of(material(), 1, problems).responses()).hasLineCount(3);
     assertThat(problems.list()).isNotEmpty();
     assertThat(SessionFolder.nextId(material().study())).isEqualTo("003");
   }
