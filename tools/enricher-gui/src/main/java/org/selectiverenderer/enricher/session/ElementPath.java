@@ -14,8 +14,8 @@ import org.selectiverenderer.document.ElementTree;
  * @param name of the element
  * @param places index among the children, from the root down
  */
-record ElementPath(String name, Optional<String> def, List<Integer> places) {
-  static ElementPath of(DocumentElement element) {
+public record ElementPath(String name, Optional<String> def, List<Integer> places) {
+  public static ElementPath of(DocumentElement element) {
     List<Integer> places = new ArrayList<>();
     DocumentElement at = element;
     while (at.parent().isPresent()) {
@@ -27,7 +27,7 @@ record ElementPath(String name, Optional<String> def, List<Integer> places) {
     return new ElementPath(element.name(), element.def(), List.copyOf(places));
   }
 
-  Optional<DocumentElement> find(ElementTree tree) {
+  public Optional<DocumentElement> find(ElementTree tree) {
     Optional<DocumentElement> named = def.flatMap(tree::named);
     if (named.isPresent()) {
       return named;
