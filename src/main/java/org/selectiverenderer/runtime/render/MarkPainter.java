@@ -61,8 +61,7 @@ final class MarkPainter {
       draw(gl, used, edgeMesh, box.place(), box.edges(), camera);
       float[] e = box.edges();
       gl.glDepthFunc(GL.GL_GREATER);
-      draw(
-          gl, used, edgeMesh, box.place(), new float[] {e[0], e[1], e[2], HIDDEN * e[3]}, camera);
+      draw(gl, used, edgeMesh, box.place(), new float[] {e[0], e[1], e[2], HIDDEN * e[3]}, camera);
     }
     gl.glDepthFunc(GL.GL_LESS);
     gl.glDisable(GL.GL_BLEND);

@@ -92,8 +92,7 @@ public final class MarkedView implements AutoCloseable {
     gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
     marks.boxes(gl, marking.boxes(), camera);
     marks.mask(gl, renderer.items(), marking.masked(), camera);
-    return new MarkedPicture(
-        on.read(gl), camera, new Drawn(seen.shapes(), seen.indices() / 3));
+    return new MarkedPicture(on.read(gl), camera, new Drawn(seen.shapes(), seen.indices() / 3));
   }
 
   @Override

@@ -16,7 +16,10 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
  * @param backdrop instead of the bound Background
  */
 public record Marking(
-    List<BoxMark> boxes, Set<ShapeInstance> masked, boolean wireframe, Optional<Backdrop> backdrop) {
+    List<BoxMark> boxes,
+    Set<ShapeInstance> masked,
+    boolean wireframe,
+    Optional<Backdrop> backdrop) {
   /** Nothing beyond. */
   public static final Marking NONE = new Marking(List.of(), Set.of(), false, Optional.empty());
 }

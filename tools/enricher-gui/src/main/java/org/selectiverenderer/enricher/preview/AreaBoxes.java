@@ -104,8 +104,7 @@ final class AreaBoxes {
       boolean chosen = area.node() == selected;
       for (Matrix4d place : places(area.node())) {
         marks.add(
-            new BoxMark(
-                place, chosen ? SELECTED_EDGES : EDGES, chosen ? SELECTED_SIDES : SIDES));
+            new BoxMark(place, chosen ? SELECTED_EDGES : EDGES, chosen ? SELECTED_SIDES : SIDES));
       }
     }
     return marks;

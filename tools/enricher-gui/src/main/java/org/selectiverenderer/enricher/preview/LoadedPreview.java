@@ -49,7 +49,6 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
     }
   }
 
-
   @Override
   public void close() {
     loader.close();

@@ -57,8 +57,7 @@ final class Orbit {
     double most = Math.PI / 2 - POLE;
     double tilt = Math.max(-most, Math.min(most, elevation + pitch)) - elevation;
     Vector3d right = orientation.transform(new Vector3d(1, 0, 0));
-    Quaterniond turn =
-        new Quaterniond().rotationY(yaw).rotateAxis(tilt, right.x, right.y, right.z);
+    Quaterniond turn = new Quaterniond().rotationY(yaw).rotateAxis(tilt, right.x, right.y, right.z);
     turn.transform(position.sub(pivot)).add(pivot);
     turn.mul(orientation, orientation).normalize();
   }

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
@@ -23,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * Shows frames with their labels and a few lines about them. The picture has the pixels of the
  * screen; positions of this component are turned into them by {@link #toPixels}.
  */
-final class PictureView extends JComponent {
+final class PictureView extends JComponent implements Accessible {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0, 0, 0, 150);
   private static final Color PAPER_SELECTED = new Color(150, 80, 0, 200);

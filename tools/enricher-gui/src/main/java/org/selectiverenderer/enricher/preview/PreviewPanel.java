@@ -162,7 +162,7 @@ public final class PreviewPanel extends JPanel {
     message.getAccessibleContext().setAccessibleName("State of the preview");
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6, hidemode 3", "[grow,fill][]"));
     foot.add(message, "wmin 0");
-    foot.add(progress, "w 6em!");
+    foot.add(progress, "wmax 20%");
     add(bar);
     add(view, "wmin 0, hmin 0");
     add(foot);

@@ -65,9 +65,7 @@ final class PreviewScene implements AutoCloseable {
 
   /** Where the scene wants its viewer at the start; empty when it has no viewpoint. */
   Optional<Pose> start() {
-    return world.viewpoints().isEmpty()
-        ? Optional.empty()
-        : Optional.of(Pose.of(world.viewer()));
+    return world.viewpoints().isEmpty() ? Optional.empty() : Optional.of(Pose.of(world.viewer()));
   }
 
   /** Shows the scene under schemas, from now on and after each walk. */

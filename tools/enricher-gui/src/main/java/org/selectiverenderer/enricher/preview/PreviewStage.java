@@ -109,7 +109,8 @@ final class PreviewStage implements AutoCloseable {
 
   private void place(Pose pose) {
     scene.look(pose);
-    double distance = scene.hit(new Vector3d(0, 0, -1)).map(RayCaster.Hit::distance).orElse(NO_DEPTH);
+    double distance =
+        scene.hit(new Vector3d(0, 0, -1)).map(RayCaster.Hit::distance).orElse(NO_DEPTH);
     orbit.place(pose, distance);
   }
 
@@ -247,9 +248,7 @@ final class PreviewStage implements AutoCloseable {
         outlined.isEmpty()
             ? Images.of(picture.pixels())
             : Images.outlined(picture.pixels(), OUTLINE),
-        sensorsShown
-            ? shown.areas().labels(picture.camera(), selected.orElse(null))
-            : List.of(),
+        sensorsShown ? shown.areas().labels(picture.camera(), selected.orElse(null)) : List.of(),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),
         shown.enteredAreas(),

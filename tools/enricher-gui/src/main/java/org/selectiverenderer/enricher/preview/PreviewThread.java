@@ -97,7 +97,8 @@ final class PreviewThread implements AutoCloseable {
           stage.frame((now - last) * 1e-9).ifPresent(listener::drawn);
           last = now;
         }
-      } catch (RuntimeException e) { // One state of a document must not end the preview of the next.
+      } catch (
+          RuntimeException e) { // One state of a document must not end the preview of the next.
         listener.failed("The preview cannot show this: " + e);
       }
     }

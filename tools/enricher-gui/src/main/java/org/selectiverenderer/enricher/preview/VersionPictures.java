@@ -198,8 +198,7 @@ public final class VersionPictures implements AutoCloseable {
             new Marking(List.of(), Set.of(), look.wireframe(), Optional.of(PAPER)),
             look.width(),
             look.height());
-    return new VersionPicture(
-        Images.of(picture.pixels()), world.instances().shownPolygons());
+    return new VersionPicture(Images.of(picture.pixels()), world.instances().shownPolygons());
   }
 
   /** Ends its thread; no answer comes any more. */
