@@ -21,24 +21,23 @@ import org.selectiverenderer.runtime.scene.Node;
  */
 public final class MarkedView implements AutoCloseable {
   private final OffscreenContext context;
-  private final int samples;
   private final SceneRenderer renderer = new SceneRenderer(2);
   private final MarkPainter marks = new MarkPainter();
   private @Nullable OffscreenTarget target;
 
-  private MarkedView(OffscreenContext context, int samples) {
+  private int samples;
+
+  private MarkedView(OffscreenContext context) {
     this.context = context;
-    this.samples = samples;
   }
 
   /**
    * Opens a context.
    *
-   * @param samples per pixel for anti-aliasing; 0 for none
    * @throws GlUnavailableException if there is no display or no OpenGL 3.3
    */
-  public static MarkedView open(int samples) {
-    return new MarkedView(OffscreenContext.open(), samples);
+  public static MarkedView open() {
+    return new MarkedView(OffscreenContext.open());
   }
 
   /**
@@ -46,25 +45,29 @@ public final class MarkedView implements AutoCloseable {
    *
    * @param width in pixels, above 0
    * @param height in pixels, above 0
+   * @param wantedSamples per pixel for anti-aliasing; 0 for none
    * @throws GlUnavailableException if a picture of that size cannot be drawn
    */
-  public MarkedPicture draw(World world, Marking marking, int width, int height) {
+  public MarkedPicture draw(
+      World world, Marking marking, int width, int height, int wantedSamples) {
     GL3 gl = context.gl();
-    OffscreenTarget drawn = target(gl, width, height);
+    OffscreenTarget drawn = target(gl, width, height, wantedSamples);
     drawn.bind(gl);
     MarkedPicture[] picture = new MarkedPicture[1];
     world.hold(() -> picture[0] = drawHeld(gl, drawn, world, marking));
     return picture[0];
   }
 
-  private OffscreenTarget target(GL3 gl, int width, int height) {
-    if (target != null && (target.width() != width || target.height() != height)) {
+  private OffscreenTarget target(GL3 gl, int width, int height, int wantedSamples) {
+    if (target != null
+        && (target.width() != width || target.height() != height || samples != wantedSamples)) {
       target.dispose(gl);
       target = null;
     }
     if (target == null) {
       try {
-        target = new OffscreenTarget(gl, width, height, samples);
+        target = new OffscreenTarget(gl, width, height, wantedSamples);
+        samples = wantedSamples;
       } catch (GLException e) {
         throw new GlUnavailableException(
             "a picture of that size cannot be drawn: " + e.getMessage(), e);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
+import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +28,18 @@ final class AreaBoxes {
   private static final float[] SIDES = {0.20f, 0.55f, 1.00f, 0.06f};
   private static final float[] SELECTED_EDGES = {1.00f, 0.60f, 0.00f, 1.0f};
   private static final float[] SELECTED_SIDES = {1.00f, 0.70f, 0.10f, 0.12f};
+
+  /**
+   * Where a label may stand, the best first: on top, at the top of a side, in the middle of one.
+   */
+  private static final double[][] LABEL_POINTS = {
+    {0, 0.5, 0}, {0, 0.5, 0.5}, {0, 0.5, -0.5}, {0.5, 0.5, 0}, {-0.5, 0.5, 0},
+    {0, 0, 0}, {0, 0, 0.5}, {0, 0, -0.5}, {0.5, 0, 0}, {-0.5, 0, 0},
+    {0.5, 0.5, 0.5}, {-0.5, 0.5, 0.5}, {0.5, 0.5, -0.5}, {-0.5, 0.5, -0.5}, {0, -0.5, 0}
+  };
+
+  /** How far from the edge of the picture, as a part of it. */
+  private static final double LABEL_MARGIN = 0.04;
 
   /** A sensor of the document. */
   private record Area(ProximitySensorNode node, SensorSchemas schemas) {}
@@ -110,20 +123,19 @@ final class AreaBoxes {
     return marks;
   }
 
-  /** The labels of the boxes whose top is before the camera, in pixels of its picture. */
+  /** The labels of the boxes that are in the picture, in its pixels. */
   List<Frame.Label> labels(Camera camera, @Nullable Node selected) {
     List<Frame.Label> labels = new ArrayList<>();
     for (int i = 0; i < areas.size(); i++) {
       Area area = areas.get(i);
       Optional<Long> count = i < polygons.length ? Optional.of(polygons[i]) : Optional.empty();
       for (Matrix4d place : places(area.node())) {
-        Vector4d top = new Vector4d(0, 0.5, 0, 1);
-        camera.projection().transform(camera.view().transform(place.transform(top)));
-        if (top.w > 0) {
+        Optional<Vector2d> at = inPicture(place, camera);
+        if (at.isPresent()) {
           labels.add(
               new Frame.Label(
-                  (int) Math.round((top.x / top.w + 1) / 2 * camera.width()),
-                  (int) Math.round((1 - top.y / top.w) / 2 * camera.height()),
+                  (int) Math.round(at.get().x * camera.width()),
+                  (int) Math.round(at.get().y * camera.height()),
                   Optional.ofNullable(area.node().name()).orElse("ProximitySensor"),
                   area.schemas(),
                   count,
@@ -133,6 +145,21 @@ final class AreaBoxes {
       }
     }
     return labels;
+  }
+
+  /** The first of the points for a label that is in the picture: 0..1 from the upper left. */
+  private static Optional<Vector2d> inPicture(Matrix4d place, Camera camera) {
+    for (double[] candidate : LABEL_POINTS) {
+      Vector4d point = new Vector4d(candidate[0], candidate[1], candidate[2], 1);
+      camera.projection().transform(camera.view().transform(place.transform(point)));
+      Vector2d at = new Vector2d((point.x / point.w + 1) / 2, (1 - point.y / point.w) / 2);
+      if (point.w > 0
+          && Math.abs(at.x - 0.5) < 0.5 - LABEL_MARGIN
+          && Math.abs(at.y - 0.5) < 0.5 - LABEL_MARGIN) {
+        return Optional.of(at);
+      }
+    }
+    return Optional.empty();
   }
 
   /** The box around all boxes of a sensor: min x, y, z, max x, y, z; empty if it has none. */

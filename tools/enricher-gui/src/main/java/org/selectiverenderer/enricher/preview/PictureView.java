@@ -136,7 +136,7 @@ final class PictureView extends JComponent implements Accessible {
       int height = metrics.getHeight() + PAD;
       Rectangle place =
           new Rectangle(
-              (int) (label.x() / scale) - width / 2,
+              Math.max(0, Math.min(getWidth() - width, (int) (label.x() / scale) - width / 2)),
               (int) (label.y() / scale) - height,
               width,
               height);

@@ -263,7 +263,7 @@ public final class PreviewPanel extends JPanel {
             });
   }
 
-  private void selected(@Nullable DocumentElement element, @Nullable Object origin) {
+  private void selected(Optional<DocumentElement> element, Object origin) {
     tellSelection();
   }
 
@@ -280,8 +280,6 @@ public final class PreviewPanel extends JPanel {
               place.column()));
       at = element.parent();
     }
-    // The element that holds the scene would outline everything.
-    anchors.removeIf(anchor -> anchor.line() <= 0);
     thread.tell(stage -> stage.select(anchors));
   }
 
@@ -292,7 +290,11 @@ public final class PreviewPanel extends JPanel {
 
   private void showAsIf(List<String> schemas) {
     asIfButton.setText(
-        schemas.isEmpty() ? "As if in\u2026" : "As if in " + String.join(", ", schemas));
+        switch (schemas.size()) {
+          case 0 -> "As if in\u2026";
+          case 1 -> "As if in " + schemas.get(0);
+          default -> "As if in " + schemas.size() + " schemas"; // The picture names them.
+        });
     thread.tell(stage -> stage.asIf(schemas));
   }
 

@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.runtime.navigation.NavigationCommand;
 import org.selectiverenderer.runtime.navigation.Pose;
 import org.selectiverenderer.runtime.navigation.RayCaster;
+import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.MarkedPicture;
 import org.selectiverenderer.runtime.render.MarkedView;
 import org.selectiverenderer.runtime.render.Marking;
@@ -27,7 +28,11 @@ final class PreviewStage implements AutoCloseable {
   /** How far ahead the eye turns about something where nothing is in view. */
   private static final double NO_DEPTH = 5;
 
+  /** Seconds of a frame of the walk at most, so that nobody jumps after a pause. */
+  private static final double LONGEST = 0.25;
+
   private final MarkedView view;
+  private final int motionSamples = AntiAliasing.forMotion();
   private final Orbit orbit = new Orbit();
   private final Controls controls = new Controls(MouseMapping.WALK);
   private @Nullable PreviewScene scene;
@@ -38,6 +43,7 @@ final class PreviewStage implements AutoCloseable {
   private boolean sensorsShown = true;
   private boolean wireframe;
   private boolean changed;
+  private boolean rough;
 
   PreviewStage(MarkedView view) {
     this.view = view;
@@ -46,6 +52,11 @@ final class PreviewStage implements AutoCloseable {
   /** Whether frames follow each other without being asked for. */
   boolean moving() {
     return scene != null && scene.walking().isPresent();
+  }
+
+  /** Whether the frame drawn last, in a hurry, is to be followed by a smoother one. */
+  boolean rough() {
+    return rough;
   }
 
   /** Something is to be drawn anew. */
@@ -212,10 +223,11 @@ final class PreviewStage implements AutoCloseable {
    * The next frame.
    *
    * @param seconds since the one before
+   * @param hurried whether others are likely to follow at once
    * @return empty when nothing has changed or there is nothing to show
    */
-  Optional<Frame> frame(double seconds) {
-    boolean draw = changed || moving();
+  Optional<Frame> frame(double seconds, boolean hurried) {
+    boolean draw = changed || moving() || rough;
     changed = false;
     if (scene == null || width <= 0 || height <= 0 || !draw) {
       return Optional.empty();
@@ -224,14 +236,16 @@ final class PreviewStage implements AutoCloseable {
       for (NavigationCommand command : controls.takeCommands()) {
         scene.walking().get().command(command);
       }
-      scene.step(seconds);
+      scene.step(Math.min(seconds, LONGEST));
     } else {
       scene.look(orbit.pose());
     }
-    return Optional.of(draw(scene));
+    int samples = moving() || hurried ? motionSamples : AntiAliasing.SMOOTH;
+    rough = !moving() && samples < AntiAliasing.SMOOTH;
+    return Optional.of(draw(scene, samples));
   }
 
-  private Frame draw(PreviewScene shown) {
+  private Frame draw(PreviewScene shown, int samples) {
     Optional<Node> selected = shown.nodes().find(selection);
     Set<ShapeInstance> outlined = selected.map(shown::shapes).orElse(Set.of());
     MarkedPicture picture =
@@ -243,7 +257,8 @@ final class PreviewStage implements AutoCloseable {
                 wireframe,
                 Optional.empty()),
             width,
-            height);
+            height,
+            samples);
     return new Frame(
         outlined.isEmpty()
             ? Images.of(picture.pixels())

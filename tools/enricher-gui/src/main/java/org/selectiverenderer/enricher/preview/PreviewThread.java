@@ -26,7 +26,9 @@ final class PreviewThread implements AutoCloseable {
     void failed(String sentence);
   }
 
-  private static final int SAMPLES = 4;
+  /** Frames that follow each other faster may be rough; after this time a smooth one follows. */
+  private static final long REST = TimeUnit.MILLISECONDS.toNanos(250);
+
   private static final long FRAME = TimeUnit.SECONDS.toNanos(1) / 30;
 
   private final LinkedBlockingQueue<Consumer<PreviewStage>> told = new LinkedBlockingQueue<>();
@@ -70,7 +72,7 @@ final class PreviewThread implements AutoCloseable {
   }
 
   private void run() {
-    try (MarkedView view = MarkedView.open(SAMPLES);
+    try (MarkedView view = MarkedView.open();
         PreviewStage stage = new PreviewStage(view)) {
       serve(stage);
     } catch (GlUnavailableException e) {
@@ -83,9 +85,11 @@ final class PreviewThread implements AutoCloseable {
   }
 
   private void serve(PreviewStage stage) throws InterruptedException {
-    long last = System.nanoTime();
+    long begun = System.nanoTime();
+    long drawn = begun;
     while (!ended) {
-      Consumer<PreviewStage> what = next(stage, last);
+      Consumer<PreviewStage> what = next(stage, stage.moving() ? begun + FRAME : drawn + REST);
+      boolean hurried = what != null && System.nanoTime() - drawn < REST;
       try {
         while (what != null && !ended) {
           what.accept(stage);
@@ -94,8 +98,9 @@ final class PreviewThread implements AutoCloseable {
         }
         if (!ended) {
           long now = System.nanoTime();
-          stage.frame((now - last) * 1e-9).ifPresent(listener::drawn);
-          last = now;
+          stage.frame((now - begun) * 1e-9, hurried).ifPresent(listener::drawn);
+          begun = now;
+          drawn = System.nanoTime();
         }
       } catch (
           RuntimeException e) { // One state of a document must not end the preview of the next.
@@ -104,12 +109,13 @@ final class PreviewThread implements AutoCloseable {
     }
   }
 
-  private @Nullable Consumer<PreviewStage> next(PreviewStage stage, long last)
+  /** Waits for something to do, at most until the next frame is due where one is. */
+  private @Nullable Consumer<PreviewStage> next(PreviewStage stage, long due)
       throws InterruptedException {
-    if (!stage.moving()) {
+    if (!stage.moving() && !stage.rough()) {
       return told.take();
     }
-    long left = last + FRAME - System.nanoTime();
+    long left = due - System.nanoTime();
     return left > 0 ? told.poll(left, TimeUnit.NANOSECONDS) : told.poll();
   }
 

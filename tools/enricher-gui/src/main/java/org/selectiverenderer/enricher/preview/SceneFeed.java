@@ -75,7 +75,7 @@ final class SceneFeed implements AutoCloseable {
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
       listener.stale(
-          "Line %d is not well formed: the preview shows the scene as it was before"
+          "Line %d is not well formed: until it is, the preview stays as it is"
               .formatted(fault.line()));
       return;
     }

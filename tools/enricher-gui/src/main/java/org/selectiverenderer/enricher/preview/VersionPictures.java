@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.MarkedPicture;
 import org.selectiverenderer.runtime.render.MarkedView;
 import org.selectiverenderer.runtime.render.Marking;
@@ -31,7 +32,6 @@ public final class VersionPictures implements AutoCloseable {
   }
 
   private static final int KEPT = 400;
-  private static final int SAMPLES = 4;
   private static final float GREY = 0.82f;
   private static final Backdrop PAPER =
       new Backdrop(new float[] {GREY, GREY, GREY}, new float[0], new float[0], new float[0], 0);
@@ -97,7 +97,7 @@ public final class VersionPictures implements AutoCloseable {
   }
 
   private void run() {
-    try (MarkedView view = MarkedView.open(SAMPLES)) {
+    try (MarkedView view = MarkedView.open()) {
       serve(job -> picture(view, job));
     } catch (GlUnavailableException e) {
       refuse("There are no pictures: " + e.getMessage());
@@ -197,7 +197,8 @@ public final class VersionPictures implements AutoCloseable {
             world,
             new Marking(List.of(), Set.of(), look.wireframe(), Optional.of(PAPER)),
             look.width(),
-            look.height());
+            look.height(),
+            AntiAliasing.SMOOTH);
     return new VersionPicture(Images.of(picture.pixels()), world.instances().shownPolygons());
   }
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.AWTException;
+import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
@@ -19,6 +20,8 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.x3d.NodeCatalogue;
 
 /** A window with a preview in it, driven by a robot; waits for frames, not for time. */
 final class PreviewWindow implements AutoCloseable {
@@ -29,12 +32,13 @@ final class PreviewWindow implements AutoCloseable {
   final EnricherSession session;
   final PreviewPanel panel;
   final Robot robot;
+  private final Tasks tasks = new Tasks(EventQueue::invokeLater);
   private final JFrame window;
   private final LinkedBlockingQueue<Frame> frames = new LinkedBlockingQueue<>();
 
   PreviewWindow(Path scene) throws IOException, AWTException {
     DocumentFile file = DocumentFile.open(scene);
-    session = get(() -> new EnricherSession(file));
+    session = get(() -> new EnricherSession(file, NodeCatalogue.load(), tasks, sentence -> {}));
     panel =
         get(
             () -> {
@@ -121,6 +125,8 @@ final class PreviewWindow implements AutoCloseable {
         () -> {
           panel.dispose();
           window.dispose();
+          session.dispose();
+          tasks.close();
         });
   }
 }
