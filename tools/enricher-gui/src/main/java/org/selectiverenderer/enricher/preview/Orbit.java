@@ -14,7 +14,8 @@ final class Orbit {
   private static final double POLE = Math.toRadians(1);
 
   private static final double NEARER_PER_NOTCH = 0.85;
-  private static final double ROOM = 1.15;
+  private static final double ROOM = 1.1;
+  private static final double NEAREST = 1e-3;
 
   private final Vector3d position = new Vector3d(0, 0, 10);
   private final Quaterniond orientation = new Quaterniond();
@@ -86,10 +87,21 @@ final class Orbit {
    * @param box min x, y, z, max x, y, z
    */
   void frame(double[] box) {
-    Vector3d diagonal = new Vector3d(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
-    double radius = Math.max(diagonal.length() / 2, 1e-3);
-    pivot.set(box[0], box[1], box[2]).fma(0.5, diagonal);
-    pivot.fma(-ROOM * radius / Math.sin(fieldOfView / 2), forward(), position);
+    Vector3d half = new Vector3d(box[3] - box[0], box[4] - box[1], box[5] - box[2]).mul(0.5);
+    pivot.set(box[0], box[1], box[2]).add(half);
+    double slope = Math.tan(fieldOfView / 2);
+    double distance = NEAREST;
+    Quaterniond toEye = orientation.conjugate(new Quaterniond());
+    for (int corner = 0; corner < 8; corner++) {
+      Vector3d at =
+          new Vector3d(
+              (corner & 1) == 0 ? half.x : -half.x,
+              (corner & 2) == 0 ? half.y : -half.y,
+              (corner & 4) == 0 ? half.z : -half.z);
+      toEye.transform(at);
+      distance = Math.max(distance, at.z + Math.max(Math.abs(at.x), Math.abs(at.y)) / slope);
+    }
+    pivot.fma(-ROOM * distance, forward(), position);
   }
 
   /**

@@ -55,10 +55,12 @@ class OrbitTest {
   }
 
   @Test
-  void aFramedBoxLiesWithinTheFieldOfView() {
+  void aFramedBoxFillsThePictureAndLiesWithinIt() {
     orbit.frame(new double[] {4, 4, 4, 6, 6, 6});
-    Vector3d corner = new Vector3d(4, 4, 6).sub(position());
-    assertThat(corner.angle(forward())).isLessThan(Math.PI / 8);
-    assertThat(position().distance(5, 5, 5)).isLessThan(8);
+    Vector3d nearCorner = new Vector3d(6, 6, 6).sub(position());
+    assertThat(nearCorner.x / -nearCorner.z)
+        .isBetween(0.8 * Math.tan(Math.PI / 8), Math.tan(Math.PI / 8));
+    assertThat(forward().distance(0, 0, -1)).isLessThan(1e-9);
+    assertThat(position().x).isCloseTo(5, within(1e-9));
   }
 }

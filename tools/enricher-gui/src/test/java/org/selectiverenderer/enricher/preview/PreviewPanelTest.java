@@ -187,6 +187,26 @@ class PreviewPanelTest {
     }
   }
 
+  @Test
+  void whatUnsavedTextNamesIsReadBesideTheFileAndPickedAsTheInline() throws Exception {
+    Files.writeString(folder.resolve("more.x3d"), SCENE.replace("0 1 0", "0 1 1"));
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      window.await(frame -> middle(frame) == GREEN);
+      replace(
+          window,
+          "<Switch DEF='TrashCan'",
+          "<Transform translation='0 0 3'><Inline DEF='More' url='\"more.x3d\"'/></Transform>"
+              + "<Switch DEF='TrashCan'");
+      Frame both = window.await(frame -> middle(frame) == 0x00ffff);
+      assertThat(both.polygons()).isEqualTo(48);
+      window.click(both.image().getWidth() / 2, both.image().getHeight() / 2);
+      window.await(frame -> frame.selected().isPresent());
+      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+          .contains("More");
+    }
+  }
+
   /** Presses a key of the picture by its action and says which frame is wanted. */
   private static Predicate<Frame> frameAfter(PreviewWindow window, String key) {
     PictureView view = window.panel.view();
