@@ -109,6 +109,12 @@ public final class PreviewPanel extends JPanel {
             thread.tell(stage -> stage.size(width, height));
           }
         });
+    addHierarchyListener(
+        event -> {
+          if (walk.isSelected() && !isShowing()) {
+            walk(false); // Nobody walks in a picture that is not seen.
+          }
+        });
     session.addSelectionListener(onSelection);
     feed =
         new SceneFeed(
