@@ -1,0 +1,312 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.table.AbstractTableModel;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.SchemaOverview;
+import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
+import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.VersionLadder;
+import org.selectiverenderer.schema.Degree;
+
+/**
+ * Objects by schemas as a table: column 0 has the objects' names, the others a schema each, their
+ * cells the degree. Cells are read when they are painted. Rows keep their places while cells are
+ * edited, so that nothing jumps away under the author's hands; a new filter or order sorts anew.
+ */
+@SuppressWarnings("serial") // never written
+final class OverviewTableModel extends AbstractTableModel {
+  private static final long serialVersionUID = 1L;
+
+  private final Enrichment enrichment;
+  private final Consumer<Edit> perform;
+  private final List<String> added = new ArrayList<>();
+  private List<String> columns = List.of();
+  private SchemaOverview overview;
+  private List<SwitchNode> rows = List.of();
+  private Map<DocumentElement, Integer> places = new IdentityHashMap<>();
+  private Map<String, Finding> marks = Map.of();
+  private RowFilter filter = RowFilter.NONE;
+  private RowOrder order = RowOrder.DOCUMENT;
+
+  /**
+   * @param perform does an edit, and says so where it is refused
+   */
+  OverviewTableModel(Enrichment enrichment, Consumer<Edit> perform) {
+    this.enrichment = enrichment;
+    this.perform = perform;
+    this.overview = new SchemaOverview(enrichment, added);
+    this.marks = enrichment.schemaFindings();
+    this.columns = overview.schemas();
+    arrange();
+  }
+
+  /** Reads the document again after a change. */
+  void refresh() {
+    List<String> before = columns;
+    int objectsBefore = overview.objects().size();
+    overview = new SchemaOverview(enrichment, added);
+    columns = stable(before, overview.schemas());
+    marks = enrichment.schemaFindings();
+    boolean sameRows = overview.objects().size() == objectsBefore && stay();
+    if (!sameRows) {
+      arrange();
+    }
+    if (!before.equals(columns)) {
+      fireTableStructureChanged();
+    } else if (!sameRows) {
+      fireTableDataChanged();
+    } else if (!rows.isEmpty()) {
+      fireTableRowsUpdated(0, rows.size() - 1);
+    }
+  }
+
+  /** Schemas that are there still keep their places, others come behind. */
+  private static List<String> stable(List<String> before, List<String> now) {
+    List<String> stable = new ArrayList<>(before);
+    stable.retainAll(now);
+    now.stream().filter(schema -> !before.contains(schema)).forEach(stable::add);
+    return List.copyOf(stable);
+  }
+
+  /** Takes the new values into the rows as they stand; false if a row is gone. */
+  private boolean stay() {
+    List<SwitchNode> fresh = new ArrayList<>(rows.size());
+    for (SwitchNode row : rows) {
+      Optional<SwitchNode> node = enrichment.switchNode(row.element());
+      if (node.isEmpty() || node.get().choices().isEmpty()) {
+        return false;
+      }
+      fresh.add(node.get());
+    }
+    rows = fresh;
+    return true;
+  }
+
+  private void arrange() {
+    List<SwitchNode> shown = new ArrayList<>();
+    overview.objects().stream().filter(filter::shows).forEach(shown::add);
+    if (order.column() == 0) {
+      shown.sort(directed(Comparator.comparing(SwitchNode::object, String.CASE_INSENSITIVE_ORDER)));
+    } else if (order.column() > 0 && order.column() <= columns.size()) {
+      String schema = columns.get(order.column() - 1);
+      // Empty cells are the last ones either way: one sorts to see what is filled.
+      Comparator<Double> degrees =
+          order.descending() ? Comparator.reverseOrder() : Comparator.naturalOrder();
+      shown.sort(
+          Comparator.comparing(
+              node -> degree(node, schema).map(Degree::value).orElse(null),
+              Comparator.nullsLast(degrees)));
+    }
+    rows = shown;
+    places = new IdentityHashMap<>();
+    for (int i = 0; i < rows.size(); i++) {
+      places.put(rows.get(i).element(), i);
+    }
+  }
+
+  private Comparator<SwitchNode> directed(Comparator<SwitchNode> comparator) {
+    return order.descending() ? comparator.reversed() : comparator;
+  }
+
+  void filter(RowFilter wanted) {
+    filter = wanted;
+    arrange();
+    fireTableDataChanged();
+  }
+
+  RowOrder order() {
+    return order;
+  }
+
+  void sort(RowOrder wanted) {
+    order = wanted;
+    arrange();
+    fireTableDataChanged();
+  }
+
+  /** How many objects there are, shown or not. */
+  int objectCount() {
+    return overview.objects().size();
+  }
+
+  SwitchNode node(int row) {
+    return rows.get(row);
+  }
+
+  /** The row of an object or of what stands in it; -1 if it is not shown. */
+  int row(DocumentElement element) {
+    for (Optional<DocumentElement> at = Optional.of(element); at.isPresent(); ) {
+      Integer row = places.get(at.get());
+      if (row != null) {
+        return row;
+      }
+      at = at.get().parent();
+    }
+    return -1;
+  }
+
+  /** The schema of a column from 1 on. */
+  String schema(int column) {
+    return columns.get(column - 1);
+  }
+
+  List<String> schemas() {
+    return columns;
+  }
+
+  /** What is wrong with the schema of a column. */
+  Optional<Finding> mark(int column) {
+    return column == 0 ? Optional.empty() : Optional.ofNullable(marks.get(schema(column)));
+  }
+
+  /** All that is wrong with schemas. */
+  List<Finding> marks() {
+    return List.copyOf(marks.values());
+  }
+
+  /**
+   * Gives a schema a column although nothing names it yet.
+   *
+   * @throws EditRefused if there is such a column, or no name
+   */
+  void addSchema(String name) {
+    String schema = name.strip();
+    if (schema.isEmpty()) {
+      throw new EditRefused("a schema needs a name of at least one letter");
+    }
+    if (columns.contains(schema)) {
+      throw new EditRefused("there is a column for " + schema + " already");
+    }
+    added.add(schema);
+    refresh();
+  }
+
+  /** A schema has got another name; a column that nothing names is renamed, too. */
+  void renamed(String from, String to) {
+    if (added.remove(from) && !to.isBlank()) {
+      added.add(to.strip());
+    }
+    refresh();
+  }
+
+  /** A schema is not named any more and needs no column. */
+  void removed(String schema) {
+    added.remove(schema);
+    refresh();
+  }
+
+  /** Fills cells with a degree, or empties them, as one step; column 0 is left alone. */
+  void fill(Collection<CellAt> cells, Optional<Degree> degree) {
+    List<Place> filled =
+        cells.stream().filter(c -> c.column() > 0).map(this::place).distinct().toList();
+    if (!filled.isEmpty()) {
+      perform.accept(degree.map(d -> overview.fill(filled, d)).orElse(overview.clear(filled)));
+    }
+  }
+
+  /** Fills cells with a degree each, as one step. */
+  void put(Map<CellAt, CellInput> cells) {
+    Map<Place, Optional<Degree>> wanted = new LinkedHashMap<>();
+    cells.forEach((at, input) -> wanted.put(place(at), input.degree()));
+    perform.accept(overview.edit("Paste %d cells".formatted(wanted.size()), wanted));
+  }
+
+  private Place place(CellAt cell) {
+    return new Place(rows.get(cell.row()), schema(cell.column()));
+  }
+
+  /** The degree that a cell stands for, given or by its version's place; empty for none. */
+  Optional<Degree> degree(SwitchNode node, String schema) {
+    return overview.cell(node, schema).map(cell -> degree(node, cell));
+  }
+
+  private static Degree degree(SwitchNode node, Cell cell) {
+    return cell.degree().orElse(VersionLadder.degree(cell.choice(), node.choices().size()));
+  }
+
+  /** What a cell's tooltip says. */
+  String explanation(int row, int column) {
+    SwitchNode node = rows.get(row);
+    if (column == 0) {
+      return "%s: %d versions".formatted(node.name(), node.choices().size());
+    }
+    String schema = schema(column);
+    return overview
+        .cell(node, schema)
+        .map(
+            cell ->
+                "%s in %s shows version %d of %d%s"
+                    .formatted(
+                        node.object(),
+                        schema,
+                        cell.choice() + 1,
+                        node.choices().size(),
+                        cell.type().map(type -> ", " + type.spelling()).orElse("")))
+        .orElse("%s does not belong to %s".formatted(node.object(), schema));
+  }
+
+  @Override
+  public int getRowCount() {
+    return rows.size();
+  }
+
+  @Override
+  public int getColumnCount() {
+    return 1 + columns.size();
+  }
+
+  @Override
+  public String getColumnName(int column) {
+    return column == 0 ? "Object" : schema(column);
+  }
+
+  @Override
+  public Class<?> getColumnClass(int column) {
+    return String.class;
+  }
+
+  /** The degree as in the metadata; in parentheses where only the version says it. */
+  @Override
+  public Object getValueAt(int row, int column) {
+    SwitchNode node = rows.get(row);
+    if (column == 0) {
+      return node.object();
+    }
+    return overview
+        .cell(node, schema(column))
+        .map(
+            cell ->
+                cell.degree().isPresent()
+                    ? cell.degree().get().spelling()
+                    : "(" + degree(node, cell).spelling() + ")")
+        .orElse("");
+  }
+
+  @Override
+  public boolean isCellEditable(int row, int column) {
+    return column > 0;
+  }
+
+  /** Takes what the author wrote; what is no degree changes nothing. */
+  @Override
+  public void setValueAt(Object value, int row, int column) {
+    if (!getValueAt(row, column).equals(value)) {
+      CellInput.of(String.valueOf(value))
+          .ifPresent(input -> fill(List.of(new CellAt(row, column)), input.degree()));
+    }
+  }
+}
