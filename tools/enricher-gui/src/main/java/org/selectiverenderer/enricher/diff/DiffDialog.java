@@ -17,6 +17,7 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Task;
 
 /** Shows what saving will change in the file, and asks whether to. */
 @SuppressWarnings("serial") // never written
@@ -28,6 +29,7 @@ public final class DiffDialog extends JDialog {
   private final JButton previous = new JButton("Previous Change");
   private final JButton next = new JButton("Next Change");
   private final JButton save = new JButton("Save");
+  private final Task comparing;
   private boolean confirmed;
 
   public DiffDialog(Window owner, EnricherSession session) {
@@ -39,7 +41,7 @@ public final class DiffDialog extends JDialog {
     content.add(summary, "span, growx, wrap");
     JScrollPane scrolling = new JScrollPane(view);
     int line = view.getFontMetrics(view.getFont()).getHeight();
-    scrolling.setPreferredSize(new Dimension(48 * line, 28 * line));
+    scrolling.setPreferredSize(new Dimension(60 * line, 28 * line));
     content.add(scrolling, "span, grow, wrap");
     JButton cancel = new JButton("Cancel");
     button(previous, 'P', "F3 with Shift, or p", view::previous);
@@ -60,7 +62,7 @@ public final class DiffDialog extends JDialog {
     view.getActionMap().put("next", new Step(view::next));
     view.getActionMap().put("previous", new Step(view::previous));
     enableButtons(false);
-    compare(session);
+    comparing = compare(session);
     pack();
     setLocationRelativeTo(owner);
   }
@@ -91,10 +93,10 @@ public final class DiffDialog extends JDialog {
             e -> work.run(), KeyStroke.getKeyStroke(key), JComponent.WHEN_IN_FOCUSED_WINDOW);
   }
 
-  private void compare(EnricherSession session) {
+  private Task compare(EnricherSession session) {
     Path file = session.file().path();
     Snapshot snapshot = session.document().snapshot();
-    session
+    return session
         .tasks()
         .run(
             "Comparing with " + file.getFileName(),
@@ -129,6 +131,12 @@ public final class DiffDialog extends JDialog {
     previous.setEnabled(changes);
     next.setEnabled(changes);
     save.setEnabled(true); // a file that cannot be compared with may be saved all the same
+  }
+
+  @Override
+  public void dispose() {
+    comparing.cancel();
+    super.dispose();
   }
 
   private void confirm() {

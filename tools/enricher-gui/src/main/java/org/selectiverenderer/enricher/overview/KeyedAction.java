@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.overview;
 
+import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
@@ -11,10 +12,23 @@ final class KeyedAction extends AbstractAction {
   private static final long serialVersionUID = 1L;
   private final Runnable work;
 
+  /**
+   * @param key as {@link KeyStroke#getKeyStroke(String)} has it; {@code menu} is the key that the
+   *     system uses with menus
+   */
   KeyedAction(String name, String key, Runnable work) {
     super(name);
     this.work = work;
-    putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));
+    putValue(ACCELERATOR_KEY, stroke(key));
+  }
+
+  private static KeyStroke stroke(String key) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(key.replace("menu ", ""));
+    return key.contains("menu ")
+        ? KeyStroke.getKeyStroke(
+            stroke.getKeyCode(),
+            stroke.getModifiers() | Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx())
+        : stroke;
   }
 
   /** Lets its key work while a component or one in it has the focus. */

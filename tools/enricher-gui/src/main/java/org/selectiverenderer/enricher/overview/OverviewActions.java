@@ -49,10 +49,10 @@ final class OverviewActions {
     menu.add(low);
     menu.add(clear);
     menu.addSeparator();
-    menu.add(new KeyedAction("Cut", "ctrl X", this::cut).in(table));
-    menu.add(new KeyedAction("Copy", "ctrl C", () -> copy(false)).in(table));
-    menu.add(new KeyedAction("Copy with Names", "ctrl shift C", () -> copy(true)).in(table));
-    menu.add(new KeyedAction("Paste", "ctrl V", this::paste).in(table));
+    menu.add(new KeyedAction("Cut", "menu X", this::cut).in(table));
+    menu.add(new KeyedAction("Copy", "menu C", () -> copy(false)).in(table));
+    menu.add(new KeyedAction("Copy with Names", "menu shift C", () -> copy(true)).in(table));
+    menu.add(new KeyedAction("Paste", "menu V", this::paste).in(table));
     menu.addSeparator();
     menu.add(sort);
     menu.add(new KeyedAction("Sort by Object", "N", () -> sort(0)).in(table));

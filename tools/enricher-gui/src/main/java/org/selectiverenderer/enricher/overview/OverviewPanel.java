@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.overview;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -9,10 +10,11 @@ import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
 
 /**
  * The schema overview: all objects by all schemas, filled in place. Its rows are the session's
@@ -30,15 +32,15 @@ public final class OverviewPanel extends JPanel {
   private final JComboBox<RowFilter.Which> which = new JComboBox<>(RowFilter.Which.values());
   private final JLabel status = new JLabel(" ");
   private final org.selectiverenderer.document.DocumentListener changes = change -> refresh();
-  private final EnricherSession.SelectionListener selection = this::selected;
+  private final SelectionListener selection = this::selected;
   private boolean following;
 
   public OverviewPanel(EnricherSession session) {
     super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][grow,fill][][]"));
     this.session = session;
-    this.model = new OverviewTableModel(session.enrichment(), session::perform);
+    this.model = new OverviewTableModel(session.enrichment(), this::make);
     this.table = new SchemaTable(model);
-    this.findings = new SchemaFindings(e -> session.select(e, this), session::perform);
+    this.findings = new SchemaFindings(e -> session.select(e, this), this::make);
     add(tools(), "wrap");
     add(table.scrolling(), "grow, wrap");
     add(findings, "grow, hidemode 3, wrap");
@@ -56,12 +58,12 @@ public final class OverviewPanel extends JPanel {
     session.addSelectionListener(selection);
     findings.show(model.marks());
     count();
-    session.selection().ifPresent(element -> selected(element, this));
+    selected(session.selection(), session);
   }
 
   private JPanel tools() {
     OverviewActions actions = new OverviewActions(table, model, this::say);
-    JPanel tools = new JPanel(new MigLayout("insets 0", "[][][]push[][][][][][][]"));
+    JPanel tools = new JPanel(new MigLayout("insets 0", "[][][]unrel:push[][][][][][][]"));
     JLabel filter = new JLabel("Filter:");
     filter.setDisplayedMnemonic('i');
     filter.setLabelFor(name);
@@ -131,7 +133,7 @@ public final class OverviewPanel extends JPanel {
             to ->
                 attempt(
                     () -> {
-                      session.perform(session.edits().renameSchema(schema.get(), to));
+                      make(() -> session.edits().renameSchema(schema.get(), to));
                       table.keepingSelection(() -> model.renamed(schema.get(), to));
                     }));
   }
@@ -144,7 +146,7 @@ public final class OverviewPanel extends JPanel {
     }
     attempt(
         () -> {
-          session.perform(session.edits().removeSchema(schema.get()));
+          make(() -> session.edits().removeSchema(schema.get()));
           table.keepingSelection(() -> model.removed(schema.get()));
         });
   }
@@ -184,10 +186,15 @@ public final class OverviewPanel extends JPanel {
     }
   }
 
-  private void selected(@Nullable DocumentElement element, Object origin) {
-    if (element != null && element.attached() && !following) {
-      follow(() -> table.show(element));
+  private void selected(Optional<DocumentElement> element, Object origin) {
+    if (!following) {
+      element.ifPresent(selected -> follow(() -> table.show(selected)));
     }
+  }
+
+  /** Makes an edit and does it; where one of both is refused, the author is told why. */
+  private void make(Supplier<Edit> edit) {
+    session.attempt(() -> session.document().perform(edit.get()));
   }
 
   private void selectInSession() {

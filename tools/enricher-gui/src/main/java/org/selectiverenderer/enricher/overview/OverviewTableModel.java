@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.table.AbstractTableModel;
 import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Edit;
@@ -32,7 +33,7 @@ final class OverviewTableModel extends AbstractTableModel {
   private static final long serialVersionUID = 1L;
 
   private final Enrichment enrichment;
-  private final Consumer<Edit> perform;
+  private final Consumer<Supplier<Edit>> make;
   private final List<String> added = new ArrayList<>();
   private List<String> columns = List.of();
   private SchemaOverview overview;
@@ -43,11 +44,11 @@ final class OverviewTableModel extends AbstractTableModel {
   private RowOrder order = RowOrder.DOCUMENT;
 
   /**
-   * @param perform does an edit, and says so where it is refused
+   * @param make makes an edit and does it, and says so where that is refused
    */
-  OverviewTableModel(Enrichment enrichment, Consumer<Edit> perform) {
+  OverviewTableModel(Enrichment enrichment, Consumer<Supplier<Edit>> make) {
     this.enrichment = enrichment;
-    this.perform = perform;
+    this.make = make;
     this.overview = new SchemaOverview(enrichment, added);
     this.marks = enrichment.schemaFindings();
     this.columns = overview.schemas();
@@ -214,7 +215,8 @@ final class OverviewTableModel extends AbstractTableModel {
     List<Place> filled =
         cells.stream().filter(c -> c.column() > 0).map(this::place).distinct().toList();
     if (!filled.isEmpty()) {
-      perform.accept(degree.map(d -> overview.fill(filled, d)).orElse(overview.clear(filled)));
+      make.accept(
+          () -> degree.map(d -> overview.fill(filled, d)).orElseGet(() -> overview.clear(filled)));
     }
   }
 
@@ -222,7 +224,7 @@ final class OverviewTableModel extends AbstractTableModel {
   void put(Map<CellAt, CellInput> cells) {
     Map<Place, Optional<Degree>> wanted = new LinkedHashMap<>();
     cells.forEach((at, input) -> wanted.put(place(at), input.degree()));
-    perform.accept(overview.edit("Paste %d cells".formatted(wanted.size()), wanted));
+    make.accept(() -> overview.edit("Paste %d cells".formatted(wanted.size()), wanted));
   }
 
   private Place place(CellAt cell) {

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
@@ -25,7 +26,7 @@ final class SchemaFindings extends JPanel {
   private final JButton fix = new JButton("Fix");
   private final JButton show = new JButton("Show");
 
-  SchemaFindings(Consumer<DocumentElement> select, Consumer<Edit> perform) {
+  SchemaFindings(Consumer<DocumentElement> select, Consumer<Supplier<Edit>> make) {
     super(new MigLayout("insets 0, fill, hidemode 3", "[grow,fill][]", "[][]"));
     list.setVisibleRowCount(3);
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
@@ -46,8 +47,7 @@ final class SchemaFindings extends JPanel {
     show.setToolTipText("Select the first place that names the schema");
     show.addActionListener(e -> select.accept(list.getSelectedValue().element()));
     fix.setMnemonic('x');
-    fix.addActionListener(
-        e -> list.getSelectedValue().fix().ifPresent(f -> perform.accept(f.edit().get())));
+    fix.addActionListener(e -> list.getSelectedValue().fix().ifPresent(f -> make.accept(f.edit())));
     JLabel label = new JLabel("Unused and undeclared schemas");
     label.setLabelFor(list);
     add(label, "span, wrap");

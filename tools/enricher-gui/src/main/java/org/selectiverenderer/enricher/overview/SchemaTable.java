@@ -108,7 +108,7 @@ final class SchemaTable extends JTable {
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));
-      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mmmm");
+      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mmm");
       column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
       getColumnModel().addColumn(column);
     }

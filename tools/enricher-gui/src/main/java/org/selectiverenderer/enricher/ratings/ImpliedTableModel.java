@@ -62,7 +62,7 @@ final class ImpliedTableModel extends AbstractTableModel {
                 implied
                     .choice()
                     .map(choice -> metadata(choice, row.choices()))
-                    .orElse("none: the same as in the room around")));
+                    .orElse("none: as in the room around it")));
       }
       if (row.object().isEmpty()) {
         int last = row.choices().size() - 1;
@@ -103,9 +103,9 @@ final class ImpliedTableModel extends AbstractTableModel {
 
   private static String band(Band band) {
     return switch (band) {
-      case NON_EXPECTANT -> "not expected (1 to 3)";
-      case NEUTRAL -> "neutral (3 to 4)";
-      case EXPECTANT -> "expected (4 to 6)";
+      case NON_EXPECTANT -> "not expected, to 3";
+      case NEUTRAL -> "neutral, 3 to 4";
+      case EXPECTANT -> "expected, from 4";
     };
   }
 

@@ -30,7 +30,7 @@ final class RatingsTables {
 
   static JTable implied(ImpliedTableModel model) {
     JTable table = table(model, "What the ratings imply");
-    int[] shares = {18, 16, 6, 7, 18, 35};
+    int[] shares = {18, 16, 7, 9, 19, 31};
     for (int i = 0; i < shares.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
     }

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * edges of all polygons as in thesis Fig 39. Parallel projection.
  */
 final class ShapePainter {
-  private static final double FIT = 0.92;
+  private static final double FIT = 0.95;
   private final int width;
   private final int height;
   private final int[] pixels;

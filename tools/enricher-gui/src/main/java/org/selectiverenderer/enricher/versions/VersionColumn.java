@@ -51,7 +51,7 @@ final class VersionColumn extends JPanel {
   }
 
   private JPanel goal(String name) {
-    JPanel panel = new JPanel(new MigLayout("insets 0, fillx, hidemode 2", "[][grow,fill][]"));
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
     for (javax.swing.JComponent control : new javax.swing.JComponent[] {kind, slider, spinner}) {
       control.setVisible(index > 0); // their room stays, so that pictures stand in line
     }

@@ -2,11 +2,12 @@ package org.selectiverenderer.enricher.versions;
 
 import java.util.function.Consumer;
 import javax.swing.Timer;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.x3d.NodeCatalogue;
 
 /**
  * Works out versions in the background, one after the other: while a slider is dragged, only what
@@ -19,9 +20,9 @@ final class VersionsWork {
   private final EnricherSession session;
   private final VersionsModel model;
   private final Consumer<String> failed;
-  private final NodeCatalogue catalogue = NodeCatalogue.load();
   private final Timer settle = new Timer(SETTLED, e -> start());
   private long running;
+  private @Nullable Task task;
   private long cancelled;
   private boolean closed;
 
@@ -56,13 +57,14 @@ final class VersionsWork {
             model.object(),
             model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
             FOLDER);
-    session
-        .tasks()
-        .run(
-            "Working out versions of " + model.object(),
-            () -> ComputedVersions.of(snapshot, request, catalogue),
-            computed -> done(number, () -> model.take(number, computed)),
-            failure -> done(number, () -> failed.accept(sentence(failure))));
+    task =
+        session
+            .tasks()
+            .run(
+                "Working out versions of " + model.object(),
+                () -> ComputedVersions.of(snapshot, request, session.catalogue()),
+                computed -> done(number, () -> model.take(number, computed)),
+                failure -> done(number, () -> failed.accept(sentence(failure))));
   }
 
   private static String sentence(Exception failure) {
@@ -90,6 +92,9 @@ final class VersionsWork {
   /** Gives up what is under way; the next change begins anew. */
   void cancel() {
     settle.stop();
+    if (task != null) {
+      task.cancel();
+    }
     running = 0;
     cancelled = model.wanted();
   }

@@ -2,11 +2,14 @@ package org.selectiverenderer.enricher.driving;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.x3d.NodeCatalogue;
 
 /** Documents open in a session. */
 public final class Sessions {
@@ -24,7 +27,11 @@ public final class Sessions {
   }
 
   public static EnricherSession open(Path file) throws IOException {
-    return new EnricherSession(DocumentFile.open(file));
+    return new EnricherSession(
+        DocumentFile.open(file),
+        NodeCatalogue.load(),
+        new Tasks(EventQueue::invokeLater),
+        message -> {});
   }
 
   /** An object in two versions of which nothing is said. */

@@ -11,7 +11,8 @@ import org.selectiverenderer.enricher.driving.Sessions;
 
 class CellClipboardTest {
   private final Scenes scene = Scenes.with(Sessions.object("Sink") + Sessions.object("TrashCan"));
-  private final OverviewTableModel model = new OverviewTableModel(scene.enrichment, scene::perform);
+  private final OverviewTableModel model =
+      new OverviewTableModel(scene.enrichment, making -> scene.perform(making.get()));
   private final CellClipboard clipboard = new CellClipboard(model);
 
   CellClipboardTest() {

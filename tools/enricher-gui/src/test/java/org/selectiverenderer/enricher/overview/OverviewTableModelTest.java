@@ -17,7 +17,8 @@ class OverviewTableModelTest {
   private final Scenes scene =
       Scenes.with(
           Sessions.object("Sink") + Sessions.object("TrashCan") + Sessions.object("Bottle"));
-  private final OverviewTableModel model = new OverviewTableModel(scene.enrichment, scene::perform);
+  private final OverviewTableModel model =
+      new OverviewTableModel(scene.enrichment, making -> scene.perform(making.get()));
 
   OverviewTableModelTest() {
     scene.document.addListener(change -> model.refresh());

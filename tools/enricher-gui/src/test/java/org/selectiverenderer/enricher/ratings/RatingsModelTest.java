@@ -24,7 +24,7 @@ class RatingsModelTest {
     ImpliedTableModel implied = new ImpliedTableModel(model);
     assertThat(implied.getValueAt(0, 2)).isEqualTo("5.50");
     assertThat(implied.getValueAt(0, 3)).isEqualTo("2");
-    assertThat(implied.getValueAt(0, 4)).isEqualTo("expected (4 to 6)");
+    assertThat(implied.getValueAt(0, 4)).isEqualTo("expected, from 4");
     assertThat(implied.getValueAt(0, 5)).isEqualTo("version 2: consistent, high");
     assertThat(implied.getValueAt(1, 5)).isEqualTo("version 1: inconsistent, low");
   }
