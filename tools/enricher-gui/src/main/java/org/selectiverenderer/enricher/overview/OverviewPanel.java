@@ -36,12 +36,14 @@ public final class OverviewPanel extends JPanel {
   private boolean following;
 
   public OverviewPanel(EnricherSession session) {
-    super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][grow,fill][][]"));
+    super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][]"));
     this.session = session;
     this.model = new OverviewTableModel(session.enrichment(), this::make);
     this.table = new SchemaTable(model);
     this.findings = new SchemaFindings(e -> session.select(e, this), this::make);
+    OverviewActions actions = new OverviewActions(table, model, this::say);
     add(tools(), "wrap");
+    add(cellTools(actions), "wrap");
     add(table.scrolling(), "grow, wrap");
     add(findings, "grow, hidemode 3, wrap");
     add(status);
@@ -62,8 +64,7 @@ public final class OverviewPanel extends JPanel {
   }
 
   private JPanel tools() {
-    OverviewActions actions = new OverviewActions(table, model, this::say);
-    JPanel tools = new JPanel(new MigLayout("insets 0", "[][][]unrel:push[][][][][][][]"));
+    JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow 1][]unrel:push[][][][]"));
     JLabel filter = new JLabel("Filter:");
     filter.setDisplayedMnemonic('i');
     filter.setLabelFor(name);
@@ -74,16 +75,23 @@ public final class OverviewPanel extends JPanel {
     which.getAccessibleContext().setAccessibleName("Which objects are shown");
     which.addActionListener(e -> filter());
     tools.add(filter);
-    tools.add(name);
+    tools.add(name, "growx, wmin 60");
     tools.add(which);
-    tools.add(button(actions.high, "Selected cells: people expect the object there (h)"));
-    tools.add(button(actions.low, "Selected cells: people do not expect the object there (l)"));
-    tools.add(button(actions.clear, "Selected cells: the object does not belong there (Delete)"));
     SchemaNaming naming = new SchemaNaming(this);
-    tools.add(new JLabel("Schema:"), "gapleft unrel");
+    tools.add(new JLabel("Schema:"));
     tools.add(button("Add\u2026", 'A', "A column for another schema", () -> addSchema(naming)));
     tools.add(button("Rename\u2026", 'R', "Rename wherever named", () -> rename(naming)));
     tools.add(button("Remove", 'v', "Take out of all objects and areas", this::remove));
+    return tools;
+  }
+
+  private static JPanel cellTools(OverviewActions actions) {
+    JPanel tools = new JPanel(new MigLayout("insets 0"));
+    tools.add(new JLabel("Selected cells:"));
+    tools.add(button(actions.high, "People expect the object there (h)"));
+    tools.add(button(actions.low, "People do not expect the object there (l)"));
+    tools.add(button(actions.clear, "The object does not belong there (Delete)"));
+    tools.add(new JLabel("Keys: h, l, digits for a number from 0 to 1, Delete, F2 for a list"));
     return tools;
   }
 
@@ -169,9 +177,7 @@ public final class OverviewPanel extends JPanel {
         model.getRowCount() == all
             ? "%d objects".formatted(all)
             : "%d of %d objects".formatted(model.getRowCount(), all);
-    status.setText(
-        "%s, %d schemas. h: high, l: low, digits: a number from 0 to 1, Delete: clear, F2: list"
-            .formatted(shown, model.schemas().size()));
+    status.setText("%s, %d schemas".formatted(shown, model.schemas().size()));
   }
 
   private void say(String message) {

@@ -58,7 +58,7 @@ final class SchemaFindings extends JPanel {
   }
 
   void show(List<Finding> findings) {
-    int selected = list.getSelectedIndex();
+    int selected = Math.max(0, list.getSelectedIndex());
     found.clear();
     found.addAll(findings);
     list.setSelectedIndex(Math.min(selected, findings.size() - 1));

@@ -5,7 +5,6 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTable;
-import javax.swing.UIManager;
 import javax.swing.table.TableCellRenderer;
 import org.selectiverenderer.document.Finding;
 
@@ -31,10 +30,6 @@ final class SchemaHeader implements TableCellRenderer {
     String arrow = order.column() != column ? "" : order.descending() ? " \u2193" : " \u2191";
     if (component instanceof JLabel label) {
       label.setText((mark.isPresent() ? "\u26a0 " : "") + value + arrow);
-      label.setForeground(
-          mark.isPresent()
-              ? UIManager.getColor("Component.warning.focusedBorderColor")
-              : UIManager.getColor("TableHeader.foreground"));
     }
     if (component instanceof JComponent head) {
       head.setToolTipText(

@@ -136,8 +136,7 @@ public final class EnricherSession {
       return;
     }
     DocumentElement before = selection != null ? selection : lost;
-    selection =
-        document().tree().flatMap(tree -> ElementPath.of(before).find(tree)).orElse(null);
+    selection = document().tree().flatMap(tree -> ElementPath.of(before).find(tree)).orElse(null);
     lost = selection == null && document().tree().isEmpty() ? before : null;
     tell(this);
   }

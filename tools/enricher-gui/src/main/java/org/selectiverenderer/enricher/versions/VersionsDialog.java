@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.versions;
 
+import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -142,6 +144,7 @@ public final class VersionsDialog extends JDialog {
       shown.forEach(column -> columns.add(column, "grow, sizegroup versions, gapright unrel"));
       columns.revalidate();
       columns.repaint();
+      grow();
     }
     shown.forEach(VersionColumn::refresh);
     boolean busy = !model.current() && work.busy();
@@ -155,6 +158,18 @@ public final class VersionsDialog extends JDialog {
     problemPane.setVisible(!found.isEmpty());
     summary.setText(busy ? "Working out the versions\u2026" : summary());
     revalidate();
+  }
+
+  /** Makes room for all versions, as far as the screen has it. */
+  private void grow() {
+    if (isShowing()) {
+      Rectangle screen = getGraphicsConfiguration().getBounds();
+      Dimension wanted = getPreferredSize();
+      setSize(
+          Math.min(Math.max(wanted.width, getWidth()), screen.width),
+          Math.min(Math.max(wanted.height, getHeight()), screen.height));
+      setLocationRelativeTo(getOwner());
+    }
   }
 
   private String summary() {

@@ -60,6 +60,8 @@ class OverviewPanelTest {
         Sessions.with(folder, AREA + Sessions.object("Sink") + Sessions.object("TrashCan"));
     JTable table = shown(session);
     hands.click(table, 0, 0);
+    Hands.picture(
+        javax.swing.SwingUtilities.getRootPane(table).getContentPane(), "overview-findings", 1);
     assertThat(session.selection().orElseThrow().def()).contains("Switch_Sink");
     hands.press(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
     hands.press(KeyEvent.VK_H);

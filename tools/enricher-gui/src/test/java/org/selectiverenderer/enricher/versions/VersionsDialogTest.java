@@ -59,9 +59,13 @@ class VersionsDialogTest {
     hands.press(KeyEvent.VK_LEFT);
     Hands.picture(dialog.getContentPane(), "versions-ball", 1);
 
+    hands.click(Hands.named(dialog, "Add Version", JButton.class));
+    hands.await("the third version", make::isEnabled);
+    assertThat(polygons(dialog, 3)).isLessThan(polygons(dialog, 2));
+    Hands.picture(dialog.getContentPane(), "versions-three", 1);
     hands.click(make);
     hands.await("the end", () -> !dialog.isShowing());
-    assertThat(folder.resolve("inlineNodes/Ball_v2.x3d")).exists();
+    assertThat(folder.resolve("inlineNodes/Ball_v3.x3d")).exists();
     assertThat(session.enrichment().switches()).hasSize(1);
     assertThat(session.document().history().names()).containsExactly("Make versions of Ball");
     session.document().history().undo();
