@@ -54,6 +54,8 @@ final class OverviewActions {
     menu.add(new KeyedAction("Copy with Names", "menu shift C", () -> copy(true)).in(table));
     menu.add(new KeyedAction("Paste", "menu V", this::paste).in(table));
     menu.addSeparator();
+    menu.add(new KeyedAction("Select Column", "ctrl SPACE", this::selectColumn).in(table));
+    menu.addSeparator();
     menu.add(sort);
     menu.add(new KeyedAction("Sort by Object", "N", () -> sort(0)).in(table));
     return menu;
@@ -75,6 +77,13 @@ final class OverviewActions {
 
   private void sort(int column) {
     table.keepingSelection(() -> model.sort(model.order().clicked(column)));
+  }
+
+  /** All cells of the columns in which cells are selected: with a filter, a whole room at once. */
+  private void selectColumn() {
+    if (table.getRowCount() > 0 && table.getSelectedColumnCount() > 0) {
+      table.setRowSelectionInterval(0, table.getRowCount() - 1);
+    }
   }
 
   private void cut() {

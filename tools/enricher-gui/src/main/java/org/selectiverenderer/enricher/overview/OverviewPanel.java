@@ -177,7 +177,8 @@ public final class OverviewPanel extends JPanel {
         model.getRowCount() == all
             ? "%d objects".formatted(all)
             : "%d of %d objects".formatted(model.getRowCount(), all);
-    status.setText("%s, %d schemas".formatted(shown, model.schemas().size()));
+    int schemas = model.schemas().size();
+    status.setText("%s, %d %s".formatted(shown, schemas, schemas == 1 ? "schema" : "schemas"));
   }
 
   private void say(String message) {

@@ -2,8 +2,6 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Comparator;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,8 +23,7 @@ import org.selectiverenderer.schema.Degree;
 
 /**
  * Objects by schemas as a table: column 0 has the objects' names, the others a schema each, their
- * cells the degree. Cells are read when they are painted. Rows keep their places while cells are
- * edited, so that nothing jumps away under the author's hands; a new filter or order sorts anew.
+ * cells the degree. Cells are read when they are painted.
  */
 @SuppressWarnings("serial") // never written
 final class OverviewTableModel extends AbstractTableModel {
@@ -36,9 +33,8 @@ final class OverviewTableModel extends AbstractTableModel {
   private final Consumer<Supplier<Edit>> make;
   private final List<String> added = new ArrayList<>();
   private List<String> columns = List.of();
+  private final OverviewRows rows;
   private SchemaOverview overview;
-  private List<SwitchNode> rows = List.of();
-  private Map<DocumentElement, Integer> places = new IdentityHashMap<>();
   private Map<String, Finding> marks = Map.of();
   private RowFilter filter = RowFilter.NONE;
   private RowOrder order = RowOrder.DOCUMENT;
@@ -49,6 +45,7 @@ final class OverviewTableModel extends AbstractTableModel {
   OverviewTableModel(Enrichment enrichment, Consumer<Supplier<Edit>> make) {
     this.enrichment = enrichment;
     this.make = make;
+    this.rows = new OverviewRows(enrichment, this::degree);
     this.overview = new SchemaOverview(enrichment, added);
     this.marks = enrichment.schemaFindings();
     this.columns = overview.schemas();
@@ -62,7 +59,7 @@ final class OverviewTableModel extends AbstractTableModel {
     overview = new SchemaOverview(enrichment, added);
     columns = stable(before, overview.schemas());
     marks = enrichment.schemaFindings();
-    boolean sameRows = overview.objects().size() == objectsBefore && stay();
+    boolean sameRows = overview.objects().size() == objectsBefore && rows.stay();
     if (!sameRows) {
       arrange();
     }
@@ -70,8 +67,8 @@ final class OverviewTableModel extends AbstractTableModel {
       fireTableStructureChanged();
     } else if (!sameRows) {
       fireTableDataChanged();
-    } else if (!rows.isEmpty()) {
-      fireTableRowsUpdated(0, rows.size() - 1);
+    } else if (rows.count() > 0) {
+      fireTableRowsUpdated(0, rows.count() - 1);
     }
   }
 
@@ -83,44 +80,8 @@ final class OverviewTableModel extends AbstractTableModel {
     return List.copyOf(stable);
   }
 
-  /** Takes the new values into the rows as they stand; false if a row is gone. */
-  private boolean stay() {
-    List<SwitchNode> fresh = new ArrayList<>(rows.size());
-    for (SwitchNode row : rows) {
-      Optional<SwitchNode> node = enrichment.switchNode(row.element());
-      if (node.isEmpty() || node.get().choices().isEmpty()) {
-        return false;
-      }
-      fresh.add(node.get());
-    }
-    rows = fresh;
-    return true;
-  }
-
   private void arrange() {
-    List<SwitchNode> shown = new ArrayList<>();
-    overview.objects().stream().filter(filter::shows).forEach(shown::add);
-    if (order.column() == 0) {
-      shown.sort(directed(Comparator.comparing(SwitchNode::object, String.CASE_INSENSITIVE_ORDER)));
-    } else if (order.column() > 0 && order.column() <= columns.size()) {
-      String schema = columns.get(order.column() - 1);
-      // Empty cells are the last ones either way: one sorts to see what is filled.
-      Comparator<Double> degrees =
-          order.descending() ? Comparator.reverseOrder() : Comparator.naturalOrder();
-      shown.sort(
-          Comparator.comparing(
-              node -> degree(node, schema).map(Degree::value).orElse(null),
-              Comparator.nullsLast(degrees)));
-    }
-    rows = shown;
-    places = new IdentityHashMap<>();
-    for (int i = 0; i < rows.size(); i++) {
-      places.put(rows.get(i).element(), i);
-    }
-  }
-
-  private Comparator<SwitchNode> directed(Comparator<SwitchNode> comparator) {
-    return order.descending() ? comparator.reversed() : comparator;
+    rows.arrange(overview.objects(), columns, filter, order);
   }
 
   void filter(RowFilter wanted) {
@@ -145,19 +106,12 @@ final class OverviewTableModel extends AbstractTableModel {
   }
 
   SwitchNode node(int row) {
-    return rows.get(row);
+    return rows.node(row);
   }
 
   /** The row of an object or of what stands in it; -1 if it is not shown. */
   int row(DocumentElement element) {
-    for (Optional<DocumentElement> at = Optional.of(element); at.isPresent(); ) {
-      Integer row = places.get(at.get());
-      if (row != null) {
-        return row;
-      }
-      at = at.get().parent();
-    }
-    return -1;
+    return rows.row(element);
   }
 
   /** The schema of a column from 1 on. */
@@ -228,11 +182,11 @@ final class OverviewTableModel extends AbstractTableModel {
   }
 
   private Place place(CellAt cell) {
-    return new Place(rows.get(cell.row()), schema(cell.column()));
+    return new Place(rows.node(cell.row()), schema(cell.column()));
   }
 
   /** The degree that a cell stands for, given or by its version's place; empty for none. */
-  Optional<Degree> degree(SwitchNode node, String schema) {
+  private Optional<Degree> degree(SwitchNode node, String schema) {
     return overview.cell(node, schema).map(cell -> degree(node, cell));
   }
 
@@ -242,7 +196,7 @@ final class OverviewTableModel extends AbstractTableModel {
 
   /** What a cell's tooltip says. */
   String explanation(int row, int column) {
-    SwitchNode node = rows.get(row);
+    SwitchNode node = rows.node(row);
     if (column == 0) {
       return "%s: %d versions".formatted(node.name(), node.choices().size());
     }
@@ -263,7 +217,7 @@ final class OverviewTableModel extends AbstractTableModel {
 
   @Override
   public int getRowCount() {
-    return rows.size();
+    return rows.count();
   }
 
   @Override
@@ -284,7 +238,7 @@ final class OverviewTableModel extends AbstractTableModel {
   /** The degree as in the metadata; in parentheses where only the version says it. */
   @Override
   public Object getValueAt(int row, int column) {
-    SwitchNode node = rows.get(row);
+    SwitchNode node = rows.node(row);
     if (column == 0) {
       return node.object();
     }

@@ -5,22 +5,29 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTable;
+import javax.swing.LookAndFeel;
+import javax.swing.UIManager;
+import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
 import org.selectiverenderer.document.Finding;
 
 /** The head of a column: its name, which way it is sorted, and a mark where its schema is amiss. */
 final class SchemaHeader implements TableCellRenderer {
   private final OverviewTableModel model;
-  private final TableCellRenderer plain;
+  private LookAndFeel theme = UIManager.getLookAndFeel();
+  private TableCellRenderer plain = new JTableHeader().getDefaultRenderer();
 
-  SchemaHeader(OverviewTableModel model, TableCellRenderer plain) {
+  SchemaHeader(OverviewTableModel model) {
     this.model = model;
-    this.plain = plain;
   }
 
   @Override
   public Component getTableCellRendererComponent(
       JTable table, Object value, boolean selected, boolean focused, int row, int viewColumn) {
+    if (UIManager.getLookAndFeel() != theme) {
+      theme = UIManager.getLookAndFeel(); // Swing renews plain renderers only
+      plain = new JTableHeader().getDefaultRenderer();
+    }
     Component component =
         plain.getTableCellRendererComponent(table, value, selected, focused, row, viewColumn);
     int column = table.convertColumnIndexToModel(viewColumn);

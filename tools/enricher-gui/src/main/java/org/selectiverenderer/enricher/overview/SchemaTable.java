@@ -77,7 +77,7 @@ final class SchemaTable extends JTable {
     table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
     JTableHeader header = table.getTableHeader();
     header.setReorderingAllowed(false);
-    header.setDefaultRenderer(new SchemaHeader(model, header.getDefaultRenderer()));
+    header.setDefaultRenderer(new SchemaHeader(model));
     header.addMouseListener(
         new MouseAdapter() {
           @Override

@@ -13,6 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
@@ -202,6 +203,9 @@ public final class VersionsDialog extends JDialog {
     if (edit.isEmpty() || !model.applicable()) {
       return;
     }
+    if (!replacing(edit.get())) {
+      return;
+    }
     session.document().removeListener(changes);
     try {
       edit.get().apply(session.document(), FileActions.REAL);
@@ -210,6 +214,24 @@ public final class VersionsDialog extends JDialog {
       session.document().addListener(changes);
       summary.setText(e.getMessage());
     }
+  }
+
+  /** Files that are there already go for good, as undoing concerns the scene only. */
+  private boolean replacing(VersionsEdit edit) {
+    List<String> there =
+        edit.files().stream()
+            .filter(file -> file.state() == PlannedFile.State.CHANGED)
+            .map(file -> String.valueOf(file.file().getFileName()))
+            .toList();
+    return there.isEmpty()
+        || JOptionPane.showConfirmDialog(
+                this,
+                "%s will be replaced; undoing does not bring back what is in there now."
+                    .formatted(String.join(", ", there)),
+                "Replace Files?",
+                JOptionPane.OK_CANCEL_OPTION,
+                JOptionPane.WARNING_MESSAGE)
+            == JOptionPane.OK_OPTION;
   }
 
   @Override
