@@ -96,8 +96,8 @@ public final class RatingsDialog extends JDialog {
     JSplitPane split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
-            RatingsTables.captioned("Objects of the table and their Switches", 'O', matches, 50),
-            RatingsTables.captioned("What follows for the scene", 'W', implied, 76));
+            RatingsTables.captioned("Objects of the table and their Switches", 'O', matches, 48),
+            RatingsTables.captioned("What follows for the scene", 'W', implied, 86));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;
