@@ -7,6 +7,7 @@ import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
 /** Asks by dialogs. */
@@ -83,7 +84,7 @@ final class DialogQuestions implements Questions {
 
   @Override
   public boolean review(EnricherSession session) {
-    return true;
+    return new DiffDialog(owner, session).confirmed();
   }
 
   @Override

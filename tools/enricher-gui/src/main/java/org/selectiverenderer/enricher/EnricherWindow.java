@@ -17,14 +17,17 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Settings;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.NodeCatalogue;
 
 /** The window with one document at a time. For the event dispatch thread. */
@@ -233,6 +236,42 @@ public final class EnricherWindow {
       bench.commit();
       bench.session().document().history().redo();
       refresh();
+    }
+  }
+
+  void importRatings() {
+    session()
+        .ifPresent(
+            session -> {
+              commit();
+              new RatingsDialog(frame, session).setVisible(true);
+            });
+  }
+
+  /** Makes versions of the object that the selection is or is part of. */
+  void makeVersions() {
+    commit();
+    Optional<DocumentElement> object =
+        session().flatMap(EnricherSession::selection).flatMap(EnricherWindow::object);
+    object.ifPresentOrElse(
+        each ->
+            session()
+                .ifPresent(session -> new VersionsDialog(frame, session, each).setVisible(true)),
+        () -> status.say("Choose an object with a DEF name first, then make versions of it"));
+  }
+
+  private static Optional<DocumentElement> object(DocumentElement element) {
+    for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
+      if (at.name().equals("Switch")) {
+        return Optional.of(at);
+      }
+    }
+    return element.def().map(def -> element);
+  }
+
+  private void commit() {
+    if (bench != null) {
+      bench.commit();
     }
   }
 

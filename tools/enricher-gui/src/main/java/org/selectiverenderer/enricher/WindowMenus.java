@@ -36,6 +36,7 @@ final class WindowMenus {
     redo = new Command("&Redo", "ctrl shift Z", window::redo);
     bar.add(file());
     bar.add(edit());
+    bar.add(scene());
     bar.add(view());
     bar.add(help());
   }
@@ -67,12 +68,18 @@ final class WindowMenus {
     return menu;
   }
 
+  private JMenu scene() {
+    JMenu menu = menu("Scene", 'S');
+    menu.add(new Command("Import &Ratings...", "ctrl R", window::importRatings));
+    menu.add(new Command("Make &Versions...", "ctrl M", window::makeVersions));
+    return menu;
+  }
+
   private JMenu view() {
     JMenu menu = menu("View", 'V');
-    for (int i = 1; i <= 3; i++) {
-      int tab = i - 1;
-      menu.add(new Command("Tab &" + i, "ctrl " + i, with(bench -> bench.showTab(tab))));
-    }
+    menu.add(new Command("Pre&view", "ctrl 1", with(bench -> bench.showTab(0))));
+    menu.add(new Command("S&chemas", "ctrl 2", with(bench -> bench.showTab(1))));
+    menu.add(new Command("S&ource", "ctrl 3", with(bench -> bench.showTab(2))));
     menu.add(new Command("Next &Part of the Window", "F6", with(Workbench::nextPart)));
     menu.addSeparator();
     ButtonGroup group = new ButtonGroup();

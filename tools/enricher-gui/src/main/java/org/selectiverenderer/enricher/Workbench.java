@@ -5,11 +5,14 @@ import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.form.FormPanel;
-import org.selectiverenderer.enricher.form.VersionImages;
 import org.selectiverenderer.enricher.help.HelpView;
+import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.preview.PreviewPanel;
+import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.problems.ProblemList;
 import org.selectiverenderer.enricher.problems.ProblemsPanel;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -27,6 +30,9 @@ final class Workbench {
   private final SceneTreePanel tree;
   private final SourcePanel source;
   private final FormPanel form;
+  private final VersionPictures pictures = new VersionPictures();
+  private final PreviewPanel preview;
+  private final OverviewPanel overview;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
   private final JSplitPane left;
@@ -42,9 +48,13 @@ final class Workbench {
     tree = new SceneTreePanel(session, problemList::faulty);
     problemList.addListener(tree.tree()::repaint);
     source = new SourcePanel(session);
-    form = new FormPanel(session, VersionImages.NONE);
+    form = new FormPanel(session, new SceneVersionImages(session, pictures));
     problems = new ProblemsPanel(session, problemList, this::revealInSource);
     tabs.getAccessibleContext().setAccessibleName("Views of the scene");
+    preview = new PreviewPanel(session);
+    overview = new OverviewPanel(session);
+    tabs.addTab("Preview", preview);
+    tabs.addTab("Schemas", overview);
     tabs.addTab("Source", source.component());
     tabs.addTab("Help", HelpView.create());
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form.component(), 1, "form");
@@ -55,8 +65,12 @@ final class Workbench {
     disposals.add(tree::dispose);
     disposals.add(source::dispose);
     disposals.add(form::dispose);
+    disposals.add(preview::dispose);
+    disposals.add(overview::dispose);
+    disposals.add(pictures::close);
     disposals.add(session::dispose);
     if (session.document().fault().isPresent()) {
+      tabs.setSelectedComponent(source.component());
       source.showFault();
     }
   }
@@ -66,6 +80,11 @@ final class Workbench {
     JSplitPane split = new JSplitPane(direction, true, one, other);
     split.setResizeWeight(weight);
     split.setBorder(null);
+    for (String key : List.of("F6", "F8")) {
+      split
+          .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
+    }
     split.setName(name);
     split.getAccessibleContext().setAccessibleName("Border of the " + name);
     return split;

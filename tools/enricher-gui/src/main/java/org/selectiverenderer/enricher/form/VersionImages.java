@@ -12,7 +12,7 @@ public interface VersionImages {
    *
    * @param polygons that it has
    */
-  record Look(Image image, int polygons) {}
+  record Look(Image image, long polygons) {}
 
   /** No pictures, where there is no OpenGL. */
   VersionImages NONE = (node, choice, taken, failed) -> () -> {};

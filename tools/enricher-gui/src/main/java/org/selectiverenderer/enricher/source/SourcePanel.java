@@ -3,10 +3,12 @@ package org.selectiverenderer.enricher.source;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.beans.PropertyChangeListener;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.event.DocumentEvent;
@@ -57,6 +59,9 @@ public final class SourcePanel {
     this.session = session;
     area.setCodeFoldingEnabled(false);
     area.setAntiAliasingEnabled(true);
+    for (String key : List.of("ctrl Z", "ctrl Y", "ctrl shift Z", "ctrl shift F")) {
+      area.getInputMap().put(KeyStroke.getKeyStroke(key), "none"); // the window's
+    }
     area.setMarkOccurrences(false);
     area.setTabSize(2);
     area.setHighlightCurrentLine(true);
@@ -149,6 +154,7 @@ public final class SourcePanel {
   }
 
   private void load(SourcePage next) {
+    boolean before = following;
     following = true;
     try {
       page = next;
@@ -162,7 +168,7 @@ public final class SourcePanel {
       area.discardAllEdits();
       number();
     } finally {
-      following = false;
+      following = before;
     }
   }
 
@@ -300,6 +306,7 @@ public final class SourcePanel {
     if (!page.holds(offset)) {
       turn(offset);
     }
+    boolean before = following;
     following = true;
     try {
       area.setCaretPosition(text.inShown(offset - page.from()));
@@ -313,7 +320,7 @@ public final class SourcePanel {
     } catch (BadLocationException e) {
       throw new IllegalStateException("the caret is outside of the text", e);
     } finally {
-      following = false;
+      following = before;
     }
   }
 
@@ -328,7 +335,8 @@ public final class SourcePanel {
   }
 
   private void follow(Optional<DocumentElement> element, Object origin) {
-    if (origin != this) {
+    boolean typingHere = origin == session && area.isFocusOwner();
+    if (origin != this && !typingHere && !following) {
       flush();
       element.filter(DocumentElement::attached).ifPresent(each -> reveal(each.start()));
     }
