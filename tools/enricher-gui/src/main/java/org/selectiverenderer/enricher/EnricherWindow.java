@@ -45,7 +45,10 @@ public final class EnricherWindow {
   private final JPanel content = new JPanel(new BorderLayout());
   private final Questions questions;
   private final WindowMenus menus;
-  private final DocumentListener titles = change -> refresh();
+
+  /** Later, when the step is in the history. */
+  private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
+
   private @Nullable Workbench bench;
   private @Nullable Saving saving;
 
@@ -54,16 +57,31 @@ public final class EnricherWindow {
    * @param closed hears when the window is gone
    */
   public EnricherWindow(Path folder, Runnable closed) {
-    this.settings = new Settings(folder);
-    this.recovery = new Recovery(folder.resolve("recovery"));
-    this.recent = new RecentFiles(settings);
-    this.closed = closed;
+    this(themed(folder), folder, closed);
+  }
+
+  /** Settings, and what is to be said of reading them. */
+  private record Remembered(Settings settings, String complaint) {}
+
+  /** Colours come before the first component is made. */
+  private static Remembered themed(Path folder) {
+    Settings settings = new Settings(folder);
+    String complaint = "";
     try {
       settings.load();
     } catch (IOException e) {
-      status.say(String.valueOf(e.getMessage()));
+      complaint = String.valueOf(e.getMessage());
     }
     Theme.of(settings.word("theme", "")).apply();
+    return new Remembered(settings, complaint);
+  }
+
+  private EnricherWindow(Remembered remembered, Path folder, Runnable closed) {
+    this.settings = remembered.settings();
+    this.recovery = new Recovery(folder.resolve("recovery"));
+    this.recent = new RecentFiles(settings);
+    this.closed = closed;
+    status.say(remembered.complaint());
     questions = new DialogQuestions(frame);
     menus = new WindowMenus(this, settings);
     frame.setJMenuBar(menus.bar());

@@ -100,12 +100,12 @@ final class Workbench {
 
   /** Puts the borders where the author left them; when the window has its size. */
   void layOut(int width, int height) {
-    left.setDividerLocation(settings.number("split.tree", Math.min(270, width / 4)));
+    left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation();
     right.setDividerLocation(
-        Math.max(120, rest - settings.number("split.form", Math.min(350, rest / 2))));
+        Math.max(120, rest - settings.number("split.form", Math.min(340, rest / 2))));
     all.setDividerLocation(
-        Math.max(120, height - settings.number("split.problems", Math.min(150, height / 4))));
+        Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
 
   /** Remembers where the borders are. */

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JTree;
@@ -171,9 +172,7 @@ class EnricherWindowTest {
           return true;
         });
     JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
-    List<String> unnamed = Hands.onEdt(() -> ControlNames.missing(window.frame()));
-    assertThat(unnamed).isEmpty();
-    var picture = Hands.named(content(), "Picture of choice 0", javax.swing.JLabel.class);
+    var picture = Hands.named(content(), "Picture of choice 0", JLabel.class);
     hands.await("the picture", () -> picture.getIcon() != null);
     for (String view : List.of("Preview", "Schemas", "Source", "Help")) {
       Hands.onEdt(
@@ -182,9 +181,15 @@ class EnricherWindowTest {
             return true;
           });
       hands.await("quiet", () -> session.tasks().running().isEmpty());
+      if (view.equals("Preview")) {
+        JLabel state = Hands.named(content(), "State of the preview", JLabel.class);
+        hands.await("a picture", () -> state.getText().contains("polygons"));
+      }
       String name = "window-" + view.toLowerCase(java.util.Locale.ROOT) + "-" + theme;
       Hands.picture(window.frame().getRootPane(), name, 1);
       Hands.picture(window.frame().getRootPane(), name + "-200", 2);
     }
+    List<String> unnamed = Hands.onEdt(() -> ControlNames.missing(window.frame()));
+    assertThat(unnamed).isEmpty();
   }
 }

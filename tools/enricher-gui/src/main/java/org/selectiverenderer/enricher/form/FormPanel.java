@@ -3,10 +3,8 @@ package org.selectiverenderer.enricher.form;
 import java.awt.Font;
 import java.util.Optional;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
-import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
@@ -20,8 +18,7 @@ import org.selectiverenderer.enricher.tree.NodeIcon;
 public final class FormPanel {
   private final EnricherSession session;
   private final VersionImages images;
-  private final JPanel body =
-      new JPanel(new MigLayout("insets 10, gap 8, fillx, hidemode 3", "[grow]", "[][][]"));
+  private final FormBody body = new FormBody();
   private final JLabel title = new JLabel();
   private final JLabel hint = new JLabel();
   private final JScrollPane scroll = new JScrollPane(body);
@@ -36,7 +33,6 @@ public final class FormPanel {
     title.setFont(title.getFont().deriveFont(Font.BOLD, title.getFont().getSize2D() * 1.2f));
     title.getAccessibleContext().setAccessibleName("Selected node");
     scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-    scroll.getVerticalScrollBar().setUnitIncrement(16);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
     session.addSelectionListener(selecting);

@@ -64,7 +64,7 @@ public final class OverviewPanel extends JPanel {
   }
 
   private JPanel tools() {
-    JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow 1][]unrel:push[][][][]"));
+    JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow][]"));
     JLabel filter = new JLabel("Filter:");
     filter.setDisplayedMnemonic('i');
     filter.setLabelFor(name);
@@ -76,9 +76,9 @@ public final class OverviewPanel extends JPanel {
     which.addActionListener(e -> filter());
     tools.add(filter);
     tools.add(name, "growx, wmin 60");
-    tools.add(which);
+    tools.add(which, "wrap");
     SchemaNaming naming = new SchemaNaming(this);
-    tools.add(new JLabel("Schema:"));
+    tools.add(new JLabel("Schema:"), "span, split 4");
     tools.add(button("Add\u2026", 'A', "A column for another schema", () -> addSchema(naming)));
     tools.add(button("Rename\u2026", 'R', "Rename wherever named", () -> rename(naming)));
     tools.add(button("Remove", 'v', "Take out of all objects and areas", this::remove));
@@ -91,7 +91,8 @@ public final class OverviewPanel extends JPanel {
     tools.add(button(actions.high, "People expect the object there (h)"));
     tools.add(button(actions.low, "People do not expect the object there (l)"));
     tools.add(button(actions.clear, "The object does not belong there (Delete)"));
-    tools.add(new JLabel("Keys: h, l, digits for a number from 0 to 1, Delete, F2 for a list"));
+    tools.add(
+        new JLabel("Keys: h, l, digits for a number from 0 to 1, Delete, F2 for a list"), "wmin 0");
     return tools;
   }
 

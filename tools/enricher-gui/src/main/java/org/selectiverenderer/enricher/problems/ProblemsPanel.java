@@ -26,9 +26,9 @@ public final class ProblemsPanel {
   private final DefaultListModel<ProblemList.Entry> model = new DefaultListModel<>();
   private final JList<ProblemList.Entry> list = new JList<>(model);
   private final JLabel title = new JLabel();
-  private final JButton fix = new JButton();
+  private final JButton fix = new JButton("Mend");
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 6, gap 4, fill, hidemode 3", "[grow][]", "[][grow]"));
+      new JPanel(new MigLayout("insets 6, gap 4, fill", "[grow]", "[][grow]"));
 
   /**
    * @param reveal brings an offset of the text into view
@@ -52,12 +52,14 @@ public final class ProblemsPanel {
         event -> go(), KeyStroke.getKeyStroke("ENTER"), JPanel.WHEN_FOCUSED);
     fix.addActionListener(event -> fix());
     title.getAccessibleContext().setAccessibleName("Number of problems");
-    panel.add(title, "growx, h 24:");
-    panel.add(fix, "wrap");
+    JPanel head = new JPanel(new MigLayout("insets 0, hidemode 3", "[grow][]", "[26!]"));
+    head.add(title, "growx, wmin 0");
+    head.add(fix, "h 26!");
+    panel.add(head, "growx, wrap");
     JScrollPane scroll = new JScrollPane(list);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
-    panel.add(scroll, "span, grow, wmin 0, hmin 0");
+    panel.add(scroll, "grow, wmin 0, hmin 0");
     problems.addListener(this::refresh);
     refresh();
   }

@@ -45,7 +45,10 @@ public final class ControlNames {
         }
       }
       // What these are made of is theirs; only the split pane's sides are controls of ours.
-      boolean whole = child instanceof JComboBox || child instanceof JScrollBar;
+      boolean whole =
+          child instanceof JComboBox
+              || child instanceof JScrollBar
+              || child instanceof JTextComponent;
       if (!whole && child instanceof Container more && !divider(in, child)) {
         missing.addAll(missing(more));
       }
