@@ -57,7 +57,17 @@ class EnricherWindowTest {
           return true;
         });
     hands.await("the scene", () -> window.session().isPresent());
+    // A preview that is loading keeps the event queue busy, which the robot would wait for.
+    Hands.onEdt(
+        () -> {
+          window.bench().orElseThrow().showTab(broken(window) ? 2 : 3);
+          return true;
+        });
     return window.session().orElseThrow();
+  }
+
+  private static boolean broken(EnricherWindow window) {
+    return window.session().orElseThrow().document().fault().isPresent();
   }
 
   @AfterEach

@@ -25,10 +25,11 @@ final class ChoiceRow {
   private static final String NOTHING = "not said";
 
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 10, gap 6, fillx, hidemode 3", "[][grow]", "[]2[]8[]"));
+      new JPanel(new MigLayout("insets 10, gap 6, fillx, hidemode 3", "[][grow]", "[]2[]2[]8[]"));
   private final JLabel picture = new JLabel("", SwingConstants.CENTER);
   private final JLabel title = new JLabel();
-  private final JLabel figures = new JLabel();
+  private final JLabel figures = new JLabel(" ");
+  private final JLabel file = new JLabel();
   private final JComboBox<String> type = new JComboBox<>();
   private final JComboBox<String> degree = new JComboBox<>();
   private final SchemaField schemas;
@@ -62,6 +63,8 @@ final class ChoiceRow {
     title.getAccessibleContext().setAccessibleName("Version" + of);
     figures.getAccessibleContext().setAccessibleName("Polygons" + of);
     figures.setForeground(UIManager.getColor("Label.disabledForeground"));
+    file.getAccessibleContext().setAccessibleName("File" + of);
+    file.setForeground(UIManager.getColor("Label.disabledForeground"));
     type.setEnabled(editable);
     degree.setEnabled(editable);
     schemas.component().setEnabled(editable);
@@ -69,9 +72,10 @@ final class ChoiceRow {
     degree.addActionListener(event -> degreeChosen());
     panel.putClientProperty("FlatLaf.style", "arc: 10; background: lighten($Panel.background,3%)");
     picture.setPreferredSize(null);
-    panel.add(picture, "span 1 2, w 104!, h 78!");
+    panel.add(picture, "span 1 3, w 104!, h 78!");
     panel.add(title, "growx, wmin 0, wrap, aligny bottom");
-    panel.add(figures, "growx, wmin 0, wrap, aligny top");
+    panel.add(figures, "growx, wmin 0, wrap");
+    panel.add(file, "growx, wmin 0, wrap, aligny top");
     field("Type", type);
     field("Degree", degree);
     field("Schemas", schemas.component());
@@ -98,12 +102,10 @@ final class ChoiceRow {
     try {
       values = choice.values();
       String url = choice.url().isEmpty() ? choice.element().name() : choice.url();
-      title.setText("Version " + choice.index() + (shownAtStart ? "  (shown at the start)" : ""));
+      title.setText("Version " + choice.index() + (shownAtStart ? " (at the start)" : ""));
       title.setToolTipText(url);
-      if (figures.getText().isEmpty() || !url.equals(figures.getToolTipText())) {
-        figures.setText(file(url));
-        figures.setToolTipText(url);
-      }
+      file.setText(file(url));
+      file.setToolTipText(url);
       type.setSelectedItem(values.type().map(ConsistencyType::spelling).orElse(NOTHING));
       degree.setSelectedItem(values.degree().map(Degree::spelling).orElse(NOTHING));
       degree.putClientProperty("JComponent.outline", null);
@@ -121,7 +123,7 @@ final class ChoiceRow {
   void show(VersionImages.Look look) {
     Image scaled = look.image();
     picture.setIcon(new ImageIcon(scaled));
-    figures.setText("%,d polygons  ·  %s".formatted(look.polygons(), file(title.getToolTipText())));
+    figures.setText("%,d polygons".formatted(look.polygons()));
   }
 
   /** Shows why there is no picture. */
