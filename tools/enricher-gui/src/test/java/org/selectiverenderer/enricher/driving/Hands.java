@@ -25,6 +25,7 @@ import javax.swing.SwingUtilities;
 public final class Hands {
   private static final int PATIENCE = 60_000;
   private static final int STEP = 50;
+  private static final int SETTLING = 150;
   private final Robot robot;
 
   public Hands() {
@@ -34,7 +35,6 @@ public final class Hands {
       throw new AssertionError(e);
     }
     robot.setAutoDelay(15);
-    robot.setAutoWaitForIdle(true);
   }
 
   /** Does something on the event dispatch thread and gives its result. */
@@ -55,7 +55,16 @@ public final class Hands {
     SwingUtilities.invokeLater(() -> window.setVisible(true));
     await("the window", window::isShowing);
     SwingUtilities.invokeLater(window::toFront);
-    robot.waitForIdle();
+    settle();
+  }
+
+  /**
+   * Lets what was done arrive. Robot's own waiting takes seconds beside a view that keeps drawing,
+   * in which the X server would repeat a key that is down.
+   */
+  private void settle() {
+    robot.delay(SETTLING);
+    onEdt(() -> true);
   }
 
   /** Waits until something is so. */
@@ -117,7 +126,7 @@ public final class Hands {
     robot.mouseMove(at.x + area.x + area.width / 2, at.y + area.y + area.height / 2);
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    robot.waitForIdle();
+    settle();
   }
 
   /** Presses keys, all at once, and lets them go. */
@@ -128,7 +137,7 @@ public final class Hands {
     for (int i = keys.length - 1; i >= 0; i--) {
       robot.keyRelease(keys[i]);
     }
-    robot.waitForIdle();
+    settle();
   }
 
   /** Types digits and points. */
