@@ -16,7 +16,6 @@ final class CommandCatalogue {
         new RunCommand(console),
         new SimulateCommand(console),
         new ValidateCommand(console, System.in),
-        new EnrichCommand(console, CommandCatalogue::noWindow),
         new EnrichCommand(console, CommandCatalogue::enricher),
         new SimplifyCommand(console),
         new VersionsCommand(console),
