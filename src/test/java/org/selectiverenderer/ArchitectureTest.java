@@ -182,6 +182,16 @@ class ArchitectureTest {
           .resideInAnyPackage("java.awt..", "javax.swing..", "com.jogamp..", "jogamp..");
 
   @ArchTest
+  static final ArchRule sessionsAreKeptWithoutWindows =
+      noClasses()
+          .that(
+              are(resideInAPackage(of("experiment")))
+                  .and(not(resideInAPackage(of("experiment.window")))))
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("java.awt..", "javax.swing..", "com.jogamp..", "jogamp..");
+
+  @ArchTest
   static final ArchRule theModellingToolkitUsesGeometryOnly =
       onlyUsesOfOurs("modelling", "modelling", "x3d.geometry");
 

@@ -41,10 +41,12 @@ final class OperatorDesk {
    * The page of a moment.
    *
    * @param interval seconds from frame to frame
+   * @param told what the session has to say
    */
   OperatorPage page(
       Walkthrough walk,
       double interval,
+      List<String> told,
       int width,
       int height,
       int pictureWidth,
@@ -65,9 +67,26 @@ final class OperatorDesk {
                 .seen(walk.world().viewer().fieldOfView(), pictureWidth, pictureHeight),
             walk.enteredAreas(),
             marks);
-    lines(walk, interval, width * 0.5, top, marks);
+    double below = told(told, width * 0.5, top, marks);
+    lines(walk, interval, width * 0.5, below, marks);
     alarm(width, marks);
     return new OperatorPage((width - shownWidth) / 2, MARGIN, shownWidth, shownHeight, marks);
+  }
+
+  /** The page while there is no picture. */
+  static OperatorPage waiting(List<String> told) {
+    List<Mark> marks = new ArrayList<>();
+    double below = told(told, MARGIN, MARGIN, marks);
+    line(MARGIN, below + LETTERS, FAINT, "the participant's picture is black", marks);
+    return new OperatorPage(0, 0, 0, 0, marks);
+  }
+
+  private static double told(List<String> told, double left, double top, List<Mark> marks) {
+    double y = top;
+    for (String text : told) {
+      y = line(left, y + LETTERS, GOOD, text, marks) - LETTERS;
+    }
+    return y;
   }
 
   private void survey(InstanceTree now) {

@@ -26,7 +26,7 @@ import org.selectiverenderer.runtime.scene.Node;
  * The user's walking through a world: follows the bound NavigationInfo and viewpoint, and goes from
  * viewpoint to viewpoint. Belongs to the thread that steps the world.
  */
-final class Walking implements ViewerMotion {
+public final class Walking implements ViewerMotion {
   private final World world;
   private final Controls controls;
   private @Nullable InstanceTree tree;
@@ -36,14 +36,14 @@ final class Walking implements ViewerMotion {
   private @Nullable ViewpointTransition transition;
   private Set<CollisionNode> bumped = Set.of();
 
-  Walking(World world, Controls controls) {
+  public Walking(World world, Controls controls) {
     this.world = world;
     this.controls = controls;
     walker = new Walker(new Colliders(world.instances(), world.assets(), world.meshes()), controls);
   }
 
   /** Does what the user asked for, as far as it is about moving. */
-  void command(NavigationCommand command) {
+  public void command(NavigationCommand command) {
     switch (command) {
       case RESET_VIEWPOINT ->
           world.bindables().bound("Viewpoint").ifPresent(bound -> go(() -> world.goTo(bound)));
@@ -89,7 +89,7 @@ final class Walking implements ViewerMotion {
   }
 
   /** What the overlay says about it. */
-  String describe() {
+  public String describe() {
     return "%s%s".formatted(walker.mode(), walker.collisions() ? "" : ", through walls");
   }
 

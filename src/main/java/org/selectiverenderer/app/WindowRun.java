@@ -32,11 +32,13 @@ public final class WindowRun implements WorldHost {
   private final HeadSession head;
   private final SceneOpening opening;
   private final OperatorDesk desk;
+  private final Optional<RunGuide> guide;
   private @Nullable ViewerMotion motion;
   private @Nullable Walkthrough walk;
   private @Nullable Walking walking;
   private @Nullable IOException failure;
   private long begun;
+  private long last;
   private @Nullable FrameSchedule frames;
   private long pathFrame;
   private boolean overlay;
@@ -45,8 +47,15 @@ public final class WindowRun implements WorldHost {
   private boolean opened;
   private @Nullable RunStop stop;
 
-  private WindowRun(RunSettings settings, RunListener listener) throws IOException {
+  /**
+   * Opens the tracker and begins to read the scene.
+   *
+   * @param guide who leads the run; empty for the user
+   */
+  WindowRun(RunSettings settings, RunListener listener, Optional<RunGuide> guide)
+      throws IOException {
     this.settings = settings;
+    this.guide = guide;
     head = HeadSession.open(settings, listener);
     controls = new Controls(settings.mouse());
     windowInput = new WindowInput(controls);
@@ -76,7 +85,7 @@ public final class WindowRun implements WorldHost {
       throws IOException, InterruptedException {
     RunSettings fitted = WindowStage.fitted(settings, listener::printed);
     fitted.describe(listener);
-    WindowRun run = new WindowRun(fitted, listener);
+    WindowRun run = new WindowRun(fitted, listener, Optional.empty());
     run.stop = stop;
     WorldWindow window = new WorldWindow(WindowStage.of(fitted, listener::printed), run);
     try {
@@ -88,7 +97,7 @@ public final class WindowRun implements WorldHost {
     }
   }
 
-  private void close() throws IOException {
+  void close() throws IOException {
     try (head;
         opening) {
       if (walk != null) {
@@ -115,12 +124,21 @@ public final class WindowRun implements WorldHost {
     } else {
       walk.end();
     }
-    GlInfo gl = window.info().orElse(new GlInfo("", "", ""));
     return new RunResult(
-        keeper.figures(gl, head.latency()),
+        figures(window.info().orElse(new GlInfo("", "", ""))),
         walk.problems().any(),
         window.lastPicture(),
         window.lastOperatorPicture());
+  }
+
+  /** How it went so far. */
+  RunFigures figures(GlInfo gl) {
+    return keeper.figures(gl, head.latency());
+  }
+
+  /** What ended it, if something did. */
+  Optional<IOException> failure() {
+    return Optional.ofNullable(failure);
   }
 
   @Override
@@ -136,23 +154,38 @@ public final class WindowRun implements WorldHost {
       GlShutdown.before(asking::stopAndWait);
     }
     List<NavigationCommand> commands = controls.takeCommands();
-    finished |= asking != null && asking.asked() || commands.contains(NavigationCommand.LEAVE);
+    finished |=
+        asking != null && asking.asked()
+            || guide.isEmpty() && commands.contains(NavigationCommand.LEAVE);
     if (walk == null && !open()) {
       return Optional.empty();
     }
-    for (NavigationCommand command : commands) {
+    commands.forEach(this::command);
+    controls.looking(!head.steering());
+    long now = System.nanoTime();
+    if (begun == 0) {
+      begun = now;
+    } else if (guide.isPresent() && guide.get().paused()) {
+      begun += now - last;
+    }
+    last = now;
+    advance(seconds());
+    return Optional.of(walk.world());
+  }
+
+  private void command(NavigationCommand command) {
+    if (command == NavigationCommand.RESET_HEADING) {
+      head.resetHeading();
+    }
+    if (guide.isEmpty()) {
       overlay ^= command == NavigationCommand.TOGGLE_OVERLAY;
-      if (command == NavigationCommand.RESET_HEADING) {
-        head.resetHeading();
-      }
       walking.command(command);
     }
-    controls.looking(!head.steering());
-    if (begun == 0) {
-      begun = System.nanoTime();
-    }
-    advance((System.nanoTime() - begun) * 1e-9);
-    return Optional.of(walk.world());
+  }
+
+  /** Since the first frame, pauses not counted. */
+  private double seconds() {
+    return begun == 0 ? 0 : (last - begun) * 1e-9;
   }
 
   /** Takes the scene over once it is read. */
@@ -163,10 +196,12 @@ public final class WindowRun implements WorldHost {
     try {
       walk = opening.await();
       walking = new Walking(walk.world(), controls);
-      motion =
+      guide.ifPresent(leader -> leader.opened(walk));
+      ViewerMotion users =
           head.begin(
               walk,
               settings.path().map(path -> (ViewerMotion) new PathMotion(path, 0)).orElse(walking));
+      motion = guide.map(leader -> leader.motion(users)).orElse(users);
       frames = settings.path().map(path -> FrameSchedule.path(settings, path)).orElse(null);
       if (settings.path().isEmpty()) {
         walk.world().epoch(System.currentTimeMillis() / 1000.0);
@@ -182,6 +217,10 @@ public final class WindowRun implements WorldHost {
 
   private void advance(double elapsed) {
     settings.duration().ifPresent(seconds -> finished |= elapsed >= seconds);
+    guide.ifPresent(leader -> finished |= leader.over(elapsed));
+    if (guide.isPresent() && guide.get().paused() && walk.frames() > 0) {
+      return;
+    }
     FrameSchedule recorded = frames;
     if (recorded == null) {
       logFrame(); // One that was stepped but, in a hidden window, not drawn.
@@ -207,7 +246,7 @@ public final class WindowRun implements WorldHost {
   public List<String> overlay() {
     List<String> lines = new ArrayList<>();
     // In a display the participant would see it: there the operator's window says so.
-    if (!settings.presentation().stereo() && head.health().stale()) {
+    if (guide.isEmpty() && !settings.presentation().stereo() && head.health().stale()) {
       lines.add(OperatorDesk.alarm(settings, head.health()));
     }
     if (overlay) {
@@ -224,7 +263,17 @@ public final class WindowRun implements WorldHost {
 
   @Override
   public OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
-    return desk.page(walk, overlayText.interval(), width, height, pictureWidth, pictureHeight);
+    List<String> told = guide.map(leader -> leader.operatorLines(seconds())).orElse(List.of());
+    if (walk == null || begun == 0) {
+      return OperatorDesk.waiting(told);
+    }
+    return desk.page(
+        walk, overlayText.interval(), told, width, height, pictureWidth, pictureHeight);
+  }
+
+  @Override
+  public double darkness() {
+    return guide.map(leader -> leader.darkness(seconds())).orElse(0.0);
   }
 
   @Override

@@ -1,8 +1,11 @@
 package org.selectiverenderer.cli;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.document.file.SettingsFolder;
+import org.selectiverenderer.enricher.EnricherApp;
 
 /** The commands, in the order of {@code --help}. */
 final class CommandCatalogue {
@@ -13,7 +16,7 @@ final class CommandCatalogue {
         new RunCommand(console),
         new SimulateCommand(console),
         new ValidateCommand(console, System.in),
-        new EnrichCommand(console, CommandCatalogue::noWindow),
+        new EnrichCommand(console, CommandCatalogue::enricher),
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
@@ -24,8 +27,17 @@ final class CommandCatalogue {
         new SaiCommand(console, System.in));
   }
 
-  private static ExitStatus noWindow(Optional<Path> scene) {
-    throw CommandFailure.usage(
-        "give --apply or --ratings: this build of the enricher has no window");
+  private static ExitStatus enricher(Optional<Path> scene) throws IOException {
+    Path settings =
+        SettingsFolder.of(
+            System.getProperty("os.name", ""),
+            Path.of(System.getProperty("user.home", "")),
+            System.getenv());
+    try {
+      EnricherApp.run(scene, settings);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return ExitStatus.DONE;
   }
 }

@@ -7,6 +7,8 @@ import picocli.CommandLine.Command;
     name = "experiment",
     description = "Studies, sessions and their results.",
     footer = {
+      "  ./selective-renderer experiment new mystudy",
+      "  ./selective-renderer experiment run mystudy/study.json --participant 001",
       "  ./selective-renderer experiment view session.csv --plot session.svg",
       "  ./selective-renderer experiment analyse responses.csv --format html --output report.html"
     })
@@ -18,6 +20,11 @@ final class ExperimentCommand extends CliCommand {
   @Override
   List<CliCommand> subcommands() {
     return List.of(
+        new ExperimentNewCommand(console()),
+        new ExperimentRunCommand(console()),
+        new ExperimentStatusCommand(console()),
+        new ExperimentCollectCommand(console()),
+        new ExperimentPaperCommand(console()),
         new ExperimentViewCommand(console()),
         new ExperimentAnalyseCommand(console()),
         new ExperimentAnovaCommand(console()),

@@ -30,6 +30,14 @@ final class LibraryProperties {
     }
   }
 
+  /**
+   * Lets Swing open windows too. To be called when JOGL has begun, which then leaves AWT's toolkit
+   * alone, and before AWT has, which asks once.
+   */
+  static void allowSwing() {
+    System.setProperty("java.awt.headless", "false");
+  }
+
   private static void set(String name, String value) {
     if (System.getProperty(name) == null) {
       System.setProperty(name, value);

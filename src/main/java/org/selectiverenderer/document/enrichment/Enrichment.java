@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -137,8 +138,17 @@ public final class Enrichment {
     List<Finding> findings = new ArrayList<>();
     switches().forEach(node -> findings.addAll(node.findings()));
     sensors().forEach(node -> findings.addAll(node.findings()));
-    use().unmatched().forEach(unmatched -> findings.add(finding(unmatched)));
+    findings.addAll(schemaFindings().values());
     findings.sort(Comparator.comparingInt(finding -> finding.element().start()));
+    return findings;
+  }
+
+  /** What is wrong with schemas, by schema: those that no area or no object has. */
+  public Map<String, Finding> schemaFindings() {
+    Map<String, Finding> findings = new LinkedHashMap<>();
+    use()
+        .unmatched()
+        .forEach(unmatched -> findings.putIfAbsent(unmatched.schema(), finding(unmatched)));
     return findings;
   }
 

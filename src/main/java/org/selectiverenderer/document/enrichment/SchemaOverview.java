@@ -68,16 +68,21 @@ public final class SchemaOverview {
         places.size() == 1
             ? "Set " + label(places)
             : "Set %d cells to %s".formatted(places.size(), degree.spelling()),
-        places,
-        Optional.of(degree));
+        same(places, Optional.of(degree)));
   }
 
   /** Empties cells: the objects do not belong to the schemas any more. */
   public Edit clear(Collection<Place> places) {
     return edit(
         places.size() == 1 ? "Clear " + label(places) : "Clear %d cells".formatted(places.size()),
-        places,
-        Optional.empty());
+        same(places, Optional.empty()));
+  }
+
+  private static Map<Place, Optional<Degree>> same(
+      Collection<Place> places, Optional<Degree> degree) {
+    Map<Place, Optional<Degree>> wanted = new LinkedHashMap<>();
+    places.forEach(place -> wanted.put(place, degree));
+    return wanted;
   }
 
   private static String label(Collection<Place> places) {
@@ -85,17 +90,19 @@ public final class SchemaOverview {
     return place.schema() + " of " + place.object().name();
   }
 
-  private Edit edit(String name, Collection<Place> places, Optional<Degree> degree) {
+  /** Fills cells with a degree each; those without one are emptied. */
+  public Edit edit(String name, Map<Place, Optional<Degree>> cells) {
     Map<DocumentElement, SwitchNode> nodes = new LinkedHashMap<>();
     Map<DocumentElement, List<ChoiceValues>> wanted = new LinkedHashMap<>();
-    for (Place place : places) {
-      DocumentElement element = place.object().element();
-      nodes.put(element, place.object());
-      wanted.merge(
-          element,
-          put(place.object().values(), place.schema(), degree),
-          (before, fresh) -> put(before, place.schema(), degree));
-    }
+    cells.forEach(
+        (place, degree) -> {
+          DocumentElement element = place.object().element();
+          nodes.put(element, place.object());
+          wanted.merge(
+              element,
+              put(place.object().values(), place.schema(), degree),
+              (before, fresh) -> put(before, place.schema(), degree));
+        });
     List<EnrichmentEdits.SwitchWish> wishes = new ArrayList<>();
     wanted.forEach(
         (element, values) ->

@@ -46,8 +46,19 @@ public final class Bids {
    * @throws IOException if a file cannot be written
    */
   public static Path write(HeadLog log, Path folder, String subject) throws IOException {
+    return write(log, folder, "sub-" + subject + "_task-viewing_tracksys-head", "viewing");
+  }
+
+  /**
+   * Writes the four files under a name of one's own.
+   *
+   * @param stem the files' names up to their suffix, BIDS entities in their order
+   * @param task label of the task, as in the stem
+   * @return the data file
+   * @throws IOException if a file cannot be written
+   */
+  public static Path write(HeadLog log, Path folder, String stem, String task) throws IOException {
     Files.createDirectories(folder);
-    String stem = "sub-" + subject + "_task-viewing_tracksys-head";
     Path data = folder.resolve(stem + "_motion.tsv");
     Files.writeString(data, motion(log), StandardCharsets.UTF_8);
     // Channels are of the recording, not of the task's run: the tracking system stays in their
@@ -55,7 +66,7 @@ public final class Bids {
     Files.writeString(
         folder.resolve(stem + "_channels.tsv"), channels(log), StandardCharsets.UTF_8);
     Files.writeString(
-        folder.resolve(stem + "_motion.json"), sidecar(log) + "\n", StandardCharsets.UTF_8);
+        folder.resolve(stem + "_motion.json"), sidecar(log, task) + "\n", StandardCharsets.UTF_8);
     Files.writeString(
         folder.resolve(stem + "_channels.json"), frames() + "\n", StandardCharsets.UTF_8);
     return data;
@@ -111,9 +122,9 @@ public final class Bids {
     return text.toString();
   }
 
-  private static String sidecar(HeadLog log) {
+  private static String sidecar(HeadLog log, String task) {
     ObjectNode root = new ObjectMapper().createObjectNode();
-    root.put("TaskName", "viewing");
+    root.put("TaskName", task);
     root.put(
         "TaskDescription",
         "looking about in the scene "

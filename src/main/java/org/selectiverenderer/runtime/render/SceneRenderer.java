@@ -38,6 +38,11 @@ public final class SceneRenderer {
     list.follow(gl, tree);
   }
 
+  /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
+  List<DrawItem> items() {
+    return list.items();
+  }
+
   /** What the eyes can see of the tree last prepared. The result is reused by the next call. */
   public Visible cull(List<Camera> eyes) {
     Culler.cull(list.items(), eyes, visible);

@@ -19,6 +19,16 @@ public interface WorldHost {
   /** The lines of the overlay; none for no overlay. */
   List<String> overlay();
 
+  /** What is shown while there is nothing to show; none for a black picture. */
+  default List<String> waiting() {
+    return List.of("Loading the scene ...");
+  }
+
+  /** How much the picture is darkened for all eyes: 0 not at all, 1 to black. */
+  default double darkness() {
+    return 0;
+  }
+
   /** A frame of the world was drawn and is about to be shown. */
   void drawn(Drawn drawn);
 

@@ -10,6 +10,8 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.PictureCopy;
 import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.sketch.Mark;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.FrameSource;
 import org.selectiverenderer.runtime.render.window.InputEvent;
@@ -74,6 +76,7 @@ public final class WorldWindow {
     private final EyeTarget eyes = new EyeTarget(stage.main().samples());
     private final boolean split = stage.rightEye().isPresent();
     private final Overlay overlay = new Overlay(new TextMesher());
+    private final SketchPainter veil = new SketchPainter(new TextMesher());
     private final PointerTracker pointer = new PointerTracker();
     private final PictureCopy right;
     private Optional<World> world = Optional.empty();
@@ -106,10 +109,11 @@ public final class WorldWindow {
     public void draw(GL3 gl, FrameSize frame) {
       size = frame;
       if (world.isEmpty()) {
-        gl.glClearColor(0, 0, 0, 1);
-        gl.glClear(GL.GL_COLOR_BUFFER_BIT);
-        overlay.draw(
-            gl, List.of("Loading the scene ..."), frame.width(), frame.height(), frame.scale());
+        black(gl, frame);
+        List<String> waiting = host.waiting();
+        if (!waiting.isEmpty()) {
+          overlay.draw(gl, waiting, frame.width(), frame.height(), frame.scale());
+        }
         return;
       }
       Drawn drawn = paint(gl, world.get(), frame);
@@ -121,16 +125,42 @@ public final class WorldWindow {
       host.drawn(drawn);
     }
 
+    /** Nothing, for both eyes and in the operator's copy. */
+    private void black(GL3 gl, FrameSize frame) {
+      int[] bound = new int[1];
+      gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+      if (split) {
+        eyes.bind(gl, frame.width(), frame.height());
+      }
+      gl.glClearColor(0, 0, 0, 1);
+      gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+      if (split) {
+        eyes.split(gl, bound[0], right);
+      }
+      mirror(gl, frame);
+    }
+
     private Drawn paint(GL3 gl, World shown, FrameSize frame) {
       if (!split) {
-        return painter.paint(gl, shown, frame.width(), frame.height());
+        Drawn drawn = painter.paint(gl, shown, frame.width(), frame.height());
+        darken(gl, frame.width(), frame.height());
+        return drawn;
       }
       int[] bound = new int[1];
       gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
       eyes.bind(gl, frame.width(), frame.height());
       Drawn drawn = painter.paint(gl, shown, 2 * frame.width(), frame.height());
+      darken(gl, 2 * frame.width(), frame.height());
       eyes.split(gl, bound[0], right);
       return drawn;
+    }
+
+    private void darken(GL3 gl, int width, int height) {
+      int alpha = (int) Math.round(255 * Math.max(0, Math.min(1, host.darkness())));
+      if (alpha > 0) {
+        veil.draw(
+            gl, List.of(Mark.rectangle(0, 0, width, height, alpha << 24)), 0, 0, width, height);
+      }
     }
 
     private void mirror(GL3 gl, FrameSize frame) {
@@ -165,6 +195,7 @@ public final class WorldWindow {
         last = Screenshot.read(gl, (split ? 2 : 1) * size.width(), size.height());
       }
       overlay.dispose(gl);
+      veil.dispose(gl);
       eyes.dispose(gl);
       painter.dispose(gl);
     }

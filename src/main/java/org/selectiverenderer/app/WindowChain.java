@@ -1,0 +1,170 @@
+package org.selectiverenderer.app;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.OperatorPage;
+import org.selectiverenderer.runtime.render.WorldHost;
+import org.selectiverenderer.runtime.render.WorldWindow;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+
+/**
+ * Several runs one after the other in the same windows, which stay open and are black in between: a
+ * participant in a display never sees a desktop. Each run is a {@link WindowRun}, so what is shown
+ * and logged is what {@code run} shows and logs; each has the scene to itself from its beginning.
+ */
+public final class WindowChain implements WorldHost {
+  /** Where the runs come from. All calls come from the render thread. */
+  public interface Runs {
+    /**
+     * The next run; empty when there are no more.
+     *
+     * @throws IOException ends the chain
+     */
+    Optional<GuidedRun> next() throws IOException;
+
+    /**
+     * A run has ended and its files are closed.
+     *
+     * @throws IOException ends the chain
+     */
+    void ended(GuidedRun run, RunFigures figures) throws IOException;
+  }
+
+  private final Runs runs;
+  private @Nullable WorldWindow window;
+  private @Nullable GuidedRun guided;
+  private @Nullable WindowRun current;
+  private @Nullable IOException failure;
+  private boolean finished;
+
+  private WindowChain(Runs runs) {
+    this.runs = runs;
+  }
+
+  /**
+   * Shows all runs, in windows as the first one's settings want them.
+   *
+   * @param message hears what about the display is not as asked for
+   * @throws IOException when a run fails, with a one-line message
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static void show(Runs runs, Consumer<String> message)
+      throws IOException, InterruptedException {
+    WindowChain chain = new WindowChain(runs);
+    Optional<GuidedRun> first = runs.next();
+    if (first.isEmpty()) {
+      return;
+    }
+    chain.begin(first.get());
+    WorldWindow window = new WorldWindow(WindowStage.of(first.get().settings(), message), chain);
+    chain.window = window;
+    try {
+      window.run();
+    } finally {
+      chain.close();
+    }
+    if (chain.failure != null) {
+      throw chain.failure;
+    }
+  }
+
+  private void begin(GuidedRun run) throws IOException {
+    guided = run;
+    // What is not as asked for is said once, by the windows; the log is to know it each time.
+    RunSettings fitted = WindowStage.fitted(run.settings(), text -> {});
+    current = new WindowRun(fitted, run.listener(), Optional.of(run.guide()));
+  }
+
+  private void close() throws IOException {
+    WindowRun left = current;
+    current = null;
+    if (left != null) {
+      left.close();
+    }
+  }
+
+  @Override
+  public Optional<World> step() {
+    try {
+      WindowRun run = current;
+      if (run != null && run.finished()) {
+        end(run);
+        return Optional.empty();
+      }
+      if (run == null) {
+        Optional<GuidedRun> next = runs.next();
+        finished = next.isEmpty();
+        if (!finished) {
+          begin(next.get());
+        }
+        return Optional.empty();
+      }
+      return run.step();
+    } catch (IOException e) {
+      failure = e;
+      finished = true;
+      return Optional.empty();
+    }
+  }
+
+  private void end(WindowRun run) throws IOException {
+    GlInfo gl = window.info().orElse(new GlInfo("", "", ""));
+    GuidedRun ended = guided;
+    RunFigures figures = run.figures(gl);
+    close();
+    if (run.failure().isPresent()) {
+      throw run.failure().get();
+    }
+    runs.ended(ended, figures);
+  }
+
+  @Override
+  public void input(InputEvent event) {
+    if (current != null) {
+      current.input(event);
+    }
+  }
+
+  @Override
+  public boolean finished() {
+    return finished;
+  }
+
+  @Override
+  public List<String> overlay() {
+    return List.of();
+  }
+
+  @Override
+  public List<String> waiting() {
+    return List.of();
+  }
+
+  @Override
+  public double darkness() {
+    return current == null ? 1 : current.darkness();
+  }
+
+  @Override
+  public void drawn(Drawn drawn) {
+    current.drawn(drawn);
+  }
+
+  @Override
+  public void submitted() {
+    current.submitted();
+  }
+
+  @Override
+  public OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
+    return current == null
+        ? OperatorDesk.waiting(List.of())
+        : current.operatorPage(width, height, pictureWidth, pictureHeight);
+  }
+}

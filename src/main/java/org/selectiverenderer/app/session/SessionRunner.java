@@ -1,0 +1,94 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.app.WindowChain;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+
+/** Runs what is left of a session, step by step. */
+public final class SessionRunner {
+  /** How a session ended. */
+  public enum Outcome {
+    FINISHED,
+    ABORTED,
+    REFUSED
+  }
+
+  private final Session session;
+  private final SessionDesk desk;
+  private final ShownSteps shown;
+  private final OperatorControls controls;
+  private final Consumer<String> message;
+
+  /**
+   * @param settings how scenes are shown
+   * @param message hears what is not as asked for, a line at a time
+   */
+  public SessionRunner(
+      Session session, SessionDesk desk, SessionShow settings, Consumer<String> message) {
+    this.session = session;
+    this.desk = desk;
+    this.message = message;
+    controls = new OperatorControls(session.journal());
+    shown = new ShownSteps(session, settings, controls);
+  }
+
+  /**
+   * Runs it.
+   *
+   * @throws IOException if something cannot be shown or written; what is finished is kept
+   * @throws InterruptedException if the thread is interrupted
+   */
+  public Outcome run() throws IOException, InterruptedException {
+    desk.open(controls);
+    while (true) {
+      List<SessionStep> left = session.remaining();
+      if (left.isEmpty()) {
+        session.end();
+        desk.thanks(session);
+        return Outcome.FINISHED;
+      }
+      SessionStep step = left.get(0);
+      controls.status(step.id());
+      if (step instanceof SessionStep.Form) {
+        if (!form(step)) {
+          return Outcome.REFUSED;
+        }
+      } else if (step instanceof SessionStep.Questions questions) {
+        session.began(step, false);
+        if (desk.questions(session, questions, controls)) {
+          session.finished(step, Map.of());
+        } else {
+          controls.abort();
+        }
+      } else {
+        WindowChain.show(shown, message);
+        // A window that was closed ends the session, as if the experimenter had.
+        if (session.remaining().contains(step) || shown.wanted()) {
+          controls.abort();
+        }
+      }
+      if (controls.aborted()) {
+        session.abort(step.id());
+        return Outcome.ABORTED;
+      }
+    }
+  }
+
+  private boolean form(SessionStep step) throws IOException {
+    session.began(step, false);
+    Optional<String> age = desk.form(session);
+    if (age.isEmpty()) {
+      session.refuse();
+      return false;
+    }
+    session.assign(age.get());
+    session.finished(step, Map.of());
+    return true;
+  }
+}

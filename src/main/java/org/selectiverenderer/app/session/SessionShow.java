@@ -1,0 +1,16 @@
+package org.selectiverenderer.app.session;
+
+import org.selectiverenderer.app.RunListener;
+import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.tracker.TrackerOptions;
+
+/**
+ * How a session's scenes are shown.
+ *
+ * @param presentation to one eye or two, and on what
+ * @param tracking how the tracker's angles are taken
+ * @param operator whether there is a window with what the participant sees
+ * @param listener hears what is wrong with a scene
+ */
+public record SessionShow(
+    Presentation presentation, TrackerOptions tracking, boolean operator, RunListener listener) {}

@@ -1,0 +1,161 @@
+package org.selectiverenderer.app.session;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.selectiverenderer.app.GuidedRun;
+import org.selectiverenderer.app.HeadSettings;
+import org.selectiverenderer.app.RunFigures;
+import org.selectiverenderer.app.RunListener;
+import org.selectiverenderer.app.RunSettings;
+import org.selectiverenderer.app.TimelineEvent;
+import org.selectiverenderer.app.TimelineJson;
+import org.selectiverenderer.app.WindowChain;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
+import org.selectiverenderer.x3d.Problem;
+
+/** The steps of a session that show a scene, as runs of one chain of windows. */
+final class ShownSteps implements WindowChain.Runs {
+  /** Seconds that an unattended practice takes. */
+  private static final double UNATTENDED_PRACTICE = 2;
+
+  private final Session session;
+  private final SessionShow show;
+  private final OperatorControls controls;
+  private final ObjectMapper json = new ObjectMapper();
+
+  ShownSteps(Session session, SessionShow show, OperatorControls controls) {
+    this.session = session;
+    this.show = show;
+    this.controls = controls;
+  }
+
+  private Optional<SessionStep> upcoming() {
+    return session.remaining().stream()
+        .findFirst()
+        .filter(
+            step -> step instanceof SessionStep.Practice || step instanceof SessionStep.Exposure);
+  }
+
+  /** Whether there is a scene to be shown next. */
+  boolean wanted() {
+    return upcoming().isPresent();
+  }
+
+  @Override
+  public Optional<GuidedRun> next() throws IOException {
+    Optional<SessionStep> step = upcoming();
+    if (step.isEmpty() || controls.aborted()) {
+      return Optional.empty();
+    }
+    Path log = session.headLog(step.get());
+    session.began(step.get(), true);
+    return Optional.of(
+        new GuidedRun(settings(step.get(), log), listener(step.get()), guide(step.get())));
+  }
+
+  private StepGuide guide(SessionStep step) {
+    OptionalDouble shortened = session.options().exposure();
+    if (step instanceof SessionStep.Exposure exposure) {
+      return new StepGuide(
+          session,
+          step,
+          exposure.area().viewpoint(),
+          OptionalDouble.of(shortened.orElse(exposure.area().seconds())),
+          controls);
+    }
+    return new StepGuide(
+        session,
+        step,
+        session.material().study().practice().map(Study.Practice::viewpoint).orElse(""),
+        session.options().unattended()
+            ? OptionalDouble.of(
+                Math.min(UNATTENDED_PRACTICE, shortened.orElse(UNATTENDED_PRACTICE)))
+            : OptionalDouble.empty(),
+        controls);
+  }
+
+  private RunSettings settings(SessionStep step, Path log) {
+    Study study = session.material().study();
+    Path scene =
+        step instanceof SessionStep.Practice practice
+            ? practice.practice().scene()
+            : study.scene().orElseThrow();
+    Study.Display display = study.display();
+    return new RunSettings(
+        scene,
+        new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()),
+        Optional.empty(),
+        OptionalDouble.empty(),
+        display.width() > 0 ? display.width() : show.presentation().width(),
+        display.height() > 0 ? display.height() : show.presentation().height(),
+        OptionalInt.empty(),
+        study.mouse(),
+        show.presentation(),
+        false,
+        new HeadSettings(
+            study.tracker(), show.tracking(), WhenLost.FREEZE, Optional.of(log), HeadSettings.CONE),
+        show.operator());
+  }
+
+  /** The seed of the random condition: each participant has a lot of his own, always the same. */
+  private long lot() {
+    return session.material().study().seed() * 31 + session.folder().participant().hashCode();
+  }
+
+  private RunListener listener(SessionStep step) {
+    TimelineJson lines = new TimelineJson();
+    return new RunListener() {
+      @Override
+      public void problem(Problem problem) {
+        session.journal().tell("problem", Map.of("step", step.id(), "text", problem.toString()));
+        show.listener().problem(problem);
+      }
+
+      @Override
+      public void happened(TimelineEvent event) {
+        session.journal().tell("scene", Map.of("step", step.id(), "what", read(lines.line(event))));
+      }
+
+      @Override
+      public void printed(String text) {
+        show.listener().printed(text);
+      }
+    };
+  }
+
+  private Object read(String text) {
+    try {
+      return json.readTree(text);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @Override
+  public void ended(GuidedRun run, RunFigures figures) throws IOException {
+    if (controls.aborted()) {
+      return;
+    }
+    SessionStep step = upcoming().orElseThrow();
+    Map<String, Object> more = new LinkedHashMap<>();
+    more.put("condition", run.settings().rendering().condition().spelling());
+    more.put("lot", run.settings().rendering().seed());
+    more.put("figures", read(figures.json()));
+    more.put("display", List.of(run.settings().width(), run.settings().height()));
+    session.finished(step, more);
+  }
+}

@@ -1,0 +1,53 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.session.SimulatedParticipant;
+
+/** Nobody sits there: a simulated participant answers at once. */
+public final class SimulatedDesk implements SessionDesk {
+  @Override
+  public void open(OperatorControls controls) {
+    // There is no experimenter either.
+  }
+
+  @Override
+  public Optional<String> form(Session session) {
+    return Optional.of("simulated");
+  }
+
+  @Override
+  public boolean questions(Session session, SessionStep.Questions step, OperatorControls controls)
+      throws IOException {
+    Screen screen = session.screen(step);
+    SimulatedParticipant participant =
+        new SimulatedParticipant(
+            session.material().study().seed() + step.id().hashCode(),
+            session.folder().participant());
+    Map<String, Answer> known = session.answers(step);
+    for (Item item : screen.items()) {
+      Answer answer = participant.answer(step.kind(), item);
+      if (!known.containsKey(item.object())) {
+        session.answer(step, item, answer);
+      }
+    }
+    return true;
+  }
+
+  @Override
+  public void thanks(Session session) {
+    // Nobody is there to be thanked.
+  }
+
+  @Override
+  public void close() {
+    // There is no window.
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.experiment.session.CollectedAnswers;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.x3d.Problems;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "collect",
+    description = {
+      "Puts the answers of all sessions of a study into one file: those about memory for experiment"
+          + " analyse, ratings for enrich --ratings.",
+      "Without an option it prints the answers about memory."
+    },
+    footer = {
+      "  ./selective-renderer experiment collect mystudy --responses responses.csv",
+      "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv --bands bands.csv"
+    })
+final class ExperimentCollectCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Option(
+      names = "--responses",
+      paramLabel = "F.csv",
+      description = "writes the answers about memory")
+  private @Nullable Path responses;
+
+  @Option(names = "--ratings", paramLabel = "F.csv", description = "writes the ratings, one a row")
+  private @Nullable Path ratings;
+
+  @Option(
+      names = "--bands",
+      paramLabel = "F.csv",
+      description = "writes the means of the ratings with their bands and consistency (thesis 5.1)")
+  private @Nullable Path bands;
+
+  @Option(
+      names = "--session",
+      defaultValue = "1",
+      paramLabel = "N",
+      description = "which session of each participant counts (default: ${DEFAULT-VALUE})")
+  private int number = 1;
+
+  ExperimentCollectCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    OutputFile.check("--responses", responses, ".csv");
+    OutputFile.check("--ratings", ratings, ".csv");
+    OutputFile.check("--bands", bands, ".csv");
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> material = study.read(problems);
+    if (material.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    CollectedAnswers answers = CollectedAnswers.of(material.get(), number, problems);
+    if (responses == null && ratings == null && bands == null) {
+      console().out().print(answers.responses());
+    }
+    write(responses, answers.responses());
+    write(ratings, answers.ratings());
+    write(bands, answers.bands());
+    return ExitStatus.of(problems);
+  }
+
+  private static void write(@Nullable Path file, String text) throws IOException {
+    if (file != null) {
+      Files.writeString(file, text, StandardCharsets.UTF_8);
+    }
+  }
+}

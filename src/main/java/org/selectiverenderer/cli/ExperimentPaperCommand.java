@@ -1,0 +1,96 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
+import org.selectiverenderer.experiment.questionnaire.PaperPage;
+import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.session.SessionFolder;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.x3d.Problems;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "paper",
+    description = {
+      "Writes a participant's questionnaires as a page to print, and as a table to type the answers"
+          + " into.",
+      "The questions have the order that the participant would meet on the screen."
+    },
+    footer =
+        "  ./selective-renderer experiment paper mystudy --participant 001 --condition high --output"
+            + " 001.html --csv 001.csv")
+final class ExperimentPaperCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Option(
+      names = "--participant",
+      required = true,
+      paramLabel = "ID",
+      description = "letters and digits")
+  private String participant = "";
+
+  @Option(
+      names = "--condition",
+      converter = ConditionOptions.Converter.class,
+      paramLabel = "NAME",
+      description = "the participant's, for the table (default: to be typed in)")
+  private @Nullable Condition condition;
+
+  @Option(names = "--output", paramLabel = "F.html", description = "the page (default: printed)")
+  private @Nullable Path output;
+
+  @Option(names = "--csv", paramLabel = "F.csv", description = "the table to type answers into")
+  private @Nullable Path csv;
+
+  ExperimentPaperCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    if (!participant.matches(SessionFolder.LABEL)) {
+      throw CommandFailure.usage("--participant is made of letters and digits");
+    }
+    OutputFile.check("--output", output, ".html");
+    OutputFile.check("--csv", csv, ".csv");
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> material = study.read(problems);
+    if (material.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    List<Screen> screens = material.get().screens(participant);
+    String page = PaperPage.html(screens, material.get().wording(), participant);
+    if (output != null) {
+      Files.writeString(output, page, StandardCharsets.UTF_8);
+    } else {
+      console().out().print(page);
+    }
+    if (csv != null) {
+      Files.writeString(csv, table(screens), StandardCharsets.UTF_8);
+    }
+    return ExitStatus.of(problems);
+  }
+
+  private String table(List<Screen> screens) {
+    boolean recognition = screens.stream().anyMatch(Screen::withConfidence);
+    StringBuilder text =
+        new StringBuilder(recognition ? AnswersCsv.responsesHeader() : AnswersCsv.RATINGS);
+    for (Screen screen : screens) {
+      if (screen.withConfidence() == recognition) {
+        String group = condition == null ? "" : condition.spelling();
+        text.append(AnswersCsv.lines(screen, participant, group, Map.of()));
+      }
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,75 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
+
+/** Answers as CSV: those about memory as the statistics read them, ratings as the enricher does. */
+public final class AnswersCsv {
+  private AnswersCsv() {}
+
+  /** The header of a file of ratings. */
+  public static final String RATINGS = "participant,area,object,schema,rating\n";
+
+  /** The header of a file of answers about memory. */
+  public static String responsesHeader() {
+    return ResponsesCsv.of(List.of());
+  }
+
+  /**
+   * Answers about memory, a line for each item, without a header; without an answer, that is empty.
+   */
+  public static String responses(
+      Screen screen, String participant, String condition, Function<Item, Answer> answers) {
+    return screen.items().stream()
+        .map(
+            item -> {
+              Answer answer = answers.apply(item);
+              return line(
+                  participant,
+                  condition,
+                  item.area(),
+                  item.object(),
+                  item.type(),
+                  item.present() ? "yes" : "no",
+                  answer.value(),
+                  answer.confidence() == 0 ? "" : Integer.toString(answer.confidence()));
+            })
+        .collect(Collectors.joining());
+  }
+
+  /** Ratings, a line for each item, without a header. */
+  public static String ratings(Screen screen, String participant, Function<Item, Answer> answers) {
+    return screen.items().stream()
+        .map(
+            item ->
+                line(
+                    participant,
+                    item.area(),
+                    item.object(),
+                    item.schema(),
+                    answers.apply(item).value()))
+        .collect(Collectors.joining());
+  }
+
+  /** All of a screen's answers. */
+  public static String lines(
+      Screen screen, String participant, String condition, Map<String, Answer> byObject) {
+    Function<Item, Answer> answers = item -> byObject.getOrDefault(item.object(), Answer.NONE);
+    return screen.withConfidence()
+        ? responses(screen, participant, condition, answers)
+        : ratings(screen, participant, answers);
+  }
+
+  private static String line(String... cells) {
+    return Stream.of(cells).map(AnswersCsv::quoted).collect(Collectors.joining(",")) + "\n";
+  }
+
+  private static String quoted(String cell) {
+    boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
+    return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+  }
+}

@@ -1,0 +1,65 @@
+package org.selectiverenderer.experiment.session;
+
+import java.util.Map;
+
+/**
+ * What the experimenter asks for while a session runs. Set by the control window, read by whoever
+ * runs the step; each request is in the journal at the moment it is made.
+ */
+public final class OperatorControls {
+  private final SessionJournal journal;
+  private volatile boolean paused;
+  private volatile boolean aborted;
+  private volatile boolean going;
+  private volatile String status = "";
+
+  public OperatorControls(SessionJournal journal) {
+    this.journal = journal;
+  }
+
+  /** Practice is over, as soon as whoever runs it looks. */
+  public void goOn() {
+    going = true;
+    journal.tell("go-on", Map.of());
+  }
+
+  /** Stops the clock and darkens the participant's picture, or goes on. */
+  public void pause(boolean on) {
+    paused = on;
+    journal.tell(on ? "paused" : "continued", Map.of());
+  }
+
+  /** Ends the session. */
+  public void abort() {
+    aborted = true;
+  }
+
+  /** Writes something down; the journal has the time. */
+  public void note(String text) {
+    journal.tell("note", Map.of("text", text));
+  }
+
+  public boolean paused() {
+    return paused;
+  }
+
+  public boolean aborted() {
+    return aborted;
+  }
+
+  /** Whether to go on was asked for since the last call. */
+  public boolean takeGoOn() {
+    boolean asked = going;
+    going = false;
+    return asked;
+  }
+
+  /** Where the session is, for the control window. */
+  public void status(String text) {
+    status = text;
+  }
+
+  public String status() {
+    return status;
+  }
+}

@@ -1,0 +1,144 @@
+package org.selectiverenderer.experiment.session;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.study.Study;
+
+/**
+ * {@code participants.tsv} in a study's folder (BIDS, "Participants file"): who got which
+ * condition. Lines are only ever added, under a lock, so that several places of a lab may share a
+ * folder.
+ */
+public final class Participants {
+  private static final String HEADER =
+      "participant_id\tcondition\tplace\tassigned_by\tinstead_of\tage\tsimulated\n";
+
+  private final Study study;
+  private final Path file;
+
+  /**
+   * A participant's line.
+   *
+   * @param place in the schedule, from 1
+   * @param insteadOf the condition that the schedule had, where the experimenter chose another
+   */
+  public record Assigned(
+      String participant,
+      Condition condition,
+      int place,
+      Optional<Condition> insteadOf,
+      String age,
+      boolean simulated) {
+    private String line() {
+      return String.join(
+              "\t",
+              "sub-" + participant,
+              condition.spelling(),
+              Integer.toString(place),
+              insteadOf.isPresent() ? "experimenter" : "schedule",
+              insteadOf.map(Condition::spelling).orElse("n/a"),
+              age.isEmpty() ? "n/a" : age,
+              Boolean.toString(simulated))
+          + "\n";
+    }
+  }
+
+  public Participants(Study study) {
+    this.study = study;
+    file = study.folder().resolve("participants.tsv");
+  }
+
+  /**
+   * Assigns a participant; one who is there already keeps what was assigned.
+   *
+   * @param wanted the experimenter's choice; empty for whose turn it is
+   * @throws IOException if the file cannot be read or written
+   */
+  Assigned assign(String participant, Optional<Condition> wanted, String age, boolean simulated)
+      throws IOException {
+    try (FileChannel channel =
+        FileChannel.open(
+            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
+      channel.lock(); // Closing the channel lets go of it.
+      String text = text(channel);
+      List<Assigned> all = parse(text);
+      for (Assigned known : all) {
+        if (known.participant().equals(participant)) {
+          return known;
+        }
+      }
+      Set<Integer> taken = new HashSet<>();
+      all.forEach(known -> taken.add(known.place()));
+      Schedule schedule = new Schedule(study);
+      Condition turn = schedule.condition(schedule.free(taken, Optional.empty()));
+      int place = schedule.free(taken, wanted);
+      Assigned assigned =
+          new Assigned(
+              participant,
+              schedule.condition(place),
+              place,
+              wanted.filter(chosen -> chosen != turn).map(chosen -> turn),
+              age,
+              simulated);
+      String missing = text.isEmpty() ? HEADER : text.endsWith("\n") ? "" : "\n";
+      ByteBuffer bytes =
+          ByteBuffer.wrap((missing + assigned.line()).getBytes(StandardCharsets.UTF_8));
+      channel.position(channel.size());
+      while (bytes.hasRemaining()) {
+        channel.write(bytes);
+      }
+      channel.force(true);
+      return assigned;
+    }
+  }
+
+  /**
+   * All who were assigned, in order. A line that a crash cut off is passed over.
+   *
+   * @throws IOException if the file is there and cannot be read
+   */
+  public List<Assigned> all() throws IOException {
+    if (!Files.isRegularFile(file)) {
+      return List.of();
+    }
+    return parse(Files.readString(file, StandardCharsets.UTF_8));
+  }
+
+  private static String text(FileChannel channel) throws IOException {
+    ByteBuffer bytes = ByteBuffer.allocate((int) channel.size());
+    while (bytes.hasRemaining() && channel.read(bytes) >= 0) {
+      // Until all is there.
+    }
+    return new String(bytes.array(), 0, bytes.position(), StandardCharsets.UTF_8);
+  }
+
+  private static List<Assigned> parse(String text) {
+    List<Assigned> all = new ArrayList<>();
+    for (String line : text.split("\n")) {
+      String[] cells = line.strip().split("\t", -1);
+      Optional<Condition> condition = cells.length < 7 ? Optional.empty() : Condition.of(cells[1]);
+      if (condition.isPresent() && cells[2].matches("\\d{1,9}") && cells[0].startsWith("sub-")) {
+        all.add(
+            new Assigned(
+                cells[0].substring(4),
+                condition.get(),
+                Integer.parseInt(cells[2]),
+                Condition.of(cells[4]),
+                cells[5],
+                Boolean.parseBoolean(cells[6])));
+      }
+    }
+    return all;
+  }
+}

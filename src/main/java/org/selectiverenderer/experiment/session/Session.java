@@ -1,0 +1,318 @@
+package org.selectiverenderer.experiment.session;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.headlog.Bids;
+import org.selectiverenderer.experiment.headlog.HeadLog;
+import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
+import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
+ * on the disk and will not be done again. Belongs to one thread but for the journal, which takes
+ * events from any.
+ */
+public final class Session implements AutoCloseable {
+  private final StudyMaterial material;
+  private final SessionFolder folder;
+  private final SessionOptions options;
+  private final SessionJournal journal;
+  private SessionHistory history;
+
+  private Session(
+      StudyMaterial material,
+      SessionFolder folder,
+      SessionOptions options,
+      SessionJournal journal,
+      SessionHistory history) {
+    this.material = material;
+    this.folder = folder;
+    this.options = options;
+    this.journal = journal;
+    this.history = history;
+  }
+
+  /**
+   * Begins a session: makes its folder, writes what it is begun with.
+   *
+   * @throws IOException if it was begun before, or the disk fails
+   */
+  public static Session begin(
+      StudyMaterial material, String participant, int number, SessionOptions options)
+      throws IOException {
+    SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
+    if (Files.exists(folder.journal())) {
+      throw new IOException(
+          folder.path()
+              + " is there already: --resume goes on with it, --session "
+              + (number + 1)
+              + " begins another");
+    }
+    Files.createDirectories(folder.path().resolve("head"));
+    SessionJournal journal = SessionJournal.open(folder.journal(), true);
+    Session session = new Session(material, folder, options, journal, SessionHistory.none());
+    String sum = Checksums.of(material.study().file());
+    Map<String, Object> began = new LinkedHashMap<>();
+    began.put("participant", participant);
+    began.put("session", number);
+    began.put("study", material.study().name());
+    began.put("study_sha256", sum);
+    began.putAll(options.recorded());
+    journal.keep("session-began", began);
+    session.writeSettings();
+    return session;
+  }
+
+  /** The study as it was, what the session was begun with, and checksums of what was shown. */
+  private void writeSettings() throws IOException {
+    folder.writeOnce("study.json", Files.readString(material.study().file()));
+    Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
+    Map<String, String> sums = new LinkedHashMap<>();
+    if (material.study().scene().isPresent()) {
+      sums.putAll(Checksums.ofScene(material.study().scene().get()));
+    }
+    if (material.study().practice().isPresent()) {
+      sums.putAll(Checksums.ofScene(material.study().practice().get().scene()));
+    }
+    for (var questionnaire : material.study().questionnaires()) {
+      sums.put(
+          String.valueOf(questionnaire.items().getFileName()), Checksums.of(questionnaire.items()));
+    }
+    settings.put("sha256", sums);
+    folder.writeOnce(
+        "settings.json", new ObjectMapper().valueToTree(settings).toPrettyString() + "\n");
+  }
+
+  /**
+   * Goes on with a session after its last finished step.
+   *
+   * @param problems hears when the study has changed meanwhile
+   * @throws IOException if there is none, it is complete, or the disk fails
+   */
+  public static Session resume(
+      StudyMaterial material,
+      String participant,
+      int number,
+      SessionOptions options,
+      Problems problems)
+      throws IOException {
+    SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
+    if (!Files.isRegularFile(folder.journal())) {
+      throw new IOException(folder.path() + " has no session to go on with: leave --resume out");
+    }
+    SessionJournal journal = SessionJournal.open(folder.journal(), false);
+    try {
+      SessionHistory history = SessionHistory.read(folder.journal());
+      if (history.over() || history.refused()) {
+        throw new IOException(folder.path() + " is complete: there is nothing to go on with");
+      }
+      Session session = new Session(material, folder, options, journal, history);
+      session.tellResumed(problems);
+      return session;
+    } catch (IOException e) {
+      journal.close();
+      throw e;
+    }
+  }
+
+  private void tellResumed(Problems problems) throws IOException {
+    String sum = Checksums.of(material.study().file());
+    Map<String, Object> resumed = new LinkedHashMap<>();
+    resumed.put(
+        "finished",
+        material.steps().stream().filter(history::finished).map(SessionStep::id).toList());
+    resumed.put("study_sha256", sum);
+    resumed.putAll(options.recorded());
+    journal.keep("resumed", resumed);
+    Files.createDirectories(folder.path().resolve("head"));
+    if (!Files.exists(folder.path().resolve("settings.json"))) {
+      writeSettings();
+    }
+    if (!history.checksum().equals(sum)) {
+      problems.warning(
+          Location.of(material.study().file().toString()),
+          "the study has changed since this session began; it goes on with the study as it is now,"
+              + " and its events say so");
+    }
+    for (String headLog : history.headLogs()) {
+      writeMotion(headLog);
+    }
+  }
+
+  /** The steps that are still to be done, in order. */
+  public List<SessionStep> remaining() {
+    return material.steps().stream().filter(step -> !history.finished(step)).toList();
+  }
+
+  public SessionJournal journal() {
+    return journal;
+  }
+
+  public SessionFolder folder() {
+    return folder;
+  }
+
+  public SessionOptions options() {
+    return options;
+  }
+
+  public StudyMaterial material() {
+    return material;
+  }
+
+  /** The participant's condition, once it is assigned. */
+  public Optional<Condition> condition() {
+    return history.condition();
+  }
+
+  /** The head log that the next run of a step writes; it is not there yet. */
+  public Path headLog(SessionStep step) {
+    return folder.headLog(step, history.runs(step) + 1);
+  }
+
+  /**
+   * A step begins.
+   *
+   * @param headLog whether it writes one
+   */
+  public void began(SessionStep step, boolean headLog) throws IOException {
+    int run = history.runs(step) + 1;
+    Map<String, Object> event = new LinkedHashMap<>();
+    event.put("step", step.id());
+    event.put("run", run);
+    if (headLog) {
+      event.put("head_log", SessionFolder.headName(step, run));
+    }
+    keep("step-began", event);
+  }
+
+  /**
+   * A step is done.
+   *
+   * @param more what there is to say of it
+   */
+  public void finished(SessionStep step, Map<String, ?> more) throws IOException {
+    if (step instanceof SessionStep.Practice || step instanceof SessionStep.Exposure) {
+      writeMotion(SessionFolder.headName(step, history.runs(step)));
+    }
+    Map<String, Object> event = new LinkedHashMap<>();
+    event.put("step", step.id());
+    event.putAll(more);
+    keep("step-finished", event);
+  }
+
+  /** The form is filled in: the condition is assigned, in the study's list first. */
+  public void assign(String age) throws IOException {
+    Participants.Assigned assigned =
+        new Participants(material.study())
+            .assign(folder.participant(), options.condition(), age, options.unattended());
+    Map<String, Object> event = new LinkedHashMap<>();
+    event.put("condition", assigned.condition().spelling());
+    event.put("place", assigned.place());
+    event.put("assigned_by", assigned.insteadOf().isPresent() ? "experimenter" : "schedule");
+    assigned.insteadOf().ifPresent(turn -> event.put("instead_of", turn.spelling()));
+    event.put("age", age);
+    keep("assigned", event);
+  }
+
+  /** The participant does not take part. */
+  public void refuse() throws IOException {
+    keep("refused", Map.of());
+  }
+
+  /** The experimenter ends it before its end. */
+  public void abort(String step) throws IOException {
+    keep("aborted", Map.of("step", step));
+  }
+
+  /** What a step asks. */
+  public Screen screen(SessionStep.Questions step) {
+    return material.screen(step, folder.participant());
+  }
+
+  /** The answers that a step has so far, by object. */
+  public Map<String, Answer> answers(SessionStep.Questions step) {
+    return history.answers(step);
+  }
+
+  /** The participant answers, or answers otherwise; on the disk when it returns. */
+  public void answer(SessionStep.Questions step, Item item, Answer answer) throws IOException {
+    Map<String, Object> event = new LinkedHashMap<>();
+    event.put("step", step.id());
+    event.put("object", item.object());
+    event.put("value", answer.value());
+    if (answer.confidence() > 0) {
+      event.put("confidence", answer.confidence());
+    }
+    journal.keep("answer", event);
+  }
+
+  /** All steps are done: writes the answers as tables. */
+  public void end() throws IOException {
+    String condition = condition().map(Condition::spelling).orElse("");
+    StringBuilder responses = new StringBuilder();
+    StringBuilder ratings = new StringBuilder();
+    for (SessionStep step : material.steps()) {
+      if (step instanceof SessionStep.Questions questions) {
+        Screen screen = screen(questions);
+        (screen.withConfidence() ? responses : ratings)
+            .append(
+                AnswersCsv.lines(screen, folder.participant(), condition, history.answers(step)));
+      }
+    }
+    if (!responses.isEmpty()) {
+      folder.writeOnce("responses.csv", AnswersCsv.responsesHeader() + responses);
+    }
+    if (!ratings.isEmpty()) {
+      folder.writeOnce("ratings.csv", AnswersCsv.RATINGS + ratings);
+    }
+    keep("session-finished", Map.of());
+  }
+
+  private void keep(String event, Map<String, ?> more) throws IOException {
+    journal.keep(event, more);
+    history = SessionHistory.read(folder.journal());
+  }
+
+  /** A head log as BIDS motion data, once; also of a run that a crash cut off. */
+  private void writeMotion(String headName) throws IOException {
+    Path log = folder.path().resolve("head").resolve(headName + ".csv");
+    String stem = folder.motionStem(headName);
+    Path motion = folder.path().resolve("motion");
+    if (!Files.isRegularFile(log) || Files.exists(motion.resolve(stem + "_motion.tsv"))) {
+      return;
+    }
+    Problems problems = new Problems();
+    Optional<HeadLog> read = HeadLogReader.read(log, problems);
+    if (read.isPresent()) {
+      Bids.write(read.get(), motion, stem, SessionFolder.task(headName));
+    }
+    if (problems.any()) {
+      journal.tell(
+          "head-log",
+          Map.of(
+              "file",
+              headName,
+              "problems",
+              problems.list().stream().map(Problem::message).toList()));
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    journal.close();
+  }
+}

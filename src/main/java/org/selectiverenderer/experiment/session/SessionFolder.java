@@ -1,0 +1,130 @@
+package org.selectiverenderer.experiment.session;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.selectiverenderer.experiment.study.Study;
+
+/**
+ * Where a session's files are: {@code sub-ID/ses-NN} in the study's folder.
+ *
+ * @param participant letters and digits
+ * @param number of the session, from 1
+ */
+public record SessionFolder(Path study, String participant, int number) {
+  /** What a participant's id is made of, as BIDS wants it. */
+  public static final String LABEL = "[0-9A-Za-z]+";
+
+  /** Those of a study that are there, in order. */
+  public static List<SessionFolder> all(Study study) throws IOException {
+    List<SessionFolder> all = new ArrayList<>();
+    for (Path subject : named(study.folder(), "sub-" + LABEL)) {
+      for (Path session : named(subject, "ses-\\d{2,}")) {
+        SessionFolder found =
+            new SessionFolder(study.folder(), label(subject), Integer.parseInt(label(session)));
+        if (Files.isRegularFile(found.journal())) {
+          all.add(found);
+        }
+      }
+    }
+    return all;
+  }
+
+  /** A participant's id that nobody has yet: 001 and so on. */
+  public static String nextId(Study study) throws IOException {
+    List<String> taken = new ArrayList<>();
+    named(study.folder(), "sub-" + LABEL).forEach(path -> taken.add(label(path)));
+    new Participants(study).all().forEach(known -> taken.add(known.participant()));
+    int number = 1;
+    while (taken.contains(String.format(Locale.ROOT, "%03d", number))) {
+      number++;
+    }
+    return String.format(Locale.ROOT, "%03d", number);
+  }
+
+  private static String label(Path path) {
+    return path.getFileName().toString().substring(4);
+  }
+
+  private static List<Path> named(Path folder, String pattern) throws IOException {
+    try (Stream<Path> found = Files.list(folder)) {
+      return found
+          .filter(path -> path.getFileName().toString().matches(pattern) && Files.isDirectory(path))
+          .sorted()
+          .toList();
+    }
+  }
+
+  /** The folder. */
+  public Path path() {
+    return study
+        .resolve("sub-" + participant)
+        .resolve(String.format(Locale.ROOT, "ses-%02d", number));
+  }
+
+  /** The events. */
+  public Path journal() {
+    return path().resolve("events.jsonl");
+  }
+
+  /** The head log of a step's run, from 1. */
+  Path headLog(SessionStep step, int run) {
+    return path().resolve("head").resolve(headName(step, run) + ".csv");
+  }
+
+  static String headName(SessionStep step, int run) {
+    return String.format(Locale.ROOT, "%s_run-%02d", step.id(), run);
+  }
+
+  /** The names of BIDS motion data for a head log, up to their suffix. */
+  String motionStem(String headName) {
+    int at = headName.lastIndexOf("_run-");
+    return String.format(
+        Locale.ROOT,
+        "sub-%s_ses-%02d_task-%s_tracksys-head%s",
+        participant,
+        number,
+        task(headName),
+        headName.substring(at));
+  }
+
+  /** A BIDS label has letters and digits only. */
+  static String task(String headName) {
+    return headName.substring(0, headName.lastIndexOf("_run-")).replace("-", "");
+  }
+
+  /**
+   * Writes a file that is never written again. One that is there with this very text was written
+   * before a crash, and stays.
+   *
+   * @throws IOException if it is there with another text, or cannot be written
+   */
+  void writeOnce(String name, String text) throws IOException {
+    Path file = path().resolve(name);
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    if (Files.exists(file)) {
+      if (!Arrays.equals(Files.readAllBytes(file), bytes)) {
+        throw new IOException(file + " is there with other content; nothing is written over");
+      }
+      return;
+    }
+    Path half = Files.createTempFile(path(), name, ".part");
+    try (FileChannel channel = FileChannel.open(half, StandardOpenOption.WRITE)) {
+      ByteBuffer left = ByteBuffer.wrap(bytes);
+      while (left.hasRemaining()) {
+        channel.write(left);
+      }
+      channel.force(true);
+    }
+    Files.move(half, file);
+  }
+}

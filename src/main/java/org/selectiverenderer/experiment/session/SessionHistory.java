@@ -1,0 +1,162 @@
+package org.selectiverenderer.experiment.session;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+
+/**
+ * What a session's journal says has happened. Lines that a crash cut off are no events and are
+ * passed over.
+ */
+public final class SessionHistory {
+  private final Set<String> finished = new LinkedHashSet<>();
+  private final Map<String, Integer> runs = new HashMap<>();
+  private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
+  private final List<String> headLogs = new ArrayList<>();
+  private Optional<Condition> condition = Optional.empty();
+  private String checksum = "";
+  private boolean unattended;
+  private boolean shortened;
+  private boolean aborted;
+  private boolean over;
+  private boolean refused;
+
+  private SessionHistory() {}
+
+  /** Of a session that has not begun. */
+  static SessionHistory none() {
+    return new SessionHistory();
+  }
+
+  /**
+   * Reads a journal.
+   *
+   * @throws IOException if it cannot be read
+   */
+  public static SessionHistory read(Path journal) throws IOException {
+    SessionHistory history = new SessionHistory();
+    ObjectMapper json = new ObjectMapper();
+    String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
+    for (String line : text.split("\n")) {
+      JsonNode event = whole(json, line);
+      if (event != null && event.isObject()) {
+        history.add(event);
+      }
+    }
+    return history;
+  }
+
+  private static @Nullable JsonNode whole(ObjectMapper json, String line) {
+    try {
+      return json.readTree(line);
+    } catch (JsonProcessingException e) {
+      return null; // Cut off by a crash: it was never said.
+    }
+  }
+
+  private void add(JsonNode event) {
+    String step = event.path("step").asText();
+    switch (event.path("event").asText()) {
+      case "session-began" -> {
+        unattended = event.path("unattended").asBoolean();
+        shortened = event.has("exposure_s");
+        checksum = event.path("study_sha256").asText();
+      }
+      case "resumed" -> {
+        aborted = false;
+        unattended |= event.path("unattended").asBoolean();
+        shortened |= event.has("exposure_s");
+      }
+      case "assigned" -> condition = Condition.of(event.path("condition").asText());
+      case "step-began" -> {
+        runs.merge(step, 1, Integer::sum);
+        if (event.has("head_log")) {
+          headLogs.add(event.get("head_log").asText());
+        }
+      }
+      case "step-finished" -> finished.add(step);
+      case "answer" ->
+          answers
+              .computeIfAbsent(step, key -> new LinkedHashMap<>())
+              .put(
+                  event.path("object").asText(),
+                  new Answer(event.path("value").asText(), event.path("confidence").asInt()));
+      case "refused" -> refused = true;
+      case "aborted" -> aborted = true;
+      case "session-finished" -> over = true;
+      default -> {
+        // The rest is for people to read.
+      }
+    }
+  }
+
+  /** Whether a step is done. */
+  public boolean finished(SessionStep step) {
+    return finished.contains(step.id());
+  }
+
+  /** How often a step was begun. */
+  public int runs(SessionStep step) {
+    return runs.getOrDefault(step.id(), 0);
+  }
+
+  /** The answers of a step so far, by object. */
+  public Map<String, Answer> answers(SessionStep step) {
+    return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
+  }
+
+  /** Names of all head logs that were begun. */
+  public List<String> headLogs() {
+    return List.copyOf(headLogs);
+  }
+
+  /** The participant's condition, once it is assigned. */
+  public Optional<Condition> condition() {
+    return condition;
+  }
+
+  /** SHA-256 of the study file with which it began. */
+  String checksum() {
+    return checksum;
+  }
+
+  /** Whether a simulated participant took part, if only for a while. */
+  public boolean unattended() {
+    return unattended;
+  }
+
+  /** Whether exposures were shortened for a test. */
+  public boolean shortened() {
+    return shortened;
+  }
+
+  /** Whether the experimenter stopped it; it may be resumed. */
+  public boolean aborted() {
+    return aborted;
+  }
+
+  /** Whether the participant did not consent. */
+  public boolean refused() {
+    return refused;
+  }
+
+  /** Whether it is complete. */
+  public boolean over() {
+    return over;
+  }
+}

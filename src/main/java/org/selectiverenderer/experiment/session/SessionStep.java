@@ -1,0 +1,42 @@
+package org.selectiverenderer.experiment.session;
+
+import org.selectiverenderer.experiment.study.QuestionKind;
+import org.selectiverenderer.experiment.study.Study;
+
+/** A part of a session. What is finished is never done again; what was begun is begun anew. */
+public sealed interface SessionStep {
+  /** By which the journal knows it: letters, digits, hyphens. */
+  String id();
+
+  /** Age and consent; then the condition is assigned. */
+  record Form() implements SessionStep {
+    @Override
+    public String id() {
+      return "form";
+    }
+  }
+
+  /** Getting to know display and mouse. */
+  record Practice(Study.Practice practice) implements SessionStep {
+    @Override
+    public String id() {
+      return "practice";
+    }
+  }
+
+  /** Seeing an area. */
+  record Exposure(Study.Area area) implements SessionStep {
+    @Override
+    public String id() {
+      return "exposure-" + area.name();
+    }
+  }
+
+  /** A questionnaire's questions about an area. */
+  record Questions(QuestionKind kind, String area) implements SessionStep {
+    @Override
+    public String id() {
+      return kind.spelling() + "-" + area;
+    }
+  }
+}

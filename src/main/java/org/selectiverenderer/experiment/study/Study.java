@@ -1,0 +1,74 @@
+package org.selectiverenderer.experiment.study;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.tracker.TrackerSpec;
+
+/**
+ * A study. Files are resolved: relative ones are meant from the study file's folder.
+ *
+ * @param file the study file
+ * @param scene that is explored; empty for a study of questionnaires alone
+ * @param conditions one for each group
+ * @param participants that are planned for, in all groups together
+ * @param block participants in a block of the assignment; in each all conditions are as frequent
+ * @param seed of the assignment and of the order of questions
+ * @param fade seconds in which the picture of an area comes and goes, beside its exposure
+ * @param language of the questionnaires, a code such as {@code en}
+ */
+public record Study(
+    Path file,
+    String name,
+    Optional<Path> scene,
+    List<Condition> conditions,
+    int participants,
+    int block,
+    long seed,
+    Optional<Practice> practice,
+    List<Area> areas,
+    double fade,
+    Display display,
+    TrackerSpec tracker,
+    MouseMapping mouse,
+    String language,
+    List<Questionnaire> questionnaires) {
+
+  public Study {
+    conditions = List.copyOf(conditions);
+    areas = List.copyOf(areas);
+    questionnaires = List.copyOf(questionnaires);
+  }
+
+  /** Where the participants get to know display and mouse, until the experimenter goes on. */
+  public record Practice(Path scene, String viewpoint) {}
+
+  /**
+   * A part of the scene that is seen for a while.
+   *
+   * @param viewpoint DEF name of the Viewpoint where the exposure begins
+   * @param seconds of exposure
+   */
+  public record Area(String name, String viewpoint, double seconds) {}
+
+  /**
+   * On what it is shown.
+   *
+   * @param hmd a built-in display profile or the file of one
+   * @param ipd distance of the pupils in millimetres
+   * @param width of the window in pixels, where the mode has one; 0 for what the display has
+   * @param height likewise
+   */
+  public record Display(DisplayMode mode, String hmd, double ipd, int width, int height) {}
+
+  /** What is asked afterwards, area by area. */
+  public record Questionnaire(QuestionKind kind, Path items) {}
+
+  /** The folder that the study file lies in; sessions go there. */
+  public Path folder() {
+    return file.toAbsolutePath().getParent();
+  }
+}

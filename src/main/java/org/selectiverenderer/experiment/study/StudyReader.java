@@ -1,0 +1,276 @@
+package org.selectiverenderer.experiment.study;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.hmd.DisplayProfiles;
+import org.selectiverenderer.hmd.EyeGeometry;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * Reads a study file. Whatever is wrong with it (an unknown key, a value that cannot be, a file
+ * that is not there) is an error at its line and column, and then there is no study: a session is
+ * never run on half of what was meant.
+ */
+public final class StudyReader {
+  /** Participants that nobody exceeds; a slip of the key. */
+  private static final int MOST_PARTICIPANTS = 100_000;
+
+  private static final double LONGEST = 36_000;
+  private static final String LABEL = "[0-9A-Za-z]+";
+
+  private final Path file;
+  private final Path folder;
+  private final Problems problems;
+
+  private StudyReader(Path file, Problems problems) {
+    this.file = file;
+    this.problems = problems;
+    folder = file.toAbsolutePath().getParent();
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @return empty when it has faults, which are then in {@code problems}
+   * @throws IOException if it cannot be read at all
+   */
+  public static Optional<Study> read(Path file, Problems problems) throws IOException {
+    String text = Files.readString(file, StandardCharsets.UTF_8);
+    Problems own = new Problems(problems::add);
+    Optional<Study> study =
+        JsonPart.parse(file.toString(), text, own)
+            .map(root -> new StudyReader(file, own).study(root));
+    return own.any() ? Optional.empty() : study;
+  }
+
+  private Study study(JsonPart root) {
+    JsonKeys keys = JsonKeys.of(root, "a study", problems);
+    keys.text("$schema", false);
+    List<Study.Area> areas = areas(keys);
+    Optional<Path> scene =
+        keys.text("scene", !areas.isEmpty()).map(name -> file(keys, "scene", name));
+    List<Condition> conditions = conditions(keys);
+    int participants = (int) keys.whole("participants", 1, MOST_PARTICIPANTS, Double.NaN);
+    if (participants < conditions.size()) {
+      keys.fault(
+          "participants",
+          "%d participants are fewer than the %d groups"
+              .formatted(participants, conditions.size()));
+    }
+    int groups = Math.max(1, conditions.size());
+    int block = (int) keys.whole("block", 1, MOST_PARTICIPANTS, groups);
+    if (block % groups != 0) {
+      keys.fault(
+          "block",
+          "a block of %d participants cannot hold each of %d conditions as often"
+              .formatted(block, groups));
+    }
+    Study study =
+        new Study(
+            file,
+            keys.text("name"),
+            scene,
+            conditions,
+            participants,
+            block,
+            keys.whole("seed", 0, 1L << 53, 0),
+            practice(keys),
+            areas,
+            keys.number("fade", 0, 60, 1),
+            display(keys),
+            tracker(keys),
+            keys.choice(
+                "mouse",
+                List.of(MouseMapping.values()),
+                mapping -> mapping.name().toLowerCase(Locale.ROOT),
+                MouseMapping.EXPERIMENT),
+            keys.text("language", false).orElse("en"),
+            questionnaires(keys));
+    viewpoints(keys, study);
+    if (areas.isEmpty() && study.questionnaires().isEmpty()) {
+      problems.error(
+          keys.at(), "the study has neither areas nor questionnaires: there is nothing to do");
+    }
+    keys.nothingElse();
+    return study;
+  }
+
+  /** Viewpoints that the scene's text does not name are found missing now, not in a session. */
+  private void viewpoints(JsonKeys keys, Study study) {
+    study
+        .scene()
+        .ifPresent(
+            scene ->
+                study.areas().stream()
+                    .filter(area -> !area.viewpoint().isEmpty() && lacks(scene, area.viewpoint()))
+                    .forEach(
+                        area ->
+                            keys.fault(
+                                "areas",
+                                "the scene has no Viewpoint with the DEF '%s', which the area %s"
+                                        .formatted(area.viewpoint(), area.name())
+                                    + " needs")));
+    study
+        .practice()
+        .filter(practice -> !practice.viewpoint().isEmpty())
+        .filter(practice -> lacks(practice.scene(), practice.viewpoint()))
+        .ifPresent(
+            practice ->
+                keys.fault(
+                    "practice",
+                    "the practice scene has no Viewpoint with the DEF '%s'"
+                        .formatted(practice.viewpoint())));
+  }
+
+  private static boolean lacks(Path scene, String viewpoint) {
+    if (!scene.toString().endsWith(".x3d") || !Files.isRegularFile(scene)) {
+      return false;
+    }
+    try {
+      String text = Files.readString(scene, StandardCharsets.ISO_8859_1);
+      String name =
+          new String(viewpoint.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+      return !text.contains("'" + name + "'") && !text.contains('"' + name + '"');
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Path file(JsonKeys keys, String key, String name) {
+    Path found = folder.resolve(name).normalize();
+    if (!Files.isRegularFile(found)) {
+      keys.fault(key, "there is no file '" + name + "' as seen from the study file");
+    }
+    return found;
+  }
+
+  private List<Condition> conditions(JsonKeys keys) {
+    List<Condition> conditions = new ArrayList<>();
+    for (JsonPart part : keys.list("conditions", true)) {
+      Optional<Condition> found = Condition.of(String.valueOf(part.value()));
+      if (found.isEmpty()) {
+        problems.error(
+            part.at(),
+            "'%s' is no condition (high, high-low, selective or random); the study is not used"
+                .formatted(part.value()));
+      } else if (conditions.contains(found.get())) {
+        problems.error(
+            part.at(),
+            "the condition %s is named twice; the study is not used".formatted(part.value()));
+      } else {
+        conditions.add(found.get());
+      }
+    }
+    if (conditions.isEmpty() && keys.has("conditions")) {
+      keys.fault("conditions", "a study needs a condition");
+    }
+    return conditions;
+  }
+
+  private Optional<Study.Practice> practice(JsonKeys keys) {
+    return keys.object("practice", "practice")
+        .map(
+            practice -> {
+              Path scene = file(practice, "scene", practice.text("scene"));
+              String viewpoint = practice.text("viewpoint", false).orElse("");
+              practice.nothingElse();
+              return new Study.Practice(scene, viewpoint);
+            });
+  }
+
+  private List<Study.Area> areas(JsonKeys keys) {
+    Set<String> names = new HashSet<>();
+    return keys.objects("areas", "an area")
+        .map(
+            area -> {
+              String name = area.text("name");
+              if (!name.matches(LABEL)) {
+                area.fault("name", "an area's name is made of letters and digits");
+              } else if (!names.add(name.toLowerCase(Locale.ROOT))) {
+                area.fault("name", "the area " + name + " is there twice");
+              }
+              String viewpoint = area.text("viewpoint");
+              double seconds = area.number("seconds", 0.1, LONGEST, Double.NaN);
+              area.nothingElse();
+              return new Study.Area(name, viewpoint, seconds);
+            })
+        .toList();
+  }
+
+  private Study.Display display(JsonKeys keys) {
+    Optional<JsonKeys> found = keys.object("display", "the display");
+    if (found.isEmpty()) {
+      return new Study.Display(DisplayMode.WINDOW, "desk", EyeGeometry.MEAN_IPD, 0, 0);
+    }
+    JsonKeys display = found.get();
+    DisplayMode mode =
+        display.choice(
+            "mode",
+            List.of(DisplayMode.values()),
+            value -> value.name().toLowerCase(Locale.ROOT).replace('_', '-'),
+            DisplayMode.WINDOW);
+    String hmd =
+        display
+            .text("hmd", false)
+            .map(
+                name ->
+                    DisplayProfiles.builtIn(name).isPresent()
+                        ? name
+                        : file(display, "hmd", name).toString())
+            .orElse(mode == DisplayMode.WINDOW ? "desk" : "proview50");
+    double ipd = display.number("ipd", 0, EyeGeometry.LARGEST_IPD, EyeGeometry.MEAN_IPD);
+    int width = (int) display.whole("width", 64, 16384, 0);
+    int height = (int) display.whole("height", 64, 16384, 0);
+    display.nothingElse();
+    return new Study.Display(mode, hmd, ipd, width, height);
+  }
+
+  private TrackerSpec tracker(JsonKeys keys) {
+    String spec = keys.text("tracker", false).orElse("none");
+    try {
+      TrackerSpec tracker = TrackerSpec.parse(spec);
+      if (tracker instanceof TrackerSpec.Replay) {
+        keys.fault("tracker", "a recording is no participant's head: give a tracker or none");
+      }
+      return tracker;
+    } catch (IllegalArgumentException e) {
+      keys.fault("tracker", String.valueOf(e.getMessage()));
+      return new TrackerSpec.None();
+    }
+  }
+
+  private List<Study.Questionnaire> questionnaires(JsonKeys keys) {
+    Set<QuestionKind> kinds = new HashSet<>();
+    return keys.objects("questionnaires", "a questionnaire")
+        .map(
+            part -> {
+              part.text("kind");
+              QuestionKind kind =
+                  part.choice(
+                      "kind",
+                      List.of(QuestionKind.values()),
+                      QuestionKind::spelling,
+                      QuestionKind.RECOGNITION);
+              if (!kinds.add(kind)) {
+                part.fault("kind", "there are two questionnaires of the kind " + kind.spelling());
+              }
+              Path items = file(part, "items", part.text("items"));
+              part.nothingElse();
+              return new Study.Questionnaire(kind, items);
+            })
+        .toList();
+  }
+}

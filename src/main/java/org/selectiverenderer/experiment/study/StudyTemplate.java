@@ -1,0 +1,70 @@
+package org.selectiverenderer.experiment.study;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Objects;
+
+/** Writes the folder of a new study: that of the thesis (5.1, 6.1), to be changed at will. */
+public final class StudyTemplate {
+  /** The name of the study file. */
+  public static final String STUDY = "study.json";
+
+  private static final List<String> FILES =
+      List.of(
+          STUDY,
+          "study.schema.json",
+          "recognition.csv",
+          "pilot/study.json",
+          "pilot/expectancy.csv");
+
+  private StudyTemplate() {}
+
+  /**
+   * Writes it.
+   *
+   * @param folder made if it is not there
+   * @param scene that the study shows; {@code practice.x3d} is looked for beside it
+   * @return the study file
+   * @throws IOException if one of the files is there, and then none is written; or if a file cannot
+   *     be written
+   */
+  public static Path write(Path folder, Path scene) throws IOException {
+    Files.createDirectories(folder.resolve("pilot"));
+    for (String name : FILES) {
+      if (Files.exists(folder.resolve(name))) {
+        throw new IOException(folder.resolve(name) + " is there already; nothing was written");
+      }
+    }
+    for (String name : FILES) {
+      Files.writeString(
+          folder.resolve(name),
+          resource(name)
+              .replace("@scene@", from(folder, scene))
+              .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d"))),
+          StandardCharsets.UTF_8,
+          StandardOpenOption.CREATE_NEW);
+    }
+    return folder.resolve(STUDY);
+  }
+
+  /** A file as seen from a folder, with slashes on every system. */
+  private static String from(Path folder, Path file) throws IOException {
+    Path there = file.toRealPath();
+    Path here = folder.toRealPath();
+    return Objects.equals(here.getRoot(), there.getRoot())
+        ? here.relativize(there).toString().replace('\\', '/')
+        : there.toString().replace('\\', '/');
+  }
+
+  private static String resource(String name) throws IOException {
+    try (InputStream in =
+        Objects.requireNonNull(StudyTemplate.class.getResourceAsStream(name), name)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+}

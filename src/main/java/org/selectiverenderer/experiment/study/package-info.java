@@ -1,0 +1,15 @@
+/**
+ * What a lab wants done: the study file.
+ *
+ * <p>In: {@code study.json}, JSON with comments. Out: a {@link
+ * org.selectiverenderer.experiment.study.Study}, or what is wrong with the file, by line and
+ * column; and the folder of a new study, which is the thesis's. The keys are published as a JSON
+ * Schema, {@code study.schema.json}, beside the file.
+ *
+ * <p>May use {@code control} for the conditions, {@code hmd} for the ways of showing, {@code x3d}
+ * for problems, {@code tracker} and {@code runtime.navigation} for their spellings. No GL, no AWT.
+ */
+@NullMarked
+package org.selectiverenderer.experiment.study;
+
+import org.jspecify.annotations.NullMarked;

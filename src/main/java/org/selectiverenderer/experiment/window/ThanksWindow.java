@@ -1,0 +1,37 @@
+package org.selectiverenderer.experiment.window;
+
+import java.awt.BorderLayout;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.WindowConstants;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+
+/** Tells the participant that the session is over. */
+public final class ThanksWindow {
+  private ThanksWindow() {}
+
+  /** Shows it until it is closed. */
+  public static void show(Wording wording) {
+    Waiting.on(done -> frame(wording, done));
+  }
+
+  private static JFrame frame(Wording wording, Runnable done) {
+    JFrame frame = new JFrame(wording.of("thanks.title"));
+    frame.setName("thanks");
+    frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+    JLabel text = new JLabel(wording.of("thanks.text"));
+    text.setFont(text.getFont().deriveFont(18f));
+    text.setBorder(BorderFactory.createEmptyBorder(32, 32, 32, 32));
+    JButton close = new JButton(wording.of("close"));
+    close.setName("close");
+    close.addActionListener(event -> done.run());
+    frame.add(text, BorderLayout.CENTER);
+    frame.add(close, BorderLayout.SOUTH);
+    frame.getRootPane().setDefaultButton(close);
+    frame.pack();
+    frame.setLocationRelativeTo(null);
+    return frame;
+  }
+}

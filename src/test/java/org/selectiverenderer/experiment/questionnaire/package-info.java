@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.experiment.questionnaire;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,99 @@
+package org.selectiverenderer.experiment.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.experiment.study.StudyReader;
+import org.selectiverenderer.experiment.study.StudyTemplate;
+import org.selectiverenderer.x3d.Problems;
+
+class ScheduleTest {
+  @TempDir Path folder;
+
+  private Study study() throws IOException {
+    return StudyReader.read(
+            StudyTemplate.write(folder, Path.of("scenes/apartment.x3d")), new Problems())
+        .orElseThrow();
+  }
+
+  @Test
+  void everyBlockHoldsEachConditionAsOften() throws IOException {
+    Schedule schedule = new Schedule(study());
+    Set<List<Condition>> orders = new HashSet<>();
+    for (int block = 0; block < 9; block++) {
+      List<Condition> places = new ArrayList<>();
+      for (int place = 1; place <= 6; place++) {
+        places.add(schedule.condition(6 * block + place));
+      }
+      for (Condition condition : List.of(Condition.HIGH, Condition.HIGH_LOW, Condition.SELECTIVE)) {
+        assertThat(places).filteredOn(condition::equals).hasSize(2);
+      }
+      orders.add(places);
+    }
+    assertThat(orders).as("blocks differ").hasSizeGreaterThan(5);
+  }
+
+  @Test
+  void fiftyFourParticipantsMakeThreeGroupsOfEighteen() throws IOException {
+    Participants participants = new Participants(study());
+    for (int i = 1; i <= 54; i++) {
+      participants.assign("p" + i, Optional.empty(), "18-22", false);
+    }
+    for (Condition condition : study(participants).conditions()) {
+      assertThat(participants.all())
+          .filteredOn(assigned -> assigned.condition() == condition)
+          .hasSize(18);
+    }
+  }
+
+  private Study study(Participants participants) throws IOException {
+    assertThat(participants.all()).hasSize(54);
+    return StudyReader.read(folder.resolve("study.json"), new Problems()).orElseThrow();
+  }
+
+  @Test
+  void theExperimentersChoiceIsRecordedAndKeepsTheBalance() throws IOException {
+    Study study = study();
+    Participants participants = new Participants(study);
+    Condition turn = new Schedule(study).condition(1);
+    Condition other =
+        study.conditions().stream()
+            .filter(condition -> condition != turn)
+            .findFirst()
+            .orElseThrow();
+    Participants.Assigned chosen = participants.assign("a", Optional.of(other), "18-22", false);
+    assertThat(chosen.condition()).isEqualTo(other);
+    assertThat(chosen.insteadOf()).contains(turn);
+    for (String next : List.of("b", "c", "d", "e", "f")) {
+      participants.assign(next, Optional.empty(), "18-22", false);
+    }
+    for (Condition condition : study.conditions()) {
+      assertThat(participants.all())
+          .filteredOn(assigned -> assigned.condition() == condition)
+          .hasSize(2);
+    }
+  }
+
+  @Test
+  void whoIsThereAlreadyKeepsTheConditionAndATornLineIsNobody() throws IOException {
+    Participants participants = new Participants(study());
+    Participants.Assigned first = participants.assign("a", Optional.empty(), "", false);
+    Files.writeString(folder.resolve("participants.tsv"), "sub-b\thi", StandardOpenOption.APPEND);
+    assertThat(participants.assign("a", Optional.empty(), "", false).place())
+        .isEqualTo(first.place());
+    assertThat(participants.assign("b", Optional.empty(), "", false).place()).isEqualTo(2);
+    assertThat(participants.all()).hasSize(2);
+  }
+}

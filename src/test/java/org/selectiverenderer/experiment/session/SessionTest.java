@@ -1,0 +1,242 @@
+package org.selectiverenderer.experiment.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.assertj.core.api.Assertions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.schema.Band;
+import org.selectiverenderer.statistics.data.Responses;
+import org.selectiverenderer.statistics.data.ResponsesReader;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+/** Sessions of questionnaires alone, which need no display. */
+class SessionTest {
+  private static final SessionOptions OPTIONS =
+      new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test");
+
+  @TempDir Path folder;
+  private Path file = Path.of("");
+
+  @BeforeEach
+  void study() throws IOException {
+    file = folder.resolve("study.json");
+    Files.writeString(
+        file,
+        """
+        {"name": "Two rooms", "conditions": ["high", "selective"], "participants": 4,
+         "questionnaires": [{"kind": "recognition", "items": "r.csv"},
+                            {"kind": "expectancy", "items": "e.csv"}]}
+        """);
+    Files.writeString(
+        folder.resolve("r.csv"),
+        """
+        area,object,consistency,present,en
+        hall,coat,consistent,yes,Coat
+        hall,boat,inconsistent,no,Boat
+        bath,soap,consistent,yes,Soap
+        """);
+    Files.writeString(
+        folder.resolve("e.csv"),
+        "area,schema,object,en\nhall,HallSchema,coat,Coat\nhall,HallSchema,boat,Boat\n");
+  }
+
+  private StudyMaterial material() throws IOException {
+    return StudyMaterial.read(file, new Problems()).orElseThrow();
+  }
+
+  private Session begin(String id) throws IOException {
+    return Session.begin(material(), id, 1, OPTIONS);
+  }
+
+  private Session resume(String id) throws IOException {
+    return Session.resume(material(), id, 1, OPTIONS, new Problems());
+  }
+
+  private static List<String> left(Session session) {
+    return session.remaining().stream().map(SessionStep::id).toList();
+  }
+
+  private static void form(Session session) throws IOException {
+    SessionStep step = session.remaining().get(0);
+    session.began(step, false);
+    session.assign("18-22");
+    session.finished(step, Map.of());
+  }
+
+  private static void answerAll(Session session, String value, int confidence) throws IOException {
+    SessionStep.Questions step = (SessionStep.Questions) session.remaining().get(0);
+    session.began(step, false);
+    for (Item item : session.screen(step).items()) {
+      session.answer(step, item, new Answer(value, confidence));
+    }
+    session.finished(step, Map.of());
+  }
+
+  @Test
+  void aWholeSessionLeavesAnswersThatTheStatisticsAndTheEnricherRead() throws IOException {
+    try (Session session = begin("001")) {
+      assertThat(left(session))
+          .containsExactly("form", "recognition-hall", "recognition-bath", "expectancy-hall");
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "no", 1);
+      answerAll(session, "2", 0);
+      session.end();
+    }
+    Problems problems = new Problems();
+    CollectedAnswers collected = CollectedAnswers.of(material(), 1, problems);
+    assertThat(collected.responses())
+        .isEqualTo(Files.readString(folder.resolve("sub-001/ses-01/responses.csv")));
+    Responses responses =
+        ResponsesReader.parse("r", collected.responses(), Optional.empty(), problems).orElseThrow();
+    assertThat(responses.usable()).hasSize(3);
+    Ratings ratings =
+        Ratings.read("ratings.csv", collected.ratings().getBytes(StandardCharsets.UTF_8), problems)
+            .orElseThrow();
+    assertThat(ratings.means().get("coat").get("HallSchema").band()).isEqualTo(Band.NON_EXPECTANT);
+    assertThat(collected.bands())
+        .contains("hall,HallSchema,coat,2.000000,1,non-expectant,inconsistent");
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void answersOfASecondSessionAreNotMixedWithThoseOfTheFirst() throws IOException {
+    try (Session session = Session.begin(material(), "001", 2, OPTIONS)) {
+      form(session);
+      answerAll(session, "yes", 4);
+    }
+    Problems problems = new Problems();
+    assertThat(CollectedAnswers.of(material(), 1, problems).responses()).hasLineCount(1);
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly("this is not session 1; its answers are left out");
+    assertThat(CollectedAnswers.of(material(), 2, problems).responses()).hasLineCount(3);
+  }
+
+  @Test
+  void aCutOffSessionGoesOnAfterItsLastFinishedStepWithTheAnswersSoFar() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
+      session.began(hall, false);
+      Item first = session.screen(hall).items().get(0);
+      session.answer(hall, first, new Answer("yes", 2));
+      session.answer(hall, first, new Answer("no", 2));
+    }
+    Path events = folder.resolve("sub-001/ses-01/events.jsonl");
+    Files.writeString(
+        events, "{\"event\":\"step-finished\",\"step\":\"recog", StandardOpenOption.APPEND);
+    String before = Files.readString(events);
+    try (Session session = resume("001")) {
+      assertThat(left(session)).first().isEqualTo("recognition-hall");
+      assertThat(session.condition()).isPresent();
+      SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
+      Item first = session.screen(hall).items().get(0);
+      assertThat(session.answers(hall))
+          .containsOnly(Map.entry(first.object(), new Answer("no", 2)));
+      session.began(hall, false);
+    }
+    String after = Files.readString(events);
+    assertThat(after).startsWith(before + "\n");
+    assertThat(after.substring(before.length()))
+        .contains("\"event\":\"resumed\"", "\"finished\":[\"form\"]", "\"run\":2");
+  }
+
+  @Test
+  void aSessionIsNeverBegunTwice() throws IOException {
+    begin("001").close();
+    assertThatThrownBy(() -> begin("001"))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("--resume goes on with it, --session 2 begins another");
+    assertThatThrownBy(() -> resume("002")).hasMessageContaining("has no session to go on with");
+  }
+
+  @Test
+  void aSessionThatIsBeingRunIsNotRunASecondTime() throws IOException {
+    try (Session session = begin("001")) {
+      assertThat(session.condition()).isEmpty();
+      assertThatThrownBy(() -> resume("001")).hasMessageContaining("is already being run");
+    }
+    resume("001").close();
+  }
+
+  @Test
+  void aFinishedSessionIsNotResumed() throws IOException {
+    try (Session session = begin("001")) {
+      session.refuse();
+    }
+    assertThatThrownBy(() -> resume("001")).hasMessageContaining("is complete");
+  }
+
+  @Test
+  void aCrashBetweenTableAndEventDoesNoHarmAndAnotherTableIsKept() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "no", 1);
+      answerAll(session, "2", 0);
+      session.end();
+      session.end();
+      Path table = folder.resolve("sub-001/ses-01/responses.csv");
+      Files.writeString(table, "something else");
+      assertThatThrownBy(session::end).hasMessageContaining("nothing is written over");
+      assertThat(table).hasContent("something else");
+    }
+  }
+
+  @Test
+  void aStudyThatChangedMeanwhileIsSaid() throws IOException {
+    begin("001").close();
+    Files.writeString(file, Files.readString(file).replace("Two rooms", "Two other rooms"));
+    Problems problems = new Problems();
+    Session.resume(material(), "001", 1, OPTIONS, problems).close();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .singleElement()
+        .asString()
+        .contains("has changed since this session began");
+    assertThat(folder.resolve("sub-001/ses-01/study.json")).content().contains("Two rooms");
+  }
+
+  @Test
+  void statusTellsWhoIsDoneAndWhatIsMissing() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+      session.abort("recognition-bath");
+    }
+    begin("002").close();
+    StudyStatus status = StudyStatus.of(material());
+    assertThat(status.sessions())
+        .extracting(StudyStatus.Row::participant, StudyStatus.Row::state)
+        .containsExactly(
+            Assertions.tuple("001", StudyStatus.State.ABORTED),
+            Assertions.tuple("002", StudyStatus.State.OPEN));
+    assertThat(status.sessions().get(0).missing())
+        .containsExactly("recognition-bath", "expectancy-hall");
+    assertThat(status.groups())
+        .extracting(StudyStatus.Group::assigned)
+        .containsExactlyInAnyOrder(0, 1);
+    assertThat(status.text()).contains("0 of 4 participants planned have a finished session");
+    Problems problems = new Problems();
+    assertThat(CollectedAnswers.of(material(), 1, problems).responses()).hasLineCount(3);
+    assertThat(problems.list()).isNotEmpty();
+    assertThat(SessionFolder.nextId(material().study())).isEqualTo("003");
+  }
+}

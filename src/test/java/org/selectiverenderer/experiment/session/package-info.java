@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.experiment.session;
+
+import org.jspecify.annotations.NullMarked;

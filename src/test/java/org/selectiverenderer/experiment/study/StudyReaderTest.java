@@ -1,0 +1,171 @@
+package org.selectiverenderer.experiment.study;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+class StudyReaderTest {
+  @TempDir Path folder;
+  private Path file = Path.of("");
+  private String text = "";
+
+  @BeforeEach
+  void thesisStudy() throws IOException {
+    file = StudyTemplate.write(folder, Path.of("scenes/apartment.x3d"));
+    text = Files.readString(file);
+  }
+
+  private List<String> problems(String study) throws IOException {
+    Files.writeString(file, study);
+    Problems problems = new Problems();
+    Optional<Study> read = StudyReader.read(file, problems);
+    assertThat(read.isEmpty()).isEqualTo(problems.any());
+    return problems.list().stream()
+        .map(Problem::toString)
+        .map(line -> line.substring(file.toString().length() + 1))
+        .toList();
+  }
+
+  @Test
+  void aNewStudyIsTheThesiss() throws IOException {
+    Study study = StudyReader.read(file, new Problems()).orElseThrow();
+    assertThat(study.conditions())
+        .containsExactly(Condition.HIGH, Condition.HIGH_LOW, Condition.SELECTIVE);
+    assertThat(study.participants()).isEqualTo(54);
+    assertThat(study.areas())
+        .extracting(Study.Area::name)
+        .containsExactly("kitchen", "lounge", "office");
+    assertThat(study.areas().stream().mapToDouble(Study.Area::seconds).sum()).isEqualTo(135);
+    assertThat(study.practice()).isPresent();
+    assertThat(study.questionnaires())
+        .extracting(Study.Questionnaire::kind)
+        .containsExactly(QuestionKind.RECOGNITION);
+  }
+
+  @Test
+  void thePilotStudyShowsNothingAndAsksAboutExpectancy() throws IOException {
+    Study pilot =
+        StudyReader.read(folder.resolve("pilot/study.json"), new Problems()).orElseThrow();
+    assertThat(pilot.scene()).isEmpty();
+    assertThat(pilot.areas()).isEmpty();
+    assertThat(pilot.questionnaires())
+        .extracting(Study.Questionnaire::kind)
+        .containsExactly(QuestionKind.EXPECTANCY);
+  }
+
+  @Test
+  void aStudyIsNeverWrittenOverAnother() throws IOException {
+    Files.delete(folder.resolve("recognition.csv"));
+    assertThatThrownBy(() -> StudyTemplate.write(folder, Path.of("scenes/apartment.x3d")))
+        .hasMessageContaining("is there already; nothing was written");
+    assertThat(folder.resolve("recognition.csv")).doesNotExist();
+  }
+
+  @Test
+  void anUnknownKeyIsAnErrorAtItsPlace() throws IOException {
+    assertThat(problems("{\n  // a comment\n  \"sceen\": 1, " + text.strip().substring(1)))
+        .singleElement()
+        .asString()
+        .startsWith("3:3: a study has no \"sceen\" (it has $schema, areas, block,")
+        .endsWith("the study is not used");
+  }
+
+  @Test
+  void anUnknownKeyOfAnAreaIsFoundToo() throws IOException {
+    assertThat(problems(text.replace("\"KitchenView\", \"seconds\"", "\"KitchenView\", \"secs\"")))
+        .hasSize(2)
+        .anyMatch(line -> line.contains("an area needs \"seconds\""))
+        .anyMatch(
+            line -> line.contains("an area has no \"secs\" (it has name, seconds, viewpoint)"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "54, | 2, | 2 participants are fewer than the 3 groups",
+        "\"block\": 6 | \"block\": 4 | a block of 4 participants cannot hold each of 3 conditions",
+        "\"high-low\", | \"low\", | 'low' is no condition",
+        "\"high-low\", | \"high\", | the condition high is named twice",
+        "\"KitchenView\" | \"CellarView\" | no Viewpoint with the DEF 'CellarView'",
+        "\"recognition.csv\" | \"memory.csv\" | there is no file 'memory.csv'",
+        "\"window\" | \"dome\" | 'dome' is none of window, side-by-side, dual",
+        "\"tracker\": \"none\" | \"tracker\": \"replay:x.csv\" | a recording is no participant's head",
+        "\"seconds\": 45 | \"seconds\": \"long\" | \"seconds\" is to be a number from 0.1 to 36000",
+        "\"seed\": 2009 | \"seed\": 0.5 | \"seed\" is to be a whole number",
+        "\"name\": \"lounge\" | \"name\": \"kitchen\" | the area kitchen is there twice",
+        "\"participants\": 54, | `` | a study needs \"participants\"",
+      })
+  void whatCannotBeIsAnErrorWithItsPlace(String old, String other, String message)
+      throws IOException {
+    assertThat(text).contains(old);
+    assertThat(problems(text.replace(old, other)))
+        .isNotEmpty()
+        .allMatch(line -> line.matches("(?s)\\d+:\\d+: .*"))
+        .anyMatch(line -> line.contains(message));
+  }
+
+  @Test
+  void whatIsNoJsonIsAnErrorWithItsPlace() throws IOException {
+    assertThat(problems("{\n\"name\": }"))
+        .singleElement()
+        .asString()
+        .matches("(?s)2:\\d+: this is no JSON: .*");
+    assertThat(problems("")).singleElement().asString().contains("the file is empty");
+    assertThat(problems("{\"name\": \"a\", \"name\": \"b\"}"))
+        .singleElement()
+        .asString()
+        .contains("Duplicate field 'name'");
+    assertThat(problems("[]")).anyMatch(line -> line.contains("a study is to be an object"));
+  }
+
+  @Test
+  void thePublishedSchemaHasTheKeysOfTheReader() throws IOException {
+    JsonNode schema = new ObjectMapper().readTree(folder.resolve("study.schema.json").toFile());
+    assertThat(keys(schema)).isEqualTo(known(text.replaceFirst("\\{", "{\"x\": 1,")));
+    JsonNode area = schema.at("/properties/areas/items");
+    assertThat(keys(area))
+        .isEqualTo(known(text.replace("{\"name\": \"kitchen\",", "{\"x\": 1, \"name\": \"k\",")));
+    assertThat(keys(schema.at("/properties/display")))
+        .isEqualTo(known(text.replace("{\"mode\"", "{\"x\": 1, \"mode\"")));
+    assertThat(keys(schema.at("/properties/practice")))
+        .isEqualTo(known(text.replace("\"practice\": {", "\"practice\": {\"x\": 1, ")));
+    assertThat(keys(schema.at("/properties/questionnaires/items")))
+        .isEqualTo(known(text.replace("{\"kind\"", "{\"x\": 1, \"kind\"")));
+  }
+
+  private static List<String> keys(JsonNode schema) {
+    assertThat(schema.path("additionalProperties").asBoolean(true)).isFalse();
+    List<String> keys = new ArrayList<>();
+    schema.get("properties").fieldNames().forEachRemaining(keys::add);
+    return keys.stream().sorted().toList();
+  }
+
+  /** The keys that the reader lists when it meets an unknown one. */
+  private List<String> known(String study) throws IOException {
+    Matcher listed =
+        Pattern.compile("has no \"x\" \\(it has ([^)]*)\\)")
+            .matcher(String.join("\n", problems(study)));
+    assertThat(listed.find()).isTrue();
+    return List.of(listed.group(1).split(", "));
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.experiment.study;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,94 @@
+package org.selectiverenderer.enricher;
+
+import java.awt.Window;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Optional;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import org.selectiverenderer.enricher.diff.DiffDialog;
+import org.selectiverenderer.enricher.session.EnricherSession;
+
+/** Asks by dialogs. */
+final class DialogQuestions implements Questions {
+  private static final String TITLE = "Enricher";
+
+  private final Window owner;
+
+  DialogQuestions(Window owner) {
+    this.owner = owner;
+  }
+
+  private int choose(String sentence, String... choices) {
+    return JOptionPane.showOptionDialog(
+        owner,
+        "<html><body width=360>" + sentence.replace("<", "&lt;"),
+        TITLE,
+        JOptionPane.DEFAULT_OPTION,
+        JOptionPane.QUESTION_MESSAGE,
+        null,
+        choices,
+        choices[0]);
+  }
+
+  @Override
+  public Unsaved unsaved(String name) {
+    return switch (choose(name + " has changes that are not saved.", "Save", "Discard", "Cancel")) {
+      case 0 -> Unsaved.SAVE;
+      case 1 -> Unsaved.DISCARD;
+      default -> Unsaved.CANCEL;
+    };
+  }
+
+  @Override
+  public boolean overwrite(String sentence) {
+    return choose(sentence, "Cancel", "Overwrite") == 1;
+  }
+
+  @Override
+  public boolean reload(String sentence) {
+    return choose(sentence, "Keep what is here", "Reload") == 1;
+  }
+
+  private static JFileChooser chooser(Optional<Path> near) {
+    JFileChooser chooser = new JFileChooser();
+    chooser.setFileFilter(new FileNameExtensionFilter("X3D scenes", "x3d", "x3dz", "xml"));
+    near.ifPresent(path -> chooser.setSelectedFile(path.toAbsolutePath().toFile()));
+    return chooser;
+  }
+
+  private static Optional<Path> chosen(JFileChooser chooser, int answer) {
+    File file = chooser.getSelectedFile();
+    return answer == JFileChooser.APPROVE_OPTION && file != null
+        ? Optional.of(file.toPath())
+        : Optional.empty();
+  }
+
+  @Override
+  public Optional<Path> fileToOpen(Optional<Path> near) {
+    JFileChooser chooser = chooser(near);
+    return chosen(chooser, chooser.showOpenDialog(owner));
+  }
+
+  @Override
+  public Optional<Path> fileToSave(Path near) {
+    JFileChooser chooser = chooser(Optional.of(near));
+    Optional<Path> target = chosen(chooser, chooser.showSaveDialog(owner));
+    boolean other = target.isPresent() && !target.get().equals(near.toAbsolutePath());
+    if (other && target.get().toFile().exists() && !overwrite(target.get() + " exists already.")) {
+      return Optional.empty();
+    }
+    return target;
+  }
+
+  @Override
+  public boolean review(EnricherSession session) {
+    return new DiffDialog(owner, session).confirmed();
+  }
+
+  @Override
+  public void tell(String sentence) {
+    choose(sentence, "OK");
+  }
+}

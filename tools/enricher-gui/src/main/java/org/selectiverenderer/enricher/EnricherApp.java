@@ -1,0 +1,37 @@
+package org.selectiverenderer.enricher;
+
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+
+/** The enricher as a program: a window until the author closes it. */
+public final class EnricherApp {
+  private EnricherApp() {}
+
+  /**
+   * Opens the window and waits until it is closed.
+   *
+   * @param scene to open; empty for none
+   * @param settings folder of the user's settings
+   * @throws IOException with one line if there is no display
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static void run(Optional<Path> scene, Path settings)
+      throws IOException, InterruptedException {
+    if (GraphicsEnvironment.isHeadless()) {
+      throw new IOException(
+          "the enricher's window needs a display; without one, enrich takes --apply or --ratings");
+    }
+    CountDownLatch closed = new CountDownLatch(1);
+    EventQueue.invokeLater(
+        () -> {
+          EnricherWindow window = new EnricherWindow(settings, closed::countDown);
+          window.show();
+          scene.ifPresentOrElse(window::open, window::offerRecovery);
+        });
+    closed.await();
+  }
+}

@@ -1,0 +1,33 @@
+package org.selectiverenderer.enricher;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.selectiverenderer.enricher.session.EnricherSession;
+
+/** What the author is asked. */
+interface Questions {
+  /** What is to become of unsaved changes. */
+  enum Unsaved {
+    SAVE,
+    DISCARD,
+    CANCEL
+  }
+
+  Unsaved unsaved(String name);
+
+  /** Whether to overwrite what another program has written. */
+  boolean overwrite(String sentence);
+
+  /** Whether to take the file of the disk in place of the document. */
+  boolean reload(String sentence);
+
+  Optional<Path> fileToOpen(Optional<Path> near);
+
+  Optional<Path> fileToSave(Path near);
+
+  /** Whether the changes are as the author wants them, having seen them. */
+  boolean review(EnricherSession session);
+
+  /** Says a sentence that must not be missed. */
+  void tell(String sentence);
+}

@@ -1,0 +1,71 @@
+package org.selectiverenderer.enricher;
+
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.enricher.task.Tasks;
+
+/** The last line of the window: what was said last, and what takes longer, with cancel. */
+final class StatusBar {
+  private static final int EVERY_MILLISECONDS = 150;
+  private static final long PATIENCE_NANOSECONDS = 500_000_000L;
+  private static final int STEPS = 1000;
+
+  private final Tasks tasks;
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 3 8 3 8, hidemode 3, fillx", "[grow][][]", "[24!]"));
+  private final JLabel message = new JLabel(" ");
+  private final JProgressBar bar = new JProgressBar(0, STEPS);
+  private final JButton cancel = new JButton("Cancel");
+  private final Timer timer = new Timer(EVERY_MILLISECONDS, event -> refresh());
+
+  StatusBar(Tasks tasks) {
+    this.tasks = tasks;
+    message.getAccessibleContext().setAccessibleName("Message");
+    bar.getAccessibleContext().setAccessibleName("Progress");
+    bar.setStringPainted(true);
+    cancel.addActionListener(event -> tasks.running().forEach(Task::cancel));
+    panel.add(message, "growx, wmin 0");
+    panel.add(bar, "w 240!");
+    panel.add(cancel);
+    refresh();
+    timer.start();
+  }
+
+  JPanel component() {
+    return panel;
+  }
+
+  void say(String sentence) {
+    message.setText(sentence);
+    message.setToolTipText(sentence);
+  }
+
+  String said() {
+    return message.getText();
+  }
+
+  private void refresh() {
+    long now = System.nanoTime();
+    List<Task> slow =
+        tasks.running().stream().filter(task -> now - task.begun() > PATIENCE_NANOSECONDS).toList();
+    bar.setVisible(!slow.isEmpty());
+    cancel.setVisible(!slow.isEmpty());
+    if (!slow.isEmpty()) {
+      Task first = slow.get(0);
+      bar.setString(
+          first.name() + (slow.size() > 1 ? " (and %d more)".formatted(slow.size() - 1) : ""));
+      bar.setIndeterminate(first.fraction() < 0);
+      bar.setValue((int) (first.fraction() * STEPS));
+    }
+  }
+
+  void dispose() {
+    timer.stop();
+  }
+}

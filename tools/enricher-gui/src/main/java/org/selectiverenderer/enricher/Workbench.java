@@ -1,0 +1,175 @@
+package org.selectiverenderer.enricher;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import org.selectiverenderer.document.DocumentCheck;
+import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.form.FormPanel;
+import org.selectiverenderer.enricher.help.HelpView;
+import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.preview.PreviewPanel;
+import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.problems.ProblemList;
+import org.selectiverenderer.enricher.problems.ProblemsPanel;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.settings.Autosave;
+import org.selectiverenderer.enricher.settings.Settings;
+import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.tree.SceneTreePanel;
+
+/** All views of one session, laid out as the author left them. */
+final class Workbench {
+  private final EnricherSession session;
+  private final Settings settings;
+  private final Autosave autosave;
+  private final ProblemList problemList;
+  private final SceneTreePanel tree;
+  private final SourcePanel source;
+  private final FormPanel form;
+  private final VersionPictures pictures = new VersionPictures();
+  private final PreviewPanel preview;
+  private final OverviewPanel overview;
+  private final ProblemsPanel problems;
+  private final JTabbedPane tabs = new JTabbedPane();
+  private final JSplitPane left;
+  private final JSplitPane right;
+  private final JSplitPane all;
+  private final List<Runnable> disposals = new ArrayList<>();
+
+  Workbench(EnricherSession session, Settings settings, Recovery recovery) {
+    this.session = session;
+    this.settings = settings;
+    autosave = new Autosave(session, recovery);
+    problemList = new ProblemList(session, List.of(DocumentCheck.ofReader(session.catalogue())));
+    tree = new SceneTreePanel(session, problemList::faulty);
+    problemList.addListener(tree.tree()::repaint);
+    source = new SourcePanel(session);
+    form = new FormPanel(session, new SceneVersionImages(session, pictures));
+    problems = new ProblemsPanel(session, problemList, this::revealInSource);
+    tabs.getAccessibleContext().setAccessibleName("Views of the scene");
+    preview = new PreviewPanel(session);
+    overview = new OverviewPanel(session);
+    tabs.addTab("Preview", preview);
+    tabs.addTab("Schemas", overview);
+    tabs.addTab("Source", source.component());
+    tabs.addTab("Help", HelpView.create());
+    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form.component(), 1, "form");
+    left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
+    all = split(JSplitPane.VERTICAL_SPLIT, left, problems.component(), 1, "problems");
+    disposals.add(autosave::dispose);
+    disposals.add(problemList::dispose);
+    disposals.add(tree::dispose);
+    disposals.add(source::dispose);
+    disposals.add(form::dispose);
+    disposals.add(preview::dispose);
+    disposals.add(overview::dispose);
+    disposals.add(pictures::close);
+    disposals.add(session::dispose);
+    if (session.document().fault().isPresent()) {
+      tabs.setSelectedComponent(source.component());
+      source.showFault();
+    }
+  }
+
+  private static JSplitPane split(
+      int direction, JComponent one, JComponent other, double weight, String name) {
+    JSplitPane split = new JSplitPane(direction, true, one, other);
+    split.setResizeWeight(weight);
+    split.setBorder(null);
+    for (String key : List.of("F6", "F8")) {
+      split
+          .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
+    }
+    split.setName(name);
+    split.getAccessibleContext().setAccessibleName("Border of the " + name);
+    return split;
+  }
+
+  JComponent component() {
+    return all;
+  }
+
+  EnricherSession session() {
+    return session;
+  }
+
+  /** Puts the borders where the author left them; when the window has its size. */
+  void layOut(int width, int height) {
+    left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
+    int rest = width - left.getDividerLocation();
+    right.setDividerLocation(
+        Math.max(120, rest - settings.number("split.form", Math.min(340, rest / 2))));
+    all.setDividerLocation(
+        Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
+  }
+
+  /** Remembers where the borders are. */
+  void remember() {
+    settings.put("split.tree", left.getDividerLocation());
+    settings.put("split.form", right.getWidth() - right.getDividerLocation());
+    settings.put("split.problems", all.getHeight() - all.getDividerLocation());
+  }
+
+  /** Takes over what is typed somewhere and not yet in the document. */
+  void commit() {
+    source.flush();
+    form.commit();
+  }
+
+  private void revealInSource(int offset) {
+    tabs.setSelectedComponent(source.component());
+    source.reveal(offset);
+  }
+
+  void searchTree() {
+    tree.searchField().requestFocusInWindow();
+    tree.searchField().selectAll();
+  }
+
+  void nextProblem() {
+    problems.next();
+  }
+
+  void fixProblem() {
+    problems.fix();
+  }
+
+  void showTab(int index) {
+    if (index < tabs.getTabCount()) {
+      tabs.setSelectedIndex(index);
+    }
+  }
+
+  void showHelp() {
+    showTab(tabs.getTabCount() - 1);
+  }
+
+  /** Goes to the next part of the window. */
+  void nextPart() {
+    List<JComponent> parts = List.of(tree.tree(), source.area(), form.component(), problems.list());
+    int now = 0;
+    for (int i = 0; i < parts.size(); i++) {
+      if (parts.get(i).isFocusOwner()) {
+        now = i + 1;
+      }
+    }
+    parts.get(now % parts.size()).requestFocusInWindow();
+  }
+
+  SourcePanel source() {
+    return source;
+  }
+
+  Autosave autosave() {
+    return autosave;
+  }
+
+  void dispose() {
+    disposals.forEach(Runnable::run);
+  }
+}

@@ -1,0 +1,152 @@
+package org.selectiverenderer.enricher.diff;
+
+import java.awt.Dimension;
+import java.awt.Window;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.file.UnifiedDiff;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Task;
+
+/** Shows what saving will change in the file, and asks whether to. */
+@SuppressWarnings("serial") // never written
+public final class DiffDialog extends JDialog {
+  private static final long serialVersionUID = 1L;
+
+  private final DiffView view = new DiffView();
+  private final JLabel summary = new JLabel("Comparing with the file\u2026");
+  private final JButton previous = new JButton("Previous Change");
+  private final JButton next = new JButton("Next Change");
+  private final JButton save = new JButton("Save");
+  private final Task comparing;
+  private boolean confirmed;
+
+  public DiffDialog(Window owner, EnricherSession session) {
+    super(owner, "Changes to Save", ModalityType.DOCUMENT_MODAL);
+    setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+    JPanel content =
+        new JPanel(new MigLayout("insets dialog, fill", "[]push[][]unrel[][]", "[][grow,fill][]"));
+    summary.setLabelFor(view);
+    content.add(summary, "span, growx, wrap");
+    JScrollPane scrolling = new JScrollPane(view);
+    int line = view.getFontMetrics(view.getFont()).getHeight();
+    scrolling.setPreferredSize(new Dimension(60 * line, 28 * line));
+    content.add(scrolling, "span, grow, wrap");
+    JButton cancel = new JButton("Cancel");
+    button(previous, 'P', "F3 with Shift, or p", view::previous);
+    button(next, 'N', "F3, or n", view::next);
+    button(save, 'S', "Write the file", this::confirm);
+    cancel.addActionListener(e -> dispose());
+    content.add(previous, "skip 1");
+    content.add(next);
+    content.add(save);
+    content.add(cancel);
+    setContentPane(content);
+    getRootPane().setDefaultButton(save);
+    key("ESCAPE", this::dispose);
+    key("F3", view::next);
+    key("shift F3", view::previous);
+    view.getInputMap().put(KeyStroke.getKeyStroke("N"), "next");
+    view.getInputMap().put(KeyStroke.getKeyStroke("P"), "previous");
+    view.getActionMap().put("next", new Step(view::next));
+    view.getActionMap().put("previous", new Step(view::previous));
+    enableButtons(false);
+    comparing = compare(session);
+    pack();
+    setLocationRelativeTo(owner);
+  }
+
+  private static final class Step extends javax.swing.AbstractAction {
+    private static final long serialVersionUID = 1L;
+    private final Runnable work;
+
+    Step(Runnable work) {
+      this.work = work;
+    }
+
+    @Override
+    public void actionPerformed(java.awt.event.ActionEvent event) {
+      work.run();
+    }
+  }
+
+  private static void button(JButton button, char mnemonic, String help, Runnable work) {
+    button.setMnemonic(mnemonic);
+    button.setToolTipText(help);
+    button.addActionListener(e -> work.run());
+  }
+
+  private void key(String key, Runnable work) {
+    getRootPane()
+        .registerKeyboardAction(
+            e -> work.run(), KeyStroke.getKeyStroke(key), JComponent.WHEN_IN_FOCUSED_WINDOW);
+  }
+
+  private Task compare(EnricherSession session) {
+    Path file = session.file().path();
+    Snapshot snapshot = session.document().snapshot();
+    return session
+        .tasks()
+        .run(
+            "Comparing with " + file.getFileName(),
+            () -> diff(file, snapshot),
+            this::show,
+            failure ->
+                summary.setText("The file cannot be compared with: " + failure.getMessage()));
+  }
+
+  /** A file that is gone is an empty one. */
+  private static DiffLines diff(Path file, Snapshot snapshot) throws IOException {
+    String name = String.valueOf(file.getFileName());
+    String before =
+        Files.exists(file)
+            ? SceneDocument.of(name, Files.readAllBytes(file)).text().toString()
+            : "";
+    return DiffLines.of(UnifiedDiff.of(name, name + " (edited)", before, snapshot.text()));
+  }
+
+  private void show(DiffLines lines) {
+    view.show(lines);
+    summary.setText(
+        lines.lines().isEmpty()
+            ? "Nothing has changed."
+            : "%,d places change: %,d lines added, %,d removed."
+                .formatted(lines.changes().size(), lines.added(), lines.removed()));
+    enableButtons(!lines.changes().isEmpty());
+    view.requestFocusInWindow();
+  }
+
+  private void enableButtons(boolean changes) {
+    previous.setEnabled(changes);
+    next.setEnabled(changes);
+    save.setEnabled(true); // a file that cannot be compared with may be saved all the same
+  }
+
+  @Override
+  public void dispose() {
+    comparing.cancel();
+    super.dispose();
+  }
+
+  private void confirm() {
+    confirmed = true;
+    dispose();
+  }
+
+  /** Shows the dialog, waits, and says whether the author wants to save. */
+  public boolean confirmed() {
+    setVisible(true);
+    return confirmed;
+  }
+}

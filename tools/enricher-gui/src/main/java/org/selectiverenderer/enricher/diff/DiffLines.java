@@ -1,0 +1,101 @@
+package org.selectiverenderer.enricher.diff;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The lines of a unified diff, and where its changes begin.
+ *
+ * @param changes indices of the first line of each run of added and removed lines, in order
+ */
+record DiffLines(List<Line> lines, List<Integer> changes) {
+  /** What a line of a diff is. */
+  enum Kind {
+    FILE("file"),
+    PLACE("place"),
+    SAME("unchanged"),
+    ADDED("added"),
+    REMOVED("removed");
+
+    private final String word;
+
+    Kind(String word) {
+      this.word = word;
+    }
+
+    /** How it is read out. */
+    String word() {
+      return word;
+    }
+  }
+
+  /**
+   * @param text with the sign in front, without the end of the line
+   */
+  record Line(Kind kind, String text) {}
+
+  DiffLines {
+    lines = List.copyOf(lines);
+    changes = List.copyOf(changes);
+  }
+
+  /** Reads what {@code UnifiedDiff} writes. */
+  static DiffLines of(String diff) {
+    List<Line> lines = new ArrayList<>();
+    List<Integer> changes = new ArrayList<>();
+    boolean heads = true;
+    boolean within = false;
+    for (int from = 0; from < diff.length(); ) {
+      int end = diff.indexOf('\n', from);
+      end = end < 0 ? diff.length() : end;
+      String text = diff.substring(from, end);
+      from = end + 1;
+      heads = heads && lines.size() < 2;
+      Kind kind = heads ? Kind.FILE : kind(text);
+      boolean change = kind == Kind.ADDED || kind == Kind.REMOVED;
+      if (change && !within) {
+        changes.add(lines.size());
+      }
+      within = change;
+      lines.add(new Line(kind, text.endsWith("\r") ? text.substring(0, text.length() - 1) : text));
+    }
+    return new DiffLines(lines, changes);
+  }
+
+  private static Kind kind(String text) {
+    return switch (text.isEmpty() ? ' ' : text.charAt(0)) {
+      case '+' -> Kind.ADDED;
+      case '-' -> Kind.REMOVED;
+      case '@' -> Kind.PLACE;
+      default -> Kind.SAME;
+    };
+  }
+
+  long added() {
+    return lines.stream().filter(line -> line.kind() == Kind.ADDED).count();
+  }
+
+  long removed() {
+    return lines.stream().filter(line -> line.kind() == Kind.REMOVED).count();
+  }
+
+  /** The first change behind a line; the first of all behind the last. */
+  int next(int line) {
+    return changes.stream().filter(at -> at > line).findFirst().orElse(first());
+  }
+
+  /** The last change before a line; the last of all before the first. */
+  int previous(int line) {
+    int found = changes.isEmpty() ? -1 : changes.get(changes.size() - 1);
+    for (int i = changes.size() - 1; i >= 0; i--) {
+      if (changes.get(i) < line) {
+        return changes.get(i);
+      }
+    }
+    return found;
+  }
+
+  private int first() {
+    return changes.isEmpty() ? -1 : changes.get(0);
+  }
+}

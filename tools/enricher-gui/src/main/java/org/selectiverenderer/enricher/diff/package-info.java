@@ -1,0 +1,10 @@
+/**
+ * What saving will change in the file, line by line, before it is saved.
+ *
+ * <p>In: a document and its file. Out: the author's yes or no. Uses {@code document.file} and
+ * {@code enricher.session}.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.diff;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,125 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.selectiverenderer.document.EditRefused;
+
+/**
+ * Cells to and from text with tabs, as spreadsheets have it. A text whose first line begins with
+ * {@code object} has names: its cells go to the objects and schemas of these names, wherever they
+ * stand.
+ */
+final class CellClipboard {
+  private static final String OBJECT = "object";
+  private final OverviewTableModel model;
+
+  CellClipboard(OverviewTableModel model) {
+    this.model = model;
+  }
+
+  /** The rectangle around some cells as text. */
+  String copy(List<CellAt> cells, boolean withNames) {
+    TreeSet<Integer> rows = new TreeSet<>();
+    TreeSet<Integer> columns = new TreeSet<>();
+    for (CellAt cell : cells) {
+      rows.add(cell.row());
+      columns.add(cell.column());
+    }
+    columns.remove(0);
+    StringBuilder text = new StringBuilder();
+    if (withNames) {
+      text.append(OBJECT);
+      columns.forEach(column -> text.append('\t').append(model.getColumnName(column)));
+      text.append('\n');
+    }
+    for (int row : rows) {
+      List<String> line = new ArrayList<>();
+      if (withNames) {
+        line.add(model.node(row).object());
+      }
+      columns.forEach(column -> line.add(String.valueOf(model.getValueAt(row, column))));
+      text.append(String.join("\t", line)).append('\n');
+    }
+    return text.toString();
+  }
+
+  /**
+   * What a text puts where.
+   *
+   * @param selected where it goes to, its first cell at the first of them; one value fills them all
+   * @throws EditRefused if something in it is no degree, or does not fit
+   */
+  Map<CellAt, CellInput> paste(String text, List<CellAt> selected) {
+    List<List<String>> lines =
+        text.lines().map(line -> Arrays.asList(line.split("\t", -1))).toList();
+    if (lines.isEmpty()) {
+      throw new EditRefused("there is nothing to paste");
+    }
+    if (lines.get(0).get(0).strip().equalsIgnoreCase(OBJECT)) {
+      return named(lines);
+    }
+    if (lines.size() == 1 && lines.get(0).size() == 1) {
+      CellInput input = input(lines.get(0).get(0));
+      Map<CellAt, CellInput> cells = new LinkedHashMap<>();
+      selected.stream().filter(cell -> cell.column() > 0).forEach(cell -> cells.put(cell, input));
+      return cells;
+    }
+    return placed(lines, selected);
+  }
+
+  private Map<CellAt, CellInput> placed(List<List<String>> lines, List<CellAt> selected) {
+    int top = selected.stream().mapToInt(CellAt::row).min().orElse(0);
+    int left = Math.max(1, selected.stream().mapToInt(CellAt::column).min().orElse(1));
+    Map<CellAt, CellInput> cells = new LinkedHashMap<>();
+    for (int i = 0; i < lines.size(); i++) {
+      for (int j = 0; j < lines.get(i).size(); j++) {
+        CellAt at = new CellAt(top + i, left + j);
+        if (at.row() >= model.getRowCount() || at.column() >= model.getColumnCount()) {
+          throw new EditRefused(
+              "%d lines of %d cells do not fit here; nothing is pasted"
+                  .formatted(lines.size(), lines.get(i).size()));
+        }
+        cells.put(at, input(lines.get(i).get(j)));
+      }
+    }
+    return cells;
+  }
+
+  private Map<CellAt, CellInput> named(List<List<String>> lines) {
+    Map<String, Integer> rows = new LinkedHashMap<>();
+    for (int row = 0; row < model.getRowCount(); row++) {
+      rows.putIfAbsent(model.node(row).object(), row);
+    }
+    List<String> heads = lines.get(0);
+    Map<CellAt, CellInput> cells = new LinkedHashMap<>();
+    for (List<String> line : lines.subList(1, lines.size())) {
+      Integer row = rows.get(line.get(0).strip());
+      if (row == null) {
+        throw new EditRefused(
+            "there is no object '%s' in the table; nothing is pasted".formatted(line.get(0)));
+      }
+      for (int j = 1; j < line.size() && j < heads.size(); j++) {
+        int column = 1 + model.schemas().indexOf(heads.get(j).strip());
+        if (column == 0) {
+          throw new EditRefused(
+              "there is no schema '%s' in the table; add its column first".formatted(heads.get(j)));
+        }
+        cells.put(new CellAt(row, column), input(line.get(j)));
+      }
+    }
+    return cells;
+  }
+
+  private static CellInput input(String text) {
+    return CellInput.of(text)
+        .orElseThrow(
+            () ->
+                new EditRefused(
+                    "'%s' is no degree: low, high or a number from 0 to 1; nothing is pasted"
+                        .formatted(text)));
+  }
+}

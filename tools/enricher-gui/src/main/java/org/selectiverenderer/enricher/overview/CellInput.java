@@ -1,0 +1,25 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.selectiverenderer.schema.Degree;
+
+/**
+ * What an author writes into a cell: {@code high} or {@code h}, {@code low} or {@code l}, a number
+ * from 0 to 1 with a point or a comma, or nothing, which empties the cell.
+ *
+ * @param degree empty to clear
+ */
+record CellInput(Optional<Degree> degree) {
+  /** What is meant by a text; empty if it is none of these. */
+  static Optional<CellInput> of(String text) {
+    // A cell shows a degree that follows from the version alone in parentheses.
+    String word = text.strip().toLowerCase(Locale.ROOT).replaceAll("[()]", "");
+    return switch (word) {
+      case "" -> Optional.of(new CellInput(Optional.empty()));
+      case "h" -> Optional.of(new CellInput(Optional.of(Degree.HIGH)));
+      case "l" -> Optional.of(new CellInput(Optional.of(Degree.LOW)));
+      default -> Degree.of(word.replace(',', '.')).map(d -> new CellInput(Optional.of(d)));
+    };
+  }
+}

@@ -1,0 +1,52 @@
+package org.selectiverenderer.enricher.overview;
+
+import javax.swing.DefaultCellEditor;
+import javax.swing.JComboBox;
+import javax.swing.text.JTextComponent;
+
+/** Edits a degree in its cell: a list of the usual ones, or any number from 0 to 1. */
+@SuppressWarnings("serial") // never written
+final class DegreeEditor extends DefaultCellEditor {
+  private static final long serialVersionUID = 1L;
+  private final JComboBox<String> box;
+
+  DegreeEditor() {
+    this(new JComboBox<>(new String[] {"", "low", "0.25", "0.5", "0.75", "high"}));
+  }
+
+  private DegreeEditor(JComboBox<String> box) {
+    super(box);
+    this.box = box;
+    box.setEditable(true);
+    setClickCountToStart(2);
+  }
+
+  /** Begins anew with a character that the author has typed. */
+  void begin(char first) {
+    box.requestFocusInWindow();
+    JTextComponent text = (JTextComponent) box.getEditor().getEditorComponent();
+    text.setText(String.valueOf(first));
+    text.requestFocusInWindow();
+  }
+
+  /** What is no degree stays in the editor, marked, until it is one or is given up. */
+  @Override
+  public boolean stopCellEditing() {
+    String text = String.valueOf(box.getEditor().getItem());
+    boolean degree = CellInput.of(text).isPresent();
+    ((javax.swing.JComponent) box).putClientProperty("JComponent.outline", degree ? null : "error");
+    box.repaint();
+    return degree && super.stopCellEditing();
+  }
+
+  @Override
+  public void cancelCellEditing() {
+    box.putClientProperty("JComponent.outline", null);
+    super.cancelCellEditing();
+  }
+
+  @Override
+  public Object getCellEditorValue() {
+    return String.valueOf(box.getEditor().getItem());
+  }
+}

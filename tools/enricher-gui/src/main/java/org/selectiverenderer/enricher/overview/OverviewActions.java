@@ -1,0 +1,124 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JPopupMenu;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.schema.Degree;
+
+/** What can be done with the selected cells, by key and by menu. */
+final class OverviewActions {
+  private final SchemaTable table;
+  private final OverviewTableModel model;
+  private final CellClipboard cells;
+  private final Consumer<String> say;
+  final KeyedAction high;
+  final KeyedAction low;
+  final KeyedAction clear;
+  final KeyedAction sort;
+
+  /**
+   * @param say shows the author why something was not done
+   */
+  OverviewActions(SchemaTable table, OverviewTableModel model, Consumer<String> say) {
+    this.table = table;
+    this.model = model;
+    this.cells = new CellClipboard(model);
+    this.say = say;
+    this.high = new KeyedAction("High", "H", () -> fill(Optional.of(Degree.HIGH))).in(table);
+    this.low = new KeyedAction("Low", "L", () -> fill(Optional.of(Degree.LOW))).in(table);
+    this.clear = new KeyedAction("Clear", "DELETE", () -> fill(Optional.empty())).in(table);
+    this.sort = new KeyedAction("Sort by this schema", "S", this::sort).in(table);
+    new KeyedAction("Clear too", "BACK_SPACE", () -> fill(Optional.empty())).in(table);
+    for (char digit : "0123456789.".toCharArray()) {
+      new KeyedAction("Write " + digit, "typed " + digit, () -> table.write(digit)).in(table);
+    }
+    table.setComponentPopupMenu(menu());
+  }
+
+  private JPopupMenu menu() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.add(high);
+    menu.add(low);
+    menu.add(clear);
+    menu.addSeparator();
+    menu.add(new KeyedAction("Cut", "menu X", this::cut).in(table));
+    menu.add(new KeyedAction("Copy", "menu C", () -> copy(false)).in(table));
+    menu.add(new KeyedAction("Copy with Names", "menu shift C", () -> copy(true)).in(table));
+    menu.add(new KeyedAction("Paste", "menu V", this::paste).in(table));
+    menu.addSeparator();
+    menu.add(new KeyedAction("Select Column", "ctrl SPACE", this::selectColumn).in(table));
+    menu.addSeparator();
+    menu.add(sort);
+    menu.add(new KeyedAction("Sort by Object", "N", () -> sort(0)).in(table));
+    return menu;
+  }
+
+  /** Fills the selected cells, or empties them. */
+  void fill(Optional<Degree> degree) {
+    List<CellAt> selected = table.selectedCells();
+    if (selected.isEmpty()) {
+      say.accept("Select the cells to fill first: drag, or hold Shift and use the arrow keys.");
+    } else {
+      attempt(() -> model.fill(selected, degree));
+    }
+  }
+
+  private void sort() {
+    table.currentSchema().ifPresent(schema -> sort(1 + model.schemas().indexOf(schema)));
+  }
+
+  private void sort(int column) {
+    table.keepingSelection(() -> model.sort(model.order().clicked(column)));
+  }
+
+  /** All cells of the columns in which cells are selected: with a filter, a whole room at once. */
+  private void selectColumn() {
+    if (table.getRowCount() > 0 && table.getSelectedColumnCount() > 0) {
+      table.setRowSelectionInterval(0, table.getRowCount() - 1);
+    }
+  }
+
+  private void cut() {
+    copy(false);
+    fill(Optional.empty());
+  }
+
+  private void copy(boolean withNames) {
+    List<CellAt> selected = table.selectedCells();
+    if (!selected.isEmpty()) {
+      clipboard().setContents(new StringSelection(cells.copy(selected, withNames)), null);
+    }
+  }
+
+  private void paste() {
+    attempt(
+        () -> {
+          try {
+            Object text = clipboard().getData(DataFlavor.stringFlavor);
+            model.put(cells.paste(String.valueOf(text), table.selectedCells()));
+          } catch (UnsupportedFlavorException | IOException e) {
+            throw new EditRefused("the clipboard holds no text to paste");
+          }
+        });
+  }
+
+  private static Clipboard clipboard() {
+    return Toolkit.getDefaultToolkit().getSystemClipboard();
+  }
+
+  private void attempt(Runnable work) {
+    try {
+      work.run();
+    } catch (EditRefused e) {
+      say.accept(e.getMessage());
+    }
+  }
+}

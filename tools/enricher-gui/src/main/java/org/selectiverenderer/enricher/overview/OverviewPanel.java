@@ -1,0 +1,249 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+
+/**
+ * The schema overview: all objects by all schemas, filled in place. Its rows are the session's
+ * selection. For the event dispatch thread.
+ */
+@SuppressWarnings("serial") // never written
+public final class OverviewPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final EnricherSession session;
+  private final OverviewTableModel model;
+  private final SchemaTable table;
+  private final SchemaFindings findings;
+  private final JTextField name = new JTextField(14);
+  private final JComboBox<RowFilter.Which> which = new JComboBox<>(RowFilter.Which.values());
+  private final JLabel status = new JLabel(" ");
+  private final org.selectiverenderer.document.DocumentListener changes = change -> refresh();
+  private final SelectionListener selection = this::selected;
+  private boolean following;
+
+  public OverviewPanel(EnricherSession session) {
+    super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][]"));
+    this.session = session;
+    this.model = new OverviewTableModel(session.enrichment(), this::make);
+    this.table = new SchemaTable(model);
+    this.findings = new SchemaFindings(e -> session.select(e, this), this::make);
+    OverviewActions actions = new OverviewActions(table, model, this::say);
+    add(tools(), "wrap");
+    add(cellTools(actions), "wrap");
+    add(table.scrolling(), "grow, wrap");
+    add(findings, "grow, hidemode 3, wrap");
+    add(status);
+    status.getAccessibleContext().setAccessibleName("State of the overview");
+    table
+        .getSelectionModel()
+        .addListSelectionListener(
+            e -> {
+              if (!e.getValueIsAdjusting()) {
+                selectInSession();
+              }
+            });
+    session.document().addListener(changes);
+    session.addSelectionListener(selection);
+    findings.show(model.marks());
+    count();
+    selected(session.selection(), session);
+  }
+
+  private JPanel tools() {
+    JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow][]"));
+    JLabel filter = new JLabel("Filter:");
+    filter.setDisplayedMnemonic('i');
+    filter.setLabelFor(name);
+    name.putClientProperty("JTextField.placeholderText", "part of a name");
+    name.putClientProperty("JTextField.showClearButton", true);
+    name.getAccessibleContext().setAccessibleName("Show objects whose name contains");
+    name.getDocument().addDocumentListener(new Typed());
+    which.getAccessibleContext().setAccessibleName("Which objects are shown");
+    which.addActionListener(e -> filter());
+    tools.add(filter);
+    tools.add(name, "growx, wmin 60");
+    tools.add(which, "wrap");
+    SchemaNaming naming = new SchemaNaming(this);
+    tools.add(new JLabel("Schema:"), "span, split 4");
+    tools.add(button("Add\u2026", 'A', "A column for another schema", () -> addSchema(naming)));
+    tools.add(button("Rename\u2026", 'R', "Rename wherever named", () -> rename(naming)));
+    tools.add(button("Remove", 'v', "Take out of all objects and areas", this::remove));
+    return tools;
+  }
+
+  private static JPanel cellTools(OverviewActions actions) {
+    JPanel tools = new JPanel(new MigLayout("insets 0"));
+    tools.add(new JLabel("Selected cells:"));
+    tools.add(button(actions.high, "People expect the object there (h)"));
+    tools.add(button(actions.low, "People do not expect the object there (l)"));
+    tools.add(button(actions.clear, "The object does not belong there (Delete)"));
+    tools.add(
+        new JLabel("Keys: h, l, digits for a number from 0 to 1, Delete, F2 for a list"), "wmin 0");
+    return tools;
+  }
+
+  private static JButton button(KeyedAction action, String help) {
+    JButton button = new JButton(action);
+    button.setToolTipText(help);
+    button.getAccessibleContext().setAccessibleDescription(help);
+    button.setFocusable(false); // its key works in the table, where the selection is
+    return button;
+  }
+
+  private static JButton button(String text, char mnemonic, String help, Runnable work) {
+    JButton button = new JButton(text);
+    button.setMnemonic(mnemonic);
+    button.setToolTipText(help);
+    button.getAccessibleContext().setAccessibleName(text + " schema");
+    button.getAccessibleContext().setAccessibleDescription(help);
+    button.addActionListener(e -> work.run());
+    return button;
+  }
+
+  private void addSchema(SchemaNaming naming) {
+    naming
+        .ask("Add Schema", "Name of the schema:", "")
+        .ifPresent(
+            schema ->
+                attempt(
+                    () -> {
+                      table.keepingSelection(() -> model.addSchema(schema));
+                      int column = model.schemas().indexOf(schema.strip());
+                      table.setColumnSelectionInterval(column, column);
+                      table.scrollRectToVisible(table.getCellRect(0, column, true));
+                      say(schema.strip() + " is written to the scene with its first object.");
+                    }));
+  }
+
+  private void rename(SchemaNaming naming) {
+    Optional<String> schema = table.currentSchema();
+    if (schema.isEmpty()) {
+      say("Select a cell in the column of the schema to rename first.");
+      return;
+    }
+    naming
+        .ask("Rename Schema", "New name of " + schema.get() + ":", schema.get())
+        .filter(to -> !to.strip().equals(schema.get()))
+        .ifPresent(
+            to ->
+                attempt(
+                    () -> {
+                      make(() -> session.edits().renameSchema(schema.get(), to));
+                      table.keepingSelection(() -> model.renamed(schema.get(), to));
+                    }));
+  }
+
+  private void remove() {
+    Optional<String> schema = table.currentSchema();
+    if (schema.isEmpty()) {
+      say("Select a cell in the column of the schema to remove first.");
+      return;
+    }
+    attempt(
+        () -> {
+          make(() -> session.edits().removeSchema(schema.get()));
+          table.keepingSelection(() -> model.removed(schema.get()));
+        });
+  }
+
+  private void filter() {
+    RowFilter wanted = new RowFilter(name.getText(), (RowFilter.Which) which.getSelectedItem());
+    follow(() -> table.keepingSelection(() -> model.filter(wanted)));
+    count();
+  }
+
+  private void refresh() {
+    follow(() -> table.keepingSelection(model::refresh));
+    findings.show(model.marks());
+    count();
+  }
+
+  private void count() {
+    int all = model.objectCount();
+    String shown =
+        model.getRowCount() == all
+            ? "%d objects".formatted(all)
+            : "%d of %d objects".formatted(model.getRowCount(), all);
+    int schemas = model.schemas().size();
+    status.setText("%s, %d %s".formatted(shown, schemas, schemas == 1 ? "schema" : "schemas"));
+  }
+
+  private void say(String message) {
+    status.setText(message);
+  }
+
+  private void attempt(Runnable work) {
+    try {
+      work.run();
+    } catch (EditRefused e) {
+      say(e.getMessage());
+    }
+  }
+
+  private void selected(Optional<DocumentElement> element, Object origin) {
+    if (!following) {
+      element.ifPresent(selected -> follow(() -> table.show(selected)));
+    }
+  }
+
+  /** Makes an edit and does it; where one of both is refused, the author is told why. */
+  private void make(Supplier<Edit> edit) {
+    session.attempt(() -> session.document().perform(edit.get()));
+  }
+
+  private void selectInSession() {
+    int row = table.getSelectionModel().getLeadSelectionIndex();
+    if (!following && row >= 0 && row < model.getRowCount() && table.isRowSelected(row)) {
+      DocumentElement element = model.node(row).element();
+      follow(() -> session.select(element, this));
+    }
+  }
+
+  /** Does something that changes the selection of the table or the session, but not the other's. */
+  private void follow(Runnable change) {
+    boolean before = following;
+    following = true;
+    try {
+      change.run();
+    } finally {
+      following = before;
+    }
+  }
+
+  /** Lets go of the session. */
+  public void dispose() {
+    session.document().removeListener(changes);
+    session.removeSelectionListener(selection);
+  }
+
+  private final class Typed implements DocumentListener {
+    @Override
+    public void insertUpdate(DocumentEvent event) {
+      filter();
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent event) {
+      filter();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent event) {
+      filter();
+    }
+  }
+}

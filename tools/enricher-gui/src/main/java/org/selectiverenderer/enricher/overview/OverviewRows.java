@@ -1,0 +1,92 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.schema.Degree;
+
+/**
+ * The rows of the table: the objects that its filter shows, in its order. They keep their places
+ * while cells are edited, so that nothing jumps away under the author's hands.
+ */
+final class OverviewRows {
+  /** Reads a cell. */
+  interface Degrees {
+    Optional<Degree> of(SwitchNode node, String schema);
+  }
+
+  private final Enrichment enrichment;
+  private final Degrees degrees;
+  private final Map<DocumentElement, Integer> places = new IdentityHashMap<>();
+  private List<SwitchNode> rows = List.of();
+
+  OverviewRows(Enrichment enrichment, Degrees degrees) {
+    this.enrichment = enrichment;
+    this.degrees = degrees;
+  }
+
+  /** Filters and sorts anew. */
+  void arrange(List<SwitchNode> objects, List<String> columns, RowFilter filter, RowOrder order) {
+    List<SwitchNode> shown = new ArrayList<>();
+    objects.stream().filter(filter::shows).forEach(shown::add);
+    if (order.column() == 0) {
+      Comparator<SwitchNode> byName =
+          Comparator.comparing(SwitchNode::object, String.CASE_INSENSITIVE_ORDER);
+      shown.sort(order.descending() ? byName.reversed() : byName);
+    } else if (order.column() > 0 && order.column() <= columns.size()) {
+      String schema = columns.get(order.column() - 1);
+      // Empty cells are the last ones either way: one sorts to see what is filled.
+      Comparator<Double> values =
+          order.descending() ? Comparator.reverseOrder() : Comparator.naturalOrder();
+      shown.sort(
+          Comparator.comparing(
+              node -> degrees.of(node, schema).map(Degree::value).orElse(null),
+              Comparator.nullsLast(values)));
+    }
+    rows = shown;
+    places.clear();
+    for (int i = 0; i < rows.size(); i++) {
+      places.put(rows.get(i).element(), i);
+    }
+  }
+
+  /** Takes the new values into the rows as they stand; false, and no change, if a row is gone. */
+  boolean stay() {
+    List<SwitchNode> fresh = new ArrayList<>(rows.size());
+    for (SwitchNode row : rows) {
+      Optional<SwitchNode> node = enrichment.switchNode(row.element());
+      if (node.isEmpty() || node.get().choices().isEmpty()) {
+        return false;
+      }
+      fresh.add(node.get());
+    }
+    rows = fresh;
+    return true;
+  }
+
+  int count() {
+    return rows.size();
+  }
+
+  SwitchNode node(int row) {
+    return rows.get(row);
+  }
+
+  /** The row of an object or of what stands in it; -1 if it is not shown. */
+  int row(DocumentElement element) {
+    for (Optional<DocumentElement> at = Optional.of(element); at.isPresent(); ) {
+      Integer row = places.get(at.get());
+      if (row != null) {
+        return row;
+      }
+      at = at.get().parent();
+    }
+    return -1;
+  }
+}

@@ -1,0 +1,76 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ListSelectionModel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.Finding;
+
+/** Schemas that no area activates or no object has, with a way to each and its fix. */
+@SuppressWarnings("serial") // never written
+final class SchemaFindings extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final DefaultListModel<Finding> found = new DefaultListModel<>();
+  private final JList<Finding> list = new JList<>(found);
+  private final JButton fix = new JButton("Fix");
+  private final JButton show = new JButton("Show");
+
+  SchemaFindings(Consumer<DocumentElement> select, Consumer<Supplier<Edit>> make) {
+    super(new MigLayout("insets 0, fill, hidemode 3", "[grow,fill][]", "[][]"));
+    list.setVisibleRowCount(3);
+    list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    list.getAccessibleContext().setAccessibleName("Unused and undeclared schemas");
+    list.setCellRenderer(
+        new DefaultListCellRenderer() {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public java.awt.Component getListCellRendererComponent(
+              JList<?> of, Object value, int index, boolean selected, boolean focused) {
+            String text = value instanceof Finding finding ? "\u26a0 " + finding.message() : "";
+            return super.getListCellRendererComponent(of, text, index, selected, focused);
+          }
+        });
+    list.addListSelectionListener(e -> enableButtons());
+    show.setMnemonic('w');
+    show.setToolTipText("Select the first place that names the schema");
+    show.addActionListener(e -> select.accept(list.getSelectedValue().element()));
+    fix.setMnemonic('x');
+    fix.addActionListener(e -> list.getSelectedValue().fix().ifPresent(f -> make.accept(f.edit())));
+    JLabel label = new JLabel("Unused and undeclared schemas");
+    label.setLabelFor(list);
+    add(label, "span, wrap");
+    add(new JScrollPane(list), "spany 2, grow");
+    add(fix, "growx, wrap");
+    add(show, "growx, top");
+    enableButtons();
+  }
+
+  void show(List<Finding> findings) {
+    int selected = Math.max(0, list.getSelectedIndex());
+    found.clear();
+    found.addAll(findings);
+    list.setSelectedIndex(Math.min(selected, findings.size() - 1));
+    setVisible(!findings.isEmpty());
+    enableButtons();
+  }
+
+  private void enableButtons() {
+    Finding finding = list.getSelectedValue();
+    show.setEnabled(finding != null);
+    fix.setEnabled(finding != null && finding.fix().isPresent());
+    fix.setText(
+        finding == null ? "Fix" : finding.fix().map(Finding.Fix::name).orElse("No obvious fix"));
+  }
+}

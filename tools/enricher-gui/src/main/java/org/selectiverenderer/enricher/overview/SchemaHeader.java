@@ -1,0 +1,47 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.awt.Component;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.LookAndFeel;
+import javax.swing.UIManager;
+import javax.swing.table.JTableHeader;
+import javax.swing.table.TableCellRenderer;
+import org.selectiverenderer.document.Finding;
+
+/** The head of a column: its name, which way it is sorted, and a mark where its schema is amiss. */
+final class SchemaHeader implements TableCellRenderer {
+  private final OverviewTableModel model;
+  private LookAndFeel theme = UIManager.getLookAndFeel();
+  private TableCellRenderer plain = new JTableHeader().getDefaultRenderer();
+
+  SchemaHeader(OverviewTableModel model) {
+    this.model = model;
+  }
+
+  @Override
+  public Component getTableCellRendererComponent(
+      JTable table, Object value, boolean selected, boolean focused, int row, int viewColumn) {
+    if (UIManager.getLookAndFeel() != theme) {
+      theme = UIManager.getLookAndFeel(); // Swing renews plain renderers only
+      plain = new JTableHeader().getDefaultRenderer();
+    }
+    Component component =
+        plain.getTableCellRendererComponent(table, value, selected, focused, row, viewColumn);
+    int column = table.convertColumnIndexToModel(viewColumn);
+    Optional<Finding> mark =
+        column < model.getColumnCount() ? model.mark(column) : Optional.empty();
+    RowOrder order = model.order();
+    String arrow = order.column() != column ? "" : order.descending() ? " \u2193" : " \u2191";
+    if (component instanceof JLabel label) {
+      label.setText((mark.isPresent() ? "\u26a0 " : "") + value + arrow);
+    }
+    if (component instanceof JComponent head) {
+      head.setToolTipText(
+          mark.map(Finding::message).orElse("Click to sort by " + model.getColumnName(column)));
+    }
+    return component;
+  }
+}

@@ -1,0 +1,235 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.awt.Component;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.SwingUtilities;
+import javax.swing.event.TableModelEvent;
+import javax.swing.table.JTableHeader;
+import javax.swing.table.TableColumn;
+import org.selectiverenderer.document.DocumentElement;
+
+/**
+ * The cells of the overview and, in a table of its own that does not scroll sideways, the objects'
+ * names. Selecting works in cells; what is written into one cell of a selection goes to all.
+ */
+@SuppressWarnings("serial") // never written
+final class SchemaTable extends JTable {
+  private static final long serialVersionUID = 1L;
+
+  private final OverviewTableModel model;
+  private final JTable names;
+
+  SchemaTable(OverviewTableModel model) {
+    super(model);
+    this.model = model;
+    this.names = new NameTable(model, getSelectionModel());
+    setAutoResizeMode(AUTO_RESIZE_OFF);
+    setAutoCreateColumnsFromModel(false);
+    setCellSelectionEnabled(true);
+    setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
+    setDefaultEditor(String.class, new DegreeEditor());
+    setSurrendersFocusOnKeystroke(true);
+    putClientProperty("terminateEditOnFocusLost", true);
+    putClientProperty("JTable.autoStartsEdit", false); // letters are commands here
+    setShowGrid(true);
+    setColumns();
+    dress(this);
+    dress(names);
+    getAccessibleContext().setAccessibleName("Degrees of objects by schemas");
+    getAccessibleContext()
+        .setAccessibleDescription("h writes high, l low, a digit a number, Delete empties a cell");
+  }
+
+  /** The names beside the cells. */
+  @SuppressWarnings("serial") // never written
+  private static final class NameTable extends JTable {
+    private static final long serialVersionUID = 1L;
+    private final OverviewTableModel model;
+
+    NameTable(OverviewTableModel model, ListSelectionModel rows) {
+      super(model);
+      this.model = model;
+      setAutoCreateColumnsFromModel(false);
+      while (getColumnCount() > 1) {
+        getColumnModel().removeColumn(getColumnModel().getColumn(1));
+      }
+      setSelectionModel(rows);
+      setShowGrid(true);
+      setFocusable(false); // the keyboard works in the cells
+      getAccessibleContext().setAccessibleName("Objects");
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+      int row = rowAtPoint(event.getPoint());
+      return row < 0 ? null : model.explanation(row, 0);
+    }
+  }
+
+  private void dress(JTable table) {
+    table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
+    JTableHeader header = table.getTableHeader();
+    header.setReorderingAllowed(false);
+    header.setDefaultRenderer(new SchemaHeader(model));
+    header.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            int column = header.columnAtPoint(event.getPoint());
+            if (column >= 0 && SwingUtilities.isLeftMouseButton(event)) {
+              keepingSelection(
+                  () -> model.sort(model.order().clicked(table.convertColumnIndexToModel(column))));
+            }
+          }
+        });
+  }
+
+  /** A scroll pane with names and cells. */
+  JScrollPane scrolling() {
+    JScrollPane pane = new JScrollPane(this);
+    pane.setRowHeaderView(names);
+    pane.setCorner(JScrollPane.UPPER_LEADING_CORNER, names.getTableHeader());
+    names.setPreferredScrollableViewportSize(
+        new java.awt.Dimension(names.getFontMetrics(names.getFont()).charWidth('m') * 16, 0));
+    return pane;
+  }
+
+  private void setColumns() {
+    while (getColumnCount() > 0) {
+      getColumnModel().removeColumn(getColumnModel().getColumn(0));
+    }
+    for (int i = 1; i < model.getColumnCount(); i++) {
+      TableColumn column = new TableColumn(i);
+      column.setHeaderValue(model.getColumnName(i));
+      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mmm");
+      column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
+      getColumnModel().addColumn(column);
+    }
+  }
+
+  @Override
+  public void tableChanged(TableModelEvent event) {
+    super.tableChanged(event);
+    // The table hears of its model before its own fields are set.
+    if (model != null && event.getFirstRow() == TableModelEvent.HEADER_ROW) {
+      setColumns();
+    }
+  }
+
+  /** Does something to the model and selects the same objects and schemas again. */
+  void keepingSelection(Runnable change) {
+    List<DocumentElement> rows = new ArrayList<>();
+    for (int row : getSelectedRows()) {
+      rows.add(model.node(row).element());
+    }
+    List<String> columns = new ArrayList<>();
+    for (int column : getSelectedColumns()) {
+      columns.add(model.schema(convertColumnIndexToModel(column)));
+    }
+    if (isEditing()) {
+      getCellEditor().cancelCellEditing();
+    }
+    getSelectionModel().setValueIsAdjusting(true);
+    change.run();
+    if (getSelectedRowCount() == 0) {
+      for (DocumentElement element : rows) {
+        int row = model.row(element);
+        if (row >= 0) {
+          addRowSelectionInterval(row, row);
+        }
+      }
+    }
+    if (getSelectedColumnCount() == 0) {
+      for (String schema : columns) {
+        int column = model.schemas().indexOf(schema);
+        if (column >= 0) {
+          addColumnSelectionInterval(column, column);
+        }
+      }
+    }
+    getSelectionModel().setValueIsAdjusting(false);
+    getTableHeader().repaint();
+    names.getTableHeader().repaint();
+  }
+
+  /** The cells that are selected, row by row. */
+  List<CellAt> selectedCells() {
+    List<CellAt> cells = new ArrayList<>();
+    for (int row : getSelectedRows()) {
+      for (int column : getSelectedColumns()) {
+        cells.add(new CellAt(row, convertColumnIndexToModel(column)));
+      }
+    }
+    return cells;
+  }
+
+  /** The schema of the column that the cursor is in. */
+  Optional<String> currentSchema() {
+    int column = getColumnModel().getSelectionModel().getLeadSelectionIndex();
+    return column < 0 || column >= getColumnCount()
+        ? Optional.empty()
+        : Optional.of(model.schema(convertColumnIndexToModel(column)));
+  }
+
+  /** Shows an object's row and selects it. */
+  void show(DocumentElement element) {
+    int row = model.row(element);
+    if (row < 0) {
+      clearSelection();
+      return;
+    }
+    if (!isRowSelected(row)) {
+      setRowSelectionInterval(row, row);
+    }
+    if (getSelectedColumnCount() == 0 && getColumnCount() > 0) {
+      setColumnSelectionInterval(0, 0);
+    }
+    scrollRectToVisible(getCellRect(row, Math.max(0, getSelectedColumn()), true));
+  }
+
+  /** Begins to write a number into the cell of the cursor. */
+  void write(char first) {
+    int row = getSelectionModel().getLeadSelectionIndex();
+    int column = getColumnModel().getSelectionModel().getLeadSelectionIndex();
+    if (row >= 0 && column >= 0 && editCellAt(row, column)) {
+      ((DegreeEditor) getCellEditor()).begin(first);
+    }
+  }
+
+  /** What is written into one of the selected cells goes to all of them. */
+  @Override
+  public void setValueAt(Object value, int row, int column) {
+    List<CellAt> cells = selectedCells();
+    if (cells.size() < 2 || !isCellSelected(row, column)) {
+      super.setValueAt(value, row, column);
+      return;
+    }
+    CellInput.of(String.valueOf(value)).ifPresent(input -> model.fill(cells, input.degree()));
+  }
+
+  @Override
+  public String getToolTipText(MouseEvent event) {
+    int row = rowAtPoint(event.getPoint());
+    int column = columnAtPoint(event.getPoint());
+    return row < 0 || column < 0 ? null : model.explanation(row, convertColumnIndexToModel(column));
+  }
+
+  @Override
+  public Component prepareEditor(javax.swing.table.TableCellEditor editor, int row, int column) {
+    Component component = super.prepareEditor(editor, row, column);
+    component
+        .getAccessibleContext()
+        .setAccessibleName(
+            "Degree of %s in %s"
+                .formatted(
+                    model.node(row).object(), model.schema(convertColumnIndexToModel(column))));
+    return component;
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * The table of objects by schemas: what fifty objects are is said in minutes. A table model that
+ * knows no window, and the panel around it.
+ *
+ * <p>In: an enrichment. Out: edits. Uses {@code document} and {@code enricher.session}.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.overview;
+
+import org.jspecify.annotations.NullMarked;

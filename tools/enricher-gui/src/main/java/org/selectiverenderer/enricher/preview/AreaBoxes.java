@@ -1,0 +1,181 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.joml.Vector4d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.nodes.ProximitySensorNode;
+import org.selectiverenderer.runtime.render.BoxMark;
+import org.selectiverenderer.runtime.render.Camera;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SensorSchemas;
+
+/** The boxes of a scene's ProximitySensors: as marks, as labels, and what stands in them. */
+final class AreaBoxes {
+  /** Shapes times boxes beyond which polygons are not counted per area. */
+  private static final long MOST_TESTS = 2_000_000;
+
+  private static final float[] EDGES = {0.10f, 0.45f, 0.95f, 0.9f};
+  private static final float[] SIDES = {0.20f, 0.55f, 1.00f, 0.06f};
+  private static final float[] SELECTED_EDGES = {1.00f, 0.60f, 0.00f, 1.0f};
+  private static final float[] SELECTED_SIDES = {1.00f, 0.70f, 0.10f, 0.12f};
+
+  /**
+   * Where a label may stand, the best first: on top, at the top of a side, in the middle of one.
+   */
+  private static final double[][] LABEL_POINTS = {
+    {0, 0.5, 0}, {0, 0.5, 0.5}, {0, 0.5, -0.5}, {0.5, 0.5, 0}, {-0.5, 0.5, 0},
+    {0, 0, 0}, {0, 0, 0.5}, {0, 0, -0.5}, {0.5, 0, 0}, {-0.5, 0, 0},
+    {0.5, 0.5, 0.5}, {-0.5, 0.5, 0.5}, {0.5, 0.5, -0.5}, {-0.5, 0.5, -0.5}, {0, -0.5, 0}
+  };
+
+  /** How far from the edge of the picture, as a part of it. */
+  private static final double LABEL_MARGIN = 0.04;
+
+  /** A sensor of the document. */
+  private record Area(ProximitySensorNode node, SensorSchemas schemas) {}
+
+  private final World world;
+  private final List<Area> areas = new ArrayList<>();
+  private long[] polygons = {};
+
+  AreaBoxes(World world, List<Node> nodes) {
+    this.world = world;
+    SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings tell them.
+    for (Node node : nodes) {
+      if (node instanceof ProximitySensorNode sensor) {
+        areas.add(
+            new Area(
+                sensor,
+                NodeMetadata.of(sensor)
+                    .flatMap(reader::sensor)
+                    .orElse(new SensorSchemas(List.of(), List.of()))));
+      }
+    }
+  }
+
+  /** Counts anew what stands in each area: shapes shown whose middle is in the box. */
+  void count() {
+    List<ShapeInstance> shapes = world.instances().shapes();
+    if ((long) shapes.size() * areas.size() > MOST_TESTS) {
+      polygons = new long[0];
+      return;
+    }
+    polygons = new long[areas.size()];
+    for (int i = 0; i < polygons.length; i++) {
+      List<Matrix4d> inverse = new ArrayList<>();
+      places(areas.get(i).node()).forEach(place -> inverse.add(new Matrix4d(place).invert()));
+      for (ShapeInstance shape : shapes) {
+        if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3] && holds(inverse, shape)) {
+          polygons[i] += shape.mesh().map(mesh -> mesh.polygons()).orElse(0);
+        }
+      }
+    }
+  }
+
+  private static boolean holds(List<Matrix4d> inverse, ShapeInstance shape) {
+    double[] b = shape.bounds();
+    Vector3d middle = new Vector3d(b[0] + b[3], b[1] + b[4], b[2] + b[5]).mul(0.5);
+    Vector3d local = new Vector3d();
+    for (Matrix4d place : inverse) {
+      place.transformPosition(middle, local);
+      if (Math.abs(local.x) <= 0.5 && Math.abs(local.y) <= 0.5 && Math.abs(local.z) <= 0.5) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Each takes the cube of side 1 about the origin to a box of the sensor in the world. */
+  private List<Matrix4d> places(Node sensor) {
+    float[] c = sensor.floats("center");
+    float[] s = sensor.floats("size");
+    List<Matrix4d> places = new ArrayList<>();
+    if (s[0] > 0 && s[1] > 0 && s[2] > 0) {
+      for (Matrix4dc place : world.instances().places(sensor)) {
+        places.add(new Matrix4d(place).translate(c[0], c[1], c[2]).scale(s[0], s[1], s[2]));
+      }
+    }
+    return places;
+  }
+
+  /**
+   * @param selected the node that is selected, if any
+   */
+  List<BoxMark> marks(@Nullable Node selected) {
+    List<BoxMark> marks = new ArrayList<>();
+    for (Area area : areas) {
+      boolean chosen = area.node() == selected;
+      for (Matrix4d place : places(area.node())) {
+        marks.add(
+            new BoxMark(place, chosen ? SELECTED_EDGES : EDGES, chosen ? SELECTED_SIDES : SIDES));
+      }
+    }
+    return marks;
+  }
+
+  /** The labels of the boxes that are in the picture, in its pixels. */
+  List<Frame.Label> labels(Camera camera, @Nullable Node selected) {
+    List<Frame.Label> labels = new ArrayList<>();
+    for (int i = 0; i < areas.size(); i++) {
+      Area area = areas.get(i);
+      Optional<Long> count = i < polygons.length ? Optional.of(polygons[i]) : Optional.empty();
+      for (Matrix4d place : places(area.node())) {
+        Optional<Vector2d> at = inPicture(place, camera);
+        if (at.isPresent()) {
+          labels.add(
+              new Frame.Label(
+                  (int) Math.round(at.get().x * camera.width()),
+                  (int) Math.round(at.get().y * camera.height()),
+                  Optional.ofNullable(area.node().name()).orElse("ProximitySensor"),
+                  area.schemas(),
+                  count,
+                  area.node() == selected,
+                  Anchor.of(area.node())));
+        }
+      }
+    }
+    return labels;
+  }
+
+  /** The first of the points for a label that is in the picture: 0..1 from the upper left. */
+  private static Optional<Vector2d> inPicture(Matrix4d place, Camera camera) {
+    for (double[] candidate : LABEL_POINTS) {
+      Vector4d point = new Vector4d(candidate[0], candidate[1], candidate[2], 1);
+      camera.projection().transform(camera.view().transform(place.transform(point)));
+      Vector2d at = new Vector2d((point.x / point.w + 1) / 2, (1 - point.y / point.w) / 2);
+      if (point.w > 0
+          && Math.abs(at.x - 0.5) < 0.5 - LABEL_MARGIN
+          && Math.abs(at.y - 0.5) < 0.5 - LABEL_MARGIN) {
+        return Optional.of(at);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The box around all boxes of a sensor: min x, y, z, max x, y, z; empty if it has none. */
+  Optional<double[]> bounds(Node sensor) {
+    List<Matrix4d> places =
+        sensor instanceof ProximitySensorNode ? places(sensor) : List.<Matrix4d>of();
+    if (places.isEmpty()) {
+      return Optional.empty();
+    }
+    Vector3d min = new Vector3d();
+    Vector3d max = new Vector3d();
+    Bounds all = new Bounds();
+    for (Matrix4d place : places) {
+      place.transformAab(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5, min, max);
+      all.add(new double[] {min.x, min.y, min.z, max.x, max.y, max.z});
+    }
+    return all.box();
+  }
+}

@@ -1,0 +1,71 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.runtime.nodes.SwitchNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.schema.Activation;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.SwitchSchemas;
+
+/**
+ * Shows a scene as if the viewer were in an area with any set of schemas. What each Switch shows is
+ * decided by {@link Activation}, as under the controller, from the choices that the scene starts
+ * with.
+ */
+final class AsIf {
+  private static final String AREA = "as if";
+
+  private final Map<SwitchNode, Integer> atStart = new LinkedHashMap<>();
+  private final Map<SwitchNode, SwitchSchemas> enriched = new LinkedHashMap<>();
+  private final Cascade cascade;
+
+  /**
+   * @param nodes of the scene, Inlines' contents apart, which the controller does not see either
+   */
+  AsIf(List<Node> nodes, Cascade cascade) {
+    this.cascade = cascade;
+    SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings tell them.
+    for (Node node : nodes) {
+      if (node instanceof SwitchNode versions) {
+        atStart.put(versions, versions.whichChoice());
+        Optional<SwitchSchemas> schemas =
+            NodeMetadata.of(versions)
+                .flatMap(metadata -> reader.switchNode(metadata, versions.children().size()));
+        schemas.ifPresent(known -> enriched.put(versions, known));
+      }
+    }
+  }
+
+  /** Every Switch shows what it shows at the start of the scene. */
+  void reset() {
+    atStart.forEach(this::show);
+  }
+
+  /**
+   * Shows the scene under schemas.
+   *
+   * @param schemas of which later ones overrule earlier ones; none for the start of the scene
+   */
+  void apply(List<String> schemas) {
+    reset();
+    Activation<String, SwitchNode> activation = new Activation<>();
+    activation.putArea(AREA, new SensorSchemas(schemas, List.of()));
+    enriched.forEach((node, known) -> activation.putSwitch(node, known, atStart.get(node)));
+    for (Activation.Change<SwitchNode> change : new ArrayList<>(activation.enter(AREA))) {
+      show(change.switchKey(), change.to());
+    }
+  }
+
+  private void show(SwitchNode node, int choice) {
+    if (node.whichChoice() != choice) {
+      cascade.send(node, node.type().indexOf("whichChoice"), choice);
+    }
+  }
+}

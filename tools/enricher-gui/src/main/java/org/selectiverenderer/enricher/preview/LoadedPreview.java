@@ -1,0 +1,56 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+
+/**
+ * A world ready to be looked at. Whoever takes it over closes it.
+ *
+ * @param revision of the document; 0 for a file
+ */
+record LoadedPreview(World world, SceneLoader loader, long revision) implements AutoCloseable {
+  /**
+   * Reads the text of a document and the files that it names.
+   *
+   * @param folder against which urls are resolved
+   * @throws IOException with a one-line message when it cannot be read at all
+   */
+  static LoadedPreview of(Snapshot snapshot, Path folder) throws IOException {
+    return of(snapshot.name(), snapshot.bytes(), folder, snapshot.revision());
+  }
+
+  /**
+   * Reads a scene from bytes and the files that it names.
+   *
+   * @throws IOException with a one-line message when it cannot be read at all
+   */
+  static LoadedPreview of(String name, byte[] bytes, Path folder, long revision)
+      throws IOException {
+    Problems problems = new Problems(); // The document's own checks tell them.
+    SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+    try {
+      LoadedScene loaded = loader.load(name, new ByteArrayInputStream(bytes), folder);
+      World world = new World(loaded, problems);
+      world.instances().update();
+      return new LoadedPreview(world, loader, revision);
+    } catch (IOException | RuntimeException | Error e) {
+      loader.close();
+      throw e;
+    }
+  }
+
+  @Override
+  public void close() {
+    loader.close();
+  }
+}

@@ -1,0 +1,116 @@
+package org.selectiverenderer.enricher.preview;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.navigation.Pose;
+
+/**
+ * An author's eye: turns about a point, shifts and comes nearer. World coordinates, Y up; the eye
+ * looks along the -Z axis of its own frame and never rolls by turning.
+ */
+final class Orbit {
+  /** How far from straight up and down the eye stays, in radians. */
+  private static final double POLE = Math.toRadians(1);
+
+  private static final double NEARER_PER_NOTCH = 0.85;
+  private static final double ROOM = 1.1;
+  private static final double NEAREST = 1e-3;
+
+  private final Vector3d position = new Vector3d(0, 0, 10);
+  private final Quaterniond orientation = new Quaterniond();
+  private final Vector3d pivot = new Vector3d();
+  private double fieldOfView = Math.PI / 4;
+
+  Pose pose() {
+    return new Pose(position, orientation, fieldOfView);
+  }
+
+  /**
+   * Takes a place over.
+   *
+   * @param distance of the point to turn about, straight ahead
+   */
+  void place(Pose pose, double distance) {
+    position.set(pose.position());
+    orientation.set(pose.orientation());
+    fieldOfView = pose.fieldOfView();
+    position.fma(distance, forward(), pivot);
+  }
+
+  /** Turns about another point from now on. */
+  void pivot(Vector3dc point) {
+    pivot.set(point);
+  }
+
+  private Vector3d forward() {
+    return orientation.transform(new Vector3d(0, 0, -1));
+  }
+
+  /**
+   * Turns about the point.
+   *
+   * @param yaw radians about the world's Y axis
+   * @param pitch radians up
+   */
+  void turn(double yaw, double pitch) {
+    double elevation = Math.asin(Math.max(-1, Math.min(1, forward().y)));
+    double most = Math.PI / 2 - POLE;
+    double tilt = Math.max(-most, Math.min(most, elevation + pitch)) - elevation;
+    Vector3d right = orientation.transform(new Vector3d(1, 0, 0));
+    Quaterniond turn = new Quaterniond().rotationY(yaw).rotateAxis(tilt, right.x, right.y, right.z);
+    turn.transform(position.sub(pivot)).add(pivot);
+    turn.mul(orientation, orientation).normalize();
+  }
+
+  /**
+   * Shifts eye and point.
+   *
+   * @param right in parts of the smaller side of the picture, at the distance of the point
+   * @param up likewise
+   */
+  void pan(double right, double up) {
+    double unit = 2 * Math.tan(fieldOfView / 2) * position.distance(pivot);
+    Vector3d shift = orientation.transform(new Vector3d(right * unit, up * unit, 0));
+    position.add(shift);
+    pivot.add(shift);
+  }
+
+  /** Comes nearer to the point by a seventh of the distance per notch. */
+  void zoom(double notches) {
+    position.sub(pivot).mul(Math.pow(NEARER_PER_NOTCH, notches)).add(pivot);
+  }
+
+  /**
+   * Looks at a box as a whole in the present direction.
+   *
+   * @param box min x, y, z, max x, y, z
+   */
+  void frame(double[] box) {
+    Vector3d half = new Vector3d(box[3] - box[0], box[4] - box[1], box[5] - box[2]).mul(0.5);
+    pivot.set(box[0], box[1], box[2]).add(half);
+    double slope = Math.tan(fieldOfView / 2);
+    double distance = NEAREST;
+    Quaterniond toEye = orientation.conjugate(new Quaterniond());
+    for (int corner = 0; corner < 8; corner++) {
+      Vector3d at =
+          new Vector3d(
+              (corner & 1) == 0 ? half.x : -half.x,
+              (corner & 2) == 0 ? half.y : -half.y,
+              (corner & 4) == 0 ? half.z : -half.z);
+      toEye.transform(at);
+      distance = Math.max(distance, at.z + Math.max(Math.abs(at.x), Math.abs(at.y)) / slope);
+    }
+    pivot.fma(-ROOM * distance, forward(), position);
+  }
+
+  /**
+   * Looks in a direction from now on.
+   *
+   * @param yaw radians to the left of -Z
+   * @param pitch radians up
+   */
+  void face(double yaw, double pitch) {
+    orientation.rotationYXZ(yaw, pitch, 0);
+  }
+}

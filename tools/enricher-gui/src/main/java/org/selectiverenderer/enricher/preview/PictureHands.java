@@ -1,0 +1,170 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.KeyListener;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import org.selectiverenderer.runtime.navigation.Controls;
+import org.selectiverenderer.runtime.navigation.MouseButton;
+
+/**
+ * The author's mouse and keys over the picture. Looking: dragging turns about what is under the
+ * pointer, with Shift or another button shifts; the wheel comes nearer; a click selects. Walking:
+ * as in {@code run}.
+ */
+final class PictureHands extends MouseAdapter implements KeyListener {
+  /** Radians that the eye turns per unit dragged: a third of a degree. */
+  private static final double TURN = Math.toRadians(1 / 3.0);
+
+  /** How far a click may be dragged. */
+  private static final int STILL = 4;
+
+  private final PictureView view;
+  private final PreviewThread thread;
+  private final Clicks clicks;
+  private int pressX;
+  private int pressY;
+  private int lastX;
+  private int lastY;
+  private boolean dragged;
+
+  /** What a click means. */
+  interface Clicks {
+    void label(Frame.Label label);
+
+    /**
+     * @param innermost whether Ctrl or Alt was down
+     */
+    void scene(int pixelX, int pixelY, boolean innermost);
+  }
+
+  PictureHands(PictureView view, PreviewThread thread, Clicks clicks) {
+    this.view = view;
+    this.thread = thread;
+    this.clicks = clicks;
+    view.addMouseListener(this);
+    view.addMouseMotionListener(this);
+    view.addMouseWheelListener(this);
+    view.addKeyListener(this);
+    view.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusGained(FocusEvent event) {
+            view.repaint();
+          }
+
+          @Override
+          public void focusLost(FocusEvent event) {
+            controls(Controls::releaseAll);
+            view.repaint();
+          }
+        });
+  }
+
+  private boolean walking() {
+    return view.frame().map(Frame::walking).orElse(false);
+  }
+
+  private void controls(Consumer<Controls> what) {
+    thread.tell(stage -> what.accept(stage.controls()));
+  }
+
+  @Override
+  public void mousePressed(MouseEvent event) {
+    view.requestFocusInWindow();
+    pressX = event.getX();
+    pressY = event.getY();
+    lastX = pressX;
+    lastY = pressY;
+    dragged = false;
+    if (walking()) {
+      MouseButton button = WalkKeys.button(event);
+      controls(controls -> controls.buttonDown(button));
+    } else {
+      int x = view.toPixels(pressX);
+      int y = view.toPixels(pressY);
+      thread.tell(stage -> stage.grab(x, y));
+    }
+  }
+
+  @Override
+  public void mouseDragged(MouseEvent event) {
+    int dx = event.getX() - lastX;
+    int dy = event.getY() - lastY;
+    dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
+    if (walking()) {
+      lastX = event.getX();
+      lastY = event.getY();
+      controls(controls -> controls.drag(dx, dy));
+    } else if (dragged) {
+      lastX = event.getX();
+      lastY = event.getY();
+      if (SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown()) {
+        thread.tell(stage -> stage.orbit().turn(-dx * TURN, -dy * TURN));
+      } else {
+        double side = Math.max(1, Math.min(view.getWidth(), view.getHeight()));
+        thread.tell(stage -> stage.orbit().pan(-dx / side, dy / side));
+      }
+    }
+  }
+
+  @Override
+  public void mouseReleased(MouseEvent event) {
+    if (walking()) {
+      MouseButton button = WalkKeys.button(event);
+      controls(controls -> controls.buttonUp(button));
+    } else if (!dragged && SwingUtilities.isLeftMouseButton(event)) {
+      view.labelAt(event.getX(), event.getY())
+          .ifPresentOrElse(
+              clicks::label,
+              () ->
+                  clicks.scene(
+                      view.toPixels(event.getX()),
+                      view.toPixels(event.getY()),
+                      event.isControlDown() || event.isAltDown()));
+    }
+  }
+
+  @Override
+  public void mouseWheelMoved(MouseWheelEvent event) {
+    double notches = -event.getPreciseWheelRotation();
+    if (walking()) {
+      controls(controls -> controls.wheel(notches));
+    } else {
+      int x = view.toPixels(event.getX());
+      int y = view.toPixels(event.getY());
+      thread.tell(
+          stage -> {
+            stage.grab(x, y);
+            stage.orbit().zoom(notches);
+          });
+    }
+  }
+
+  @Override
+  public void keyPressed(KeyEvent event) {
+    if (walking()) {
+      WalkKeys.key(event)
+          .ifPresent(
+              key -> {
+                controls(controls -> controls.keyDown(key));
+                event.consume();
+              });
+    }
+  }
+
+  @Override
+  public void keyReleased(KeyEvent event) {
+    WalkKeys.key(event).ifPresent(key -> controls(controls -> controls.keyUp(key)));
+  }
+
+  @Override
+  public void keyTyped(KeyEvent event) {
+    // Navigation has no use for characters.
+  }
+}

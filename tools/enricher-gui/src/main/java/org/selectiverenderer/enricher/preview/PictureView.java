@@ -1,0 +1,190 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javax.accessibility.Accessible;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+import javax.swing.UIManager;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Shows frames with their labels and a few lines about them. The picture has the pixels of the
+ * screen; positions of this component are turned into them by {@link #toPixels}.
+ */
+final class PictureView extends JComponent implements Accessible {
+  private static final long serialVersionUID = 1L;
+  private static final Color PAPER = new Color(0, 0, 0, 150);
+  private static final Color PAPER_SELECTED = new Color(150, 80, 0, 200);
+  private static final int PAD = 4;
+
+  private record Shown(Rectangle place, Frame.Label label) {}
+
+  private transient @Nullable Frame frame;
+  private transient List<Shown> shown = List.of();
+
+  PictureView() {
+    setFocusable(true);
+    setOpaque(true);
+    setPreferredSize(new Dimension(480, 360));
+    setMinimumSize(new Dimension(80, 60));
+    getAccessibleContext().setAccessibleName("3D preview");
+  }
+
+  void show(Frame newFrame) {
+    frame = newFrame;
+    getAccessibleContext().setAccessibleDescription(String.join(". ", lines(newFrame)));
+    repaint();
+  }
+
+  Optional<Frame> frame() {
+    return Optional.ofNullable(frame);
+  }
+
+  /** Pixels of the screen per unit of this component. */
+  double scale() {
+    return getGraphicsConfiguration() == null
+        ? 1
+        : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+  }
+
+  int toPixels(int position) {
+    return (int) Math.round(position * scale());
+  }
+
+  /** The label at a position. */
+  Optional<Frame.Label> labelAt(int x, int y) {
+    return shown.stream()
+        .filter(label -> label.place().contains(x, y))
+        .map(Shown::label)
+        .findFirst();
+  }
+
+  /** What stands in the lower left corner. */
+  static List<String> lines(Frame frame) {
+    List<String> lines = new ArrayList<>();
+    if (frame.walking()) {
+      lines.add("Walking. Areas entered: " + list(frame.areas()));
+      lines.add("Schemas active: " + list(frame.schemas()));
+    } else if (!frame.schemas().isEmpty()) {
+      lines.add("As if in " + list(frame.schemas()));
+    }
+    lines.add(
+        String.format(Locale.ROOT, "%,d polygons, %,d drawn", frame.polygons(), frame.drawn()));
+    return lines;
+  }
+
+  private static String list(List<String> names) {
+    return names.isEmpty() ? "none" : String.join(", ", names);
+  }
+
+  static String text(Frame.Label label) {
+    StringBuilder text = new StringBuilder(label.name());
+    if (!label.schemas().enter().isEmpty()) {
+      text.append("  \u2192 ").append(String.join(", ", label.schemas().enter()));
+    }
+    if (!label.schemas().exit().isEmpty()) {
+      text.append("  \u2190 ").append(String.join(", ", label.schemas().exit()));
+    }
+    label
+        .polygons()
+        .ifPresent(count -> text.append(String.format(Locale.ROOT, "  (%,d polygons)", count)));
+    return text.toString();
+  }
+
+  @Override
+  protected void paintComponent(Graphics g) {
+    Graphics2D g2 = (Graphics2D) g.create();
+    Color ground = UIManager.getColor("Panel.background");
+    g2.setColor(ground == null ? Color.DARK_GRAY : ground);
+    g2.fillRect(0, 0, getWidth(), getHeight());
+    if (frame != null) {
+      double scale = scale();
+      g2.drawImage(frame.image(), AffineTransform.getScaleInstance(1 / scale, 1 / scale), null);
+      g2.setRenderingHint(
+          RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+      paintLabels(g2, frame, scale);
+      paintLines(g2, lines(frame));
+    }
+    if (isFocusOwner()) {
+      Color focus = UIManager.getColor("Component.focusColor");
+      g2.setColor(focus == null ? Color.BLUE : focus);
+      g2.setStroke(new BasicStroke(2));
+      g2.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
+    }
+    g2.dispose();
+  }
+
+  /** The selected label last, over the others. */
+  private void paintLabels(Graphics2D g, Frame of, double scale) {
+    FontMetrics metrics = g.getFontMetrics();
+    List<Shown> all = new ArrayList<>();
+    for (Frame.Label label : of.labels()) {
+      int width = metrics.stringWidth(text(label)) + 2 * PAD;
+      int height = metrics.getHeight() + PAD;
+      Rectangle place =
+          new Rectangle(
+              Math.max(0, Math.min(getWidth() - width, (int) (label.x() / scale) - width / 2)),
+              (int) (label.y() / scale) - height,
+              width,
+              height);
+      while (all.stream().anyMatch(other -> other.place().intersects(place))) {
+        place.y += height;
+      }
+      Shown here = new Shown(place, label);
+      all.add(label.selected() ? 0 : all.size(), here);
+    }
+    for (int i = all.size() - 1; i >= 0; i--) {
+      Rectangle place = all.get(i).place();
+      g.setColor(all.get(i).label().selected() ? PAPER_SELECTED : PAPER);
+      g.fillRoundRect(place.x, place.y, place.width, place.height, PAD, PAD);
+      g.setColor(Color.WHITE);
+      g.drawString(
+          text(all.get(i).label()), place.x + PAD, place.y + PAD / 2 + metrics.getAscent());
+    }
+    shown = all;
+  }
+
+  private void paintLines(Graphics2D g, List<String> lines) {
+    FontMetrics metrics = g.getFontMetrics();
+    int width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PAD;
+    int height = lines.size() * metrics.getHeight() + PAD;
+    int top = getHeight() - height - PAD;
+    g.setColor(PAPER);
+    g.fillRoundRect(PAD, top, width, height, PAD, PAD);
+    g.setColor(Color.WHITE);
+    for (int i = 0; i < lines.size(); i++) {
+      g.drawString(
+          lines.get(i), 2 * PAD, top + PAD / 2 + metrics.getAscent() + i * metrics.getHeight());
+    }
+  }
+
+  @Override
+  public AccessibleContext getAccessibleContext() {
+    if (accessibleContext == null) {
+      accessibleContext = new Picture();
+    }
+    return accessibleContext;
+  }
+
+  private final class Picture extends AccessibleJComponent {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public AccessibleRole getAccessibleRole() {
+      return AccessibleRole.CANVAS;
+    }
+  }
+}

@@ -1,0 +1,380 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.AbstractButton;
+import javax.swing.Action;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JToggleButton;
+import javax.swing.JToolBar;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.x3d.Location;
+
+/**
+ * The 3D preview of an open document: its unsaved state, a moment after each edit, as our own
+ * runtime shows it. A click selects the object in the document; what is selected elsewhere is
+ * outlined. The boxes of the sensors are drawn and labelled. The scene is shown as if the viewer
+ * were in any set of schemas, or walked in live.
+ *
+ * <p>For the event dispatch thread; {@link #dispose()} ends its threads.
+ */
+public final class PreviewPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+  private static final double STEP = Math.toRadians(5);
+  private static final double SHIFT = 0.05;
+
+  private final transient EnricherSession session;
+  private final transient PreviewThread thread;
+  private final transient SceneFeed feed;
+  private final transient AsIfChooser asIf;
+  private final transient SelectionListener onSelection = this::selected;
+  private final transient AtomicReference<@Nullable Frame> arrived = new AtomicReference<>();
+  private transient Consumer<Frame> onFrame = frame -> {};
+  private final PictureView view = new PictureView();
+  private final JLabel message = new JLabel(" ");
+  private final JProgressBar progress = new JProgressBar();
+  private final JToggleButton walk = new JToggleButton("Walk");
+  private final JToggleButton sensors = new JToggleButton("Sensor boxes", true);
+  private final JToggleButton wireframe = new JToggleButton("Wireframe");
+  private final JButton asIfButton = new JButton("As if in\u2026");
+  private boolean disposed;
+
+  public PreviewPanel(EnricherSession session) {
+    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+    this.session = session;
+    thread =
+        new PreviewThread(
+            new PreviewThread.Listener() {
+              @Override
+              public void drawn(Frame frame) {
+                if (arrived.getAndSet(frame) == null) {
+                  SwingUtilities.invokeLater(PreviewPanel.this::showArrived);
+                }
+              }
+
+              @Override
+              public void failed(String sentence) {
+                SwingUtilities.invokeLater(() -> stale(sentence));
+              }
+            });
+    asIf = new AsIfChooser(() -> session.enrichment().schemas(), this::showAsIf);
+    new PictureHands(
+        view,
+        thread,
+        new PictureHands.Clicks() {
+          @Override
+          public void label(Frame.Label label) {
+            picked(
+                new PreviewStage.Picked(
+                    label.anchor(), view.frame().map(Frame::revision).orElse(-1L)));
+          }
+
+          @Override
+          public void scene(int pixelX, int pixelY, boolean innermost) {
+            thread.tell(
+                stage ->
+                    stage.pick(
+                        pixelX,
+                        pixelY,
+                        innermost,
+                        meant -> SwingUtilities.invokeLater(() -> picked(meant))));
+          }
+        });
+    layOut();
+    keys();
+    view.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            int width = view.toPixels(view.getWidth());
+            int height = view.toPixels(view.getHeight());
+            thread.tell(stage -> stage.size(width, height));
+          }
+        });
+    addHierarchyListener(
+        event -> {
+          if (walk.isSelected() && !isShowing()) {
+            walk(false); // Nobody walks in a picture that is not seen.
+          }
+        });
+    session.addSelectionListener(onSelection);
+    feed =
+        new SceneFeed(
+            session.document(),
+            () -> session.file().path(),
+            thread::show,
+            new SceneFeed.Listener() {
+              @Override
+              public void loading() {
+                progress.setVisible(true);
+                message.setText("Loading the preview\u2026");
+              }
+
+              @Override
+              public void loaded() {
+                progress.setVisible(false);
+                message.setText(" ");
+                asIf.follow();
+                tellSelection();
+              }
+
+              @Override
+              public void stale(String sentence) {
+                PreviewPanel.this.stale(sentence);
+              }
+            });
+    feed.now();
+    tellSelection();
+  }
+
+  private void layOut() {
+    JToolBar bar = new JToolBar("Preview");
+    bar.setFloatable(false);
+    bar.getAccessibleContext().setAccessibleName("Preview");
+    bar.add(named(walk, "Walk in the scene as a user does (W); Escape ends it"));
+    bar.add(named(asIfButton, "Show the scene as if the viewer were in schemas (I)"));
+    bar.add(named(sensors, "Draw and label the boxes of the sensors (B)"));
+    bar.add(named(wireframe, "Draw only the edges of the polygons (G)"));
+    bar.addSeparator();
+    bar.add(button("Frame", "Bring the selected object into view (F)", this::frameSelected));
+    bar.add(button("Start", "To the start viewpoint (Home)", this::home));
+    bar.add(button("\u25c0", "To the viewpoint before (Page Up)", () -> viewpoint(-1)));
+    bar.add(button("\u25b6", "To the next viewpoint (Page Down)", () -> viewpoint(+1)));
+    walk.addActionListener(event -> walk(walk.isSelected()));
+    asIfButton.addActionListener(event -> asIf.show(asIfButton));
+    sensors.addActionListener(event -> sensorsShown(sensors.isSelected()));
+    wireframe.addActionListener(event -> wireframe(wireframe.isSelected()));
+    progress.setIndeterminate(true);
+    progress.setVisible(false);
+    progress.getAccessibleContext().setAccessibleName("Loading the preview");
+    message.getAccessibleContext().setAccessibleName("State of the preview");
+    JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6, hidemode 3", "[grow,fill][]"));
+    foot.add(message, "wmin 0");
+    foot.add(progress, "wmax 20%");
+    add(bar);
+    add(view, "wmin 0, hmin 0");
+    add(foot);
+    getAccessibleContext().setAccessibleName("Preview");
+  }
+
+  private static <T extends AbstractButton> T named(T button, String tip) {
+    button.setToolTipText(tip);
+    button.getAccessibleContext().setAccessibleDescription(tip);
+    return button;
+  }
+
+  private static JButton button(String text, String tip, Runnable does) {
+    JButton button = named(new JButton(text), tip);
+    button.getAccessibleContext().setAccessibleName(tip);
+    button.addActionListener(event -> does.run());
+    return button;
+  }
+
+  private void keys() {
+    key("W", "walk", walk::doClick);
+    key("I", "asIf", asIfButton::doClick);
+    key("B", "boxes", sensors::doClick);
+    key("G", "wireframe", wireframe::doClick);
+    key("F", "frame", this::frameSelected);
+    key("HOME", "start", this::home);
+    key("PAGE_UP", "before", () -> viewpoint(-1));
+    key("PAGE_DOWN", "next", () -> viewpoint(+1));
+    key("LEFT", "turnLeft", () -> turn(STEP, 0));
+    key("RIGHT", "turnRight", () -> turn(-STEP, 0));
+    key("UP", "turnUp", () -> turn(0, STEP));
+    key("DOWN", "turnDown", () -> turn(0, -STEP));
+    key("shift LEFT", "shiftLeft", () -> pan(-SHIFT, 0));
+    key("shift RIGHT", "shiftRight", () -> pan(SHIFT, 0));
+    key("shift UP", "shiftUp", () -> pan(0, SHIFT));
+    key("shift DOWN", "shiftDown", () -> pan(0, -SHIFT));
+    key("PLUS", "nearer", () -> zoom(1));
+    key("EQUALS", "nearer", () -> zoom(1));
+    key("ADD", "nearer", () -> zoom(1));
+    key("MINUS", "farther", () -> zoom(-1));
+    key("SUBTRACT", "farther", () -> zoom(-1));
+    Action leave = action(() -> walk(false));
+    view.getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
+    view.getActionMap().put("leave", leave);
+  }
+
+  /** A key of the picture while the author looks; keys of the walk are consumed before. */
+  private void key(String stroke, String name, Runnable does) {
+    view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), name);
+    view.getActionMap().put(name, action(does));
+  }
+
+  private static Action action(Runnable does) {
+    return new AbstractAction() {
+      private static final long serialVersionUID = 1L;
+
+      @Override
+      public void actionPerformed(ActionEvent event) {
+        does.run();
+      }
+    };
+  }
+
+  private void showArrived() {
+    Frame frame = arrived.getAndSet(null);
+    if (frame != null && !disposed) {
+      view.show(frame);
+      if (walk.isSelected() != frame.walking()) {
+        walk.setSelected(frame.walking());
+      }
+      onFrame.accept(frame);
+    }
+  }
+
+  /** Keeps the last good picture and says why there is no newer one. */
+  private void stale(String sentence) {
+    progress.setVisible(false);
+    message.setText(sentence);
+    message.setToolTipText(sentence);
+  }
+
+  private void picked(PreviewStage.Picked picked) {
+    element(picked).ifPresent(element -> session.select(element, this));
+  }
+
+  private Optional<DocumentElement> element(PreviewStage.Picked picked) {
+    SceneDocument document = session.document();
+    Anchor anchor = picked.anchor();
+    return document
+        .tree()
+        .flatMap(
+            tree -> {
+              Optional<DocumentElement> named = anchor.def().flatMap(tree::named);
+              boolean sameText = document.revision() == picked.revision();
+              return named.isPresent() || !sameText
+                  ? named
+                  : tree.at(document.offset(anchor.line(), anchor.column()));
+            });
+  }
+
+  private void selected(Optional<DocumentElement> element, Object origin) {
+    tellSelection();
+  }
+
+  private void tellSelection() {
+    List<Anchor> anchors = new ArrayList<>();
+    Optional<DocumentElement> at = session.selection().filter(DocumentElement::attached);
+    while (at.isPresent()) {
+      DocumentElement element = at.get();
+      Location place = session.document().location(element.start());
+      anchors.add(
+          new Anchor(
+              element.def().isPresent() ? element.def() : element.use(),
+              place.line(),
+              place.column()));
+      at = element.parent();
+    }
+    thread.tell(stage -> stage.select(anchors));
+  }
+
+  /** Shows the scene as if the viewer were in these schemas, later ones overruling earlier ones. */
+  public void asIf(List<String> schemas) {
+    asIf.choose(schemas);
+  }
+
+  private void showAsIf(List<String> schemas) {
+    asIfButton.setText(
+        switch (schemas.size()) {
+          case 0 -> "As if in\u2026";
+          case 1 -> "As if in " + schemas.get(0);
+          default -> "As if in " + schemas.size() + " schemas"; // The picture names them.
+        });
+    thread.tell(stage -> stage.asIf(schemas));
+  }
+
+  /** Begins or ends a live walk. */
+  public void walk(boolean begin) {
+    walk.setSelected(begin);
+    thread.tell(stage -> stage.walk(begin));
+    view.requestFocusInWindow();
+  }
+
+  /** Draws the sensors' boxes or not. */
+  public void sensorsShown(boolean show) {
+    sensors.setSelected(show);
+    thread.tell(stage -> stage.sensorsShown(show));
+  }
+
+  /** Draws edges of polygons only or not. */
+  public void wireframe(boolean show) {
+    wireframe.setSelected(show);
+    thread.tell(stage -> stage.wireframe(show));
+  }
+
+  /** Brings the selected object into view, or the whole scene if none is selected. */
+  public void frameSelected() {
+    thread.tell(PreviewStage::frameSelected);
+  }
+
+  /** To the start viewpoint. */
+  public void home() {
+    thread.tell(PreviewStage::home);
+  }
+
+  /** To another viewpoint, counted from the present one. */
+  public void viewpoint(int steps) {
+    thread.tell(stage -> stage.viewpoint(steps));
+  }
+
+  private void turn(double yaw, double pitch) {
+    thread.tell(stage -> stage.orbit().turn(yaw, pitch));
+  }
+
+  private void pan(double right, double up) {
+    thread.tell(stage -> stage.orbit().pan(right, up));
+  }
+
+  private void zoom(double notches) {
+    thread.tell(stage -> stage.orbit().zoom(notches));
+  }
+
+  /** Loads the document anew, for instance because a file that it names has been written. */
+  public void reload() {
+    feed.now();
+  }
+
+  /** The component that shows the picture. */
+  PictureView view() {
+    return view;
+  }
+
+  /** What is said under the picture. */
+  String message() {
+    return message.getText();
+  }
+
+  /** Hears every frame that is shown. */
+  void onFrame(Consumer<Frame> listener) {
+    onFrame = listener;
+  }
+
+  /** Ends its threads. */
+  public void dispose() {
+    disposed = true;
+    session.removeSelectionListener(onSelection);
+    feed.close();
+    thread.close();
+  }
+}

@@ -1,0 +1,168 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.Walking;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.navigation.Controls;
+import org.selectiverenderer.runtime.navigation.Pose;
+import org.selectiverenderer.runtime.navigation.RayCaster;
+import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * One loaded state of the document, running: looked at as if in some schemas, or walked in under
+ * the controller. Belongs to the thread that steps it.
+ */
+final class PreviewScene implements AutoCloseable {
+  private final LoadedPreview loaded;
+  private final World world;
+  private final SceneNodes nodes;
+  private final AreaBoxes areas;
+  private final AsIf asIf;
+  private final RayCaster rays;
+  private final EmbeddedBrowser browser;
+  private List<String> schemas = List.of();
+  private @Nullable SelectiveController controller;
+  private @Nullable Walking walking;
+  private double time;
+  private long counted = -1;
+
+  PreviewScene(LoadedPreview loaded) {
+    this.loaded = loaded;
+    world = loaded.world();
+    world.step(0, (viewer, now, dt) -> {}); // The viewer is at the start from here on.
+    nodes = new SceneNodes(world);
+    List<Node> all = nodes.all();
+    areas = new AreaBoxes(world, all);
+    asIf = new AsIf(all, world.cascade());
+    rays = new RayCaster(world.instances(), world.meshes());
+    browser = new EmbeddedBrowser(world, loaded.loader(), text -> {}, Map.of());
+  }
+
+  World world() {
+    return world;
+  }
+
+  SceneNodes nodes() {
+    return nodes;
+  }
+
+  AreaBoxes areas() {
+    return areas;
+  }
+
+  long revision() {
+    return loaded.revision();
+  }
+
+  /** Where the scene wants its viewer at the start; empty when it has no viewpoint. */
+  Optional<Pose> start() {
+    return world.viewpoints().isEmpty() ? Optional.empty() : Optional.of(Pose.of(world.viewer()));
+  }
+
+  /** Shows the scene under schemas, from now on and after each walk. */
+  void asIf(List<String> wanted) {
+    schemas = List.copyOf(wanted);
+    if (controller == null) {
+      asIf.apply(schemas);
+    }
+  }
+
+  /** Gives the scene to the controller, the viewer at the bound viewpoint. */
+  void walk(Controls controls) {
+    asIf.reset();
+    look(Pose.of(world.viewer()));
+    world.bindables().bound("Viewpoint").ifPresent(world::goTo);
+    walking = new Walking(world, controls);
+    controller =
+        new SelectiveController(
+            browser, SelectiveController.Settings.SELECTIVE, event -> {}, problem -> {});
+  }
+
+  /** Takes the scene back from the controller. */
+  void stand() {
+    if (controller != null) {
+      controller.close();
+      controller = null;
+      walking = null;
+      asIf.apply(schemas);
+    }
+  }
+
+  Optional<Walking> walking() {
+    return Optional.ofNullable(walking);
+  }
+
+  /** A frame of the walk. */
+  void step(double seconds) {
+    if (walking != null) {
+      time += seconds;
+      world.step(time, walking);
+      count();
+    }
+  }
+
+  /** A frame seen from a place; no time passes. */
+  void look(Pose pose) {
+    world.step(time, (viewer, now, dt) -> pose.applyTo(viewer));
+    count();
+  }
+
+  private void count() {
+    if (counted != world.instances().shownPolygons()) {
+      counted = world.instances().shownPolygons();
+      areas.count();
+    }
+  }
+
+  List<String> enteredAreas() {
+    return controller == null ? List.of() : controller.enteredAreas();
+  }
+
+  /** Those in force by walking, else those looked at as if. */
+  List<String> schemas() {
+    return controller == null ? schemas : controller.activeSchemas();
+  }
+
+  /** The first shape in a direction, seen from the viewer. */
+  Optional<RayCaster.Hit> hit(Vector3dc direction) {
+    Vector3d inWorld = world.viewer().orientation().transform(direction, new Vector3d());
+    return rays.cast(world.viewer().position(), inWorld, Double.POSITIVE_INFINITY);
+  }
+
+  /** The box around a node's shapes that are shown, or around a sensor's boxes. */
+  Optional<double[]> bounds(Node node) {
+    return areas.bounds(node).or(() -> Bounds.of(nodes.shapes(node)));
+  }
+
+  /** The box around all that is shown, or if that is nothing around all there is. */
+  Optional<double[]> bounds() {
+    return Bounds.of(world.instances().shapes());
+  }
+
+  /** Where the viewer is. */
+  Pose pose() {
+    return Pose.of(world.viewer());
+  }
+
+  Set<ShapeInstance> shapes(Node node) {
+    return nodes.shapes(node);
+  }
+
+  @Override
+  public void close() {
+    if (controller != null) {
+      controller.close();
+    }
+    browser.dispose();
+    loaded.close();
+  }
+}

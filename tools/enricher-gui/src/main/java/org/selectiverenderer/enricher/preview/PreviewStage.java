@@ -1,0 +1,283 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.navigation.Controls;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.runtime.navigation.NavigationCommand;
+import org.selectiverenderer.runtime.navigation.Pose;
+import org.selectiverenderer.runtime.navigation.RayCaster;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.MarkedPicture;
+import org.selectiverenderer.runtime.render.MarkedView;
+import org.selectiverenderer.runtime.render.Marking;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * What the preview shows and how: outlives the states of the document that it shows one after the
+ * other. Belongs to the preview's thread.
+ */
+final class PreviewStage implements AutoCloseable {
+  private static final int OUTLINE = 0xff8c00;
+
+  /** How far ahead the eye turns about something where nothing is in view. */
+  private static final double NO_DEPTH = 5;
+
+  /** Seconds of a frame of the walk at most, so that nobody jumps after a pause. */
+  private static final double LONGEST = 0.25;
+
+  private final MarkedView view;
+  private final int motionSamples = AntiAliasing.forMotion();
+  private final Orbit orbit = new Orbit();
+  private final Controls controls = new Controls(MouseMapping.WALK);
+  private @Nullable PreviewScene scene;
+  private int width;
+  private int height;
+  private List<Anchor> selection = List.of();
+  private List<String> schemas = List.of();
+  private boolean sensorsShown = true;
+  private boolean wireframe;
+  private boolean changed;
+  private boolean rough;
+
+  PreviewStage(MarkedView view) {
+    this.view = view;
+  }
+
+  /** Whether frames follow each other without being asked for. */
+  boolean moving() {
+    return scene != null && scene.walking().isPresent();
+  }
+
+  /** Whether the frame drawn last, in a hurry, is to be followed by a smoother one. */
+  boolean rough() {
+    return rough;
+  }
+
+  /** Something is to be drawn anew. */
+  void changed() {
+    changed = true;
+  }
+
+  void size(int newWidth, int newHeight) {
+    width = newWidth;
+    height = newHeight;
+  }
+
+  /** Shows another state of the document; the viewer stays where it is. */
+  void show(LoadedPreview loaded) {
+    boolean walked = moving();
+    Optional<Pose> before = Optional.ofNullable(scene).map(PreviewScene::pose);
+    if (scene != null) {
+      scene.close();
+    }
+    PreviewScene shown = new PreviewScene(loaded);
+    scene = shown;
+    shown.asIf(schemas);
+    if (before.isEmpty()) {
+      home();
+    } else if (walked) {
+      shown.walk(controls);
+      before.get().applyTo(shown.world().viewer());
+    }
+  }
+
+  /** To the start viewpoint, or so that the whole scene is seen where there is none. */
+  void home() {
+    if (scene == null) {
+      return;
+    }
+    Optional<Pose> start =
+        scene
+            .world()
+            .bindables()
+            .bound("X3DViewpointNode")
+            .map(
+                bound -> {
+                  scene.world().goTo(bound);
+                  return scene.pose();
+                });
+    if (start.isPresent()) {
+      place(start.get());
+    } else {
+      scene.look(orbit.pose());
+      scene.bounds().ifPresent(orbit::frame);
+    }
+  }
+
+  /** To another viewpoint, counted from the bound one. */
+  void viewpoint(int steps) {
+    if (scene != null && !moving()) {
+      scene.world().goToViewpoint(steps);
+      place(scene.pose());
+    }
+  }
+
+  private void place(Pose pose) {
+    scene.look(pose);
+    double distance =
+        scene.hit(new Vector3d(0, 0, -1)).map(RayCaster.Hit::distance).orElse(NO_DEPTH);
+    orbit.place(pose, distance);
+  }
+
+  /** The author's eye, for turning, shifting and coming nearer. */
+  Orbit orbit() {
+    return orbit;
+  }
+
+  /** Turns about what is under a pixel from now on, if anything is. */
+  void grab(int x, int y) {
+    cast(x, y).ifPresent(hit -> orbit.pivot(hit.point()));
+  }
+
+  private Optional<RayCaster.Hit> cast(int x, int y) {
+    if (scene == null || width == 0) {
+      return Optional.empty();
+    }
+    double half = Math.tan(scene.world().viewer().fieldOfView() / 2);
+    double smaller = Math.min(width, height);
+    double right = (2 * (x + 0.5) - width) / smaller * half;
+    double up = (height - 2 * (y + 0.5)) / smaller * half;
+    return scene.hit(new Vector3d(right, up, -1));
+  }
+
+  /**
+   * Says what an author means by a click on a pixel.
+   *
+   * @param innermost for the nearest element in any case
+   * @param meant hears the element's anchor and the revision that it belongs to, on this thread
+   */
+  void pick(int x, int y, boolean innermost, Consumer<Picked> meant) {
+    PreviewScene of = scene;
+    if (of != null) {
+      cast(x, y)
+          .flatMap(hit -> of.nodes().meant(hit.shape(), innermost))
+          .ifPresent(node -> meant.accept(new Picked(Anchor.of(node), of.revision())));
+    }
+  }
+
+  /** An element that was clicked on, in the text of a revision. */
+  record Picked(Anchor anchor, long revision) {}
+
+  /**
+   * What is selected in the document.
+   *
+   * @param anchors of the element and those around it, the nearest first
+   */
+  void select(List<Anchor> anchors) {
+    selection = anchors;
+  }
+
+  /** Brings what is selected into view. */
+  void frameSelected() {
+    if (scene != null && !moving()) {
+      scene
+          .nodes()
+          .find(selection)
+          .flatMap(scene::bounds)
+          .or(scene::bounds)
+          .ifPresent(orbit::frame);
+    }
+  }
+
+  void asIf(List<String> wanted) {
+    schemas = wanted;
+    if (scene != null) {
+      scene.asIf(wanted);
+    }
+  }
+
+  void sensorsShown(boolean show) {
+    sensorsShown = show;
+  }
+
+  void wireframe(boolean show) {
+    wireframe = show;
+  }
+
+  void walk(boolean walk) {
+    if (scene == null || walk == moving()) {
+      return;
+    }
+    controls.releaseAll();
+    controls.takeCommands();
+    if (walk) {
+      scene.walk(controls);
+    } else {
+      scene.stand();
+      place(scene.pose());
+    }
+  }
+
+  /** Keys and mouse of the walk. */
+  Controls controls() {
+    return controls;
+  }
+
+  /**
+   * The next frame.
+   *
+   * @param seconds since the one before
+   * @param hurried whether others are likely to follow at once
+   * @return empty when nothing has changed or there is nothing to show
+   */
+  Optional<Frame> frame(double seconds, boolean hurried) {
+    boolean draw = changed || moving() || rough;
+    changed = false;
+    if (scene == null || width <= 0 || height <= 0 || !draw) {
+      return Optional.empty();
+    }
+    if (scene.walking().isPresent()) {
+      for (NavigationCommand command : controls.takeCommands()) {
+        scene.walking().get().command(command);
+      }
+      scene.step(Math.min(seconds, LONGEST));
+    } else {
+      scene.look(orbit.pose());
+    }
+    int samples = moving() || hurried ? motionSamples : AntiAliasing.SMOOTH;
+    rough = !moving() && samples < AntiAliasing.SMOOTH;
+    return Optional.of(draw(scene, samples));
+  }
+
+  private Frame draw(PreviewScene shown, int samples) {
+    Optional<Node> selected = shown.nodes().find(selection);
+    Set<ShapeInstance> outlined = selected.map(shown::shapes).orElse(Set.of());
+    MarkedPicture picture =
+        view.draw(
+            shown.world(),
+            new Marking(
+                sensorsShown ? shown.areas().marks(selected.orElse(null)) : List.of(),
+                outlined,
+                wireframe,
+                Optional.empty()),
+            width,
+            height,
+            samples);
+    return new Frame(
+        outlined.isEmpty()
+            ? Images.of(picture.pixels())
+            : Images.outlined(picture.pixels(), OUTLINE),
+        sensorsShown ? shown.areas().labels(picture.camera(), selected.orElse(null)) : List.of(),
+        shown.world().instances().shownPolygons(),
+        picture.drawn().triangles(),
+        shown.enteredAreas(),
+        shown.schemas(),
+        shown.walking().isPresent(),
+        selected.map(Node::toString),
+        shown.revision());
+  }
+
+  @Override
+  public void close() {
+    if (scene != null) {
+      scene.close();
+      scene = null;
+    }
+  }
+}

@@ -1,0 +1,133 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.render.MarkedView;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+
+/**
+ * The thread {@code enricher-preview}: owns the GL context and the running scene, does what it is
+ * told in order, and draws when something has changed, or thirty times a second while the author
+ * walks.
+ */
+final class PreviewThread implements AutoCloseable {
+  /** Hears what comes of it, on the preview's thread. */
+  interface Listener {
+    void drawn(Frame frame);
+
+    /**
+     * The preview cannot show something.
+     *
+     * @param sentence what and why
+     */
+    void failed(String sentence);
+  }
+
+  /** Frames that follow each other faster may be rough; after this time a smooth one follows. */
+  private static final long REST = TimeUnit.MILLISECONDS.toNanos(250);
+
+  private static final long FRAME = TimeUnit.SECONDS.toNanos(1) / 30;
+
+  private final LinkedBlockingQueue<Consumer<PreviewStage>> told = new LinkedBlockingQueue<>();
+  private final AtomicReference<@Nullable LoadedPreview> next = new AtomicReference<>();
+  private final Listener listener;
+  private final Thread thread;
+  private volatile boolean ended;
+
+  PreviewThread(Listener listener) {
+    this.listener = listener;
+    thread = new Thread(this::run, "enricher-preview");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** Does something to the stage, after which it is drawn. Thread-safe. */
+  void tell(Consumer<PreviewStage> what) {
+    told.add(what);
+  }
+
+  /** Hands a scene over, in place of one that has not been shown yet. Thread-safe. */
+  void show(LoadedPreview loaded) {
+    replaceNext(loaded);
+    tell(
+        stage -> {
+          LoadedPreview newest = next.getAndSet(null);
+          if (newest != null) {
+            stage.show(newest);
+          }
+        });
+    if (!thread.isAlive()) {
+      replaceNext(null);
+    }
+  }
+
+  private void replaceNext(@Nullable LoadedPreview loaded) {
+    LoadedPreview overtaken = next.getAndSet(loaded);
+    if (overtaken != null) {
+      overtaken.close();
+    }
+  }
+
+  private void run() {
+    try (MarkedView view = MarkedView.open();
+        PreviewStage stage = new PreviewStage(view)) {
+      serve(stage);
+    } catch (GlUnavailableException e) {
+      listener.failed("There is no preview: " + e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      replaceNext(null);
+    }
+  }
+
+  private void serve(PreviewStage stage) throws InterruptedException {
+    long begun = System.nanoTime();
+    long drawn = begun;
+    while (!ended) {
+      Consumer<PreviewStage> what = next(stage, stage.moving() ? begun + FRAME : drawn + REST);
+      boolean hurried = what != null && System.nanoTime() - drawn < REST;
+      try {
+        while (what != null && !ended) {
+          what.accept(stage);
+          stage.changed();
+          what = told.poll();
+        }
+        if (!ended) {
+          long now = System.nanoTime();
+          stage.frame((now - begun) * 1e-9, hurried).ifPresent(listener::drawn);
+          begun = now;
+          drawn = System.nanoTime();
+        }
+      } catch (
+          RuntimeException e) { // One state of a document must not end the preview of the next.
+        listener.failed("The preview cannot show this: " + e);
+      }
+    }
+  }
+
+  /** Waits for something to do, at most until the next frame is due where one is. */
+  private @Nullable Consumer<PreviewStage> next(PreviewStage stage, long due)
+      throws InterruptedException {
+    if (!stage.moving() && !stage.rough()) {
+      return told.take();
+    }
+    long left = due - System.nanoTime();
+    return left > 0 ? told.poll(left, TimeUnit.NANOSECONDS) : told.poll();
+  }
+
+  /** Ends the thread after what it is doing now. */
+  @Override
+  public void close() {
+    ended = true;
+    tell(stage -> {});
+  }
+
+  /** Waits for its end. */
+  void join() throws InterruptedException {
+    thread.join();
+  }
+}

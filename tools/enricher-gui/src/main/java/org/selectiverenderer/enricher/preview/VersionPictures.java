@@ -1,0 +1,211 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.MarkedPicture;
+import org.selectiverenderer.runtime.render.MarkedView;
+import org.selectiverenderer.runtime.render.Marking;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+
+/**
+ * Takes small pictures of versions for forms and dialogs, one after the other on the thread {@code
+ * version-pictures}, which starts with the first request. Pictures are kept until the file changes
+ * or many others have been asked for.
+ *
+ * <p>{@link #request} is for the event dispatch thread, and answers come there.
+ */
+public final class VersionPictures implements AutoCloseable {
+  /** Something asked for. */
+  public interface Request {
+    /** Its answer is not wanted any more and will not come. For the event dispatch thread. */
+    void cancel();
+  }
+
+  private static final int KEPT = 400;
+  private static final float GREY = 0.82f;
+  private static final Backdrop PAPER =
+      new Backdrop(new float[] {GREY, GREY, GREY}, new float[0], new float[0], new float[0], 0);
+
+  private record Key(VersionSource source, Object state, VersionLook look) {}
+
+  private record Job(
+      VersionSource source,
+      VersionLook look,
+      Consumer<VersionPicture> taken,
+      Consumer<String> failed,
+      State state) {}
+
+  private static final class State implements Request {
+    private volatile boolean cancelled;
+
+    @Override
+    public void cancel() {
+      cancelled = true;
+    }
+  }
+
+  private final LinkedBlockingQueue<Optional<Job>> jobs = new LinkedBlockingQueue<>();
+  private final Map<Key, VersionPicture> kept =
+      new LinkedHashMap<>(16, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Key, VersionPicture> eldest) {
+          return size() > KEPT;
+        }
+      };
+  private final Orbit orbit = new Orbit();
+  private @Nullable Thread thread;
+  private @Nullable LoadedPreview last;
+  private @Nullable Object lastState;
+  private @Nullable VersionSource lastSource;
+  private volatile boolean closed;
+
+  /**
+   * Asks for a picture.
+   *
+   * @param taken hears the picture, on the event dispatch thread
+   * @param failed hears why there is none, as a sentence, on the event dispatch thread
+   */
+  public Request request(
+      VersionSource source,
+      VersionLook look,
+      Consumer<VersionPicture> taken,
+      Consumer<String> failed) {
+    State state = new State();
+    if (closed) {
+      state.cancel();
+      return state;
+    }
+    jobs.add(Optional.of(new Job(source, look, taken, failed, state)));
+    if (thread == null) {
+      thread = new Thread(this::run, "version-pictures");
+      thread.setDaemon(true);
+      thread.start();
+    }
+    return state;
+  }
+
+  private void run() {
+    try (MarkedView view = MarkedView.open()) {
+      serve(job -> picture(view, job));
+    } catch (GlUnavailableException e) {
+      refuse("There are no pictures: " + e.getMessage());
+    } finally {
+      forget();
+    }
+  }
+
+  /** Answers all requests with the same sentence. */
+  private void refuse(String sentence) {
+    serve(
+        job -> {
+          throw new IOException(sentence);
+        });
+  }
+
+  private interface Taking {
+    VersionPicture take(Job job) throws IOException;
+  }
+
+  private void serve(Taking taking) {
+    try {
+      while (!closed) {
+        Optional<Job> next = jobs.take();
+        if (next.isPresent() && !next.get().state().cancelled) {
+          answer(next.get(), taking);
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void answer(Job job, Taking taking) {
+    try {
+      VersionPicture picture = taking.take(job);
+      tell(job, () -> job.taken().accept(picture));
+    } catch (IOException e) {
+      tell(job, () -> job.failed().accept(sentence(e)));
+    } catch (GlUnavailableException e) {
+      tell(job, () -> job.failed().accept("There is no picture: " + e.getMessage()));
+    } catch (RuntimeException e) { // One model must not end the pictures of the others.
+      tell(job, () -> job.failed().accept("There is no picture of this model: " + e));
+    }
+  }
+
+  private static String sentence(IOException e) {
+    String message = e.getMessage();
+    return message == null || message.isBlank() ? "The model cannot be read" : message;
+  }
+
+  private void tell(Job job, Runnable what) {
+    SwingUtilities.invokeLater(
+        () -> {
+          if (!job.state().cancelled && !closed) {
+            what.run();
+          }
+        });
+  }
+
+  private VersionPicture picture(MarkedView view, Job job) throws IOException {
+    Object state = job.source().state();
+    Key key = new Key(job.source(), state, job.look());
+    VersionPicture known = kept.get(key);
+    if (known == null) {
+      known = take(view, load(job.source(), state), job.look());
+      kept.put(key, known);
+    }
+    return known;
+  }
+
+  /** The model of the request before is kept: solid and wireframe are asked for together. */
+  private LoadedPreview load(VersionSource source, Object state) throws IOException {
+    if (last == null || !source.equals(lastSource) || !state.equals(lastState)) {
+      forget();
+      last = LoadedPreview.of(source.name(), source.bytes(), source.folder(), 0);
+      lastSource = source;
+      lastState = state;
+    }
+    return last;
+  }
+
+  private void forget() {
+    if (last != null) {
+      last.close();
+      last = null;
+    }
+  }
+
+  private VersionPicture take(MarkedView view, LoadedPreview model, VersionLook look) {
+    var world = model.world();
+    orbit.face(look.yaw(), look.pitch());
+    Bounds.of(world.instances().shapes()).ifPresent(orbit::frame);
+    world.step(0, (viewer, now, dt) -> orbit.pose().applyTo(viewer));
+    MarkedPicture picture =
+        view.draw(
+            world,
+            new Marking(List.of(), Set.of(), look.wireframe(), Optional.of(PAPER)),
+            look.width(),
+            look.height(),
+            AntiAliasing.SMOOTH);
+    return new VersionPicture(Images.of(picture.pixels()), world.instances().shownPolygons());
+  }
+
+  /** Ends its thread; no answer comes any more. */
+  @Override
+  public void close() {
+    closed = true;
+    jobs.add(Optional.empty());
+  }
+}

@@ -1,0 +1,202 @@
+package org.selectiverenderer.enricher.ratings;
+
+import java.awt.Window;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problem;
+
+/**
+ * Imports a table of expectancy ratings: choose it, see which Switch each object is and correct
+ * that, review what follows, apply it as one step.
+ */
+@SuppressWarnings("serial") // never written
+public final class RatingsDialog extends JDialog {
+  private static final long serialVersionUID = 1L;
+
+  private final EnricherSession session;
+  private final RatingsModel model;
+  private final JTextField file = new JTextField(30);
+  private final JCheckBox follow =
+      new JCheckBox("Objects without ratings are as expected as those around them", true);
+  private final JLabel summary = new JLabel();
+  private final JTabbedPane messages = new JTabbedPane();
+  private final JList<String> leftOut = new JList<>();
+  private final JList<String> problems = new JList<>();
+  private final JButton proposals = new JButton("Accept Proposals");
+  private final JButton apply = new JButton("Apply");
+
+  public RatingsDialog(Window owner, EnricherSession session) {
+    super(owner, "Import Ratings", ModalityType.DOCUMENT_MODAL);
+    this.session = session;
+    this.model = new RatingsModel(session.enrichment());
+    setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+    JPanel content =
+        new JPanel(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][][]"));
+    content.add(source(), "wrap");
+    content.add(summary, "wrap");
+    content.add(tables(), "grow, wrap");
+    content.add(options(), "wrap");
+    content.add(messages(), "grow, wrap");
+    content.add(buttons());
+    summary.getAccessibleContext().setAccessibleName("What the import comes to");
+    setContentPane(content);
+    getRootPane().setDefaultButton(apply);
+    getRootPane()
+        .registerKeyboardAction(
+            e -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+    model.addListener(this::refresh);
+    refresh();
+    pack();
+    setLocationRelativeTo(owner);
+  }
+
+  private JPanel source() {
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
+    JLabel label = new JLabel("Table of ratings (CSV):");
+    label.setDisplayedMnemonic('t');
+    label.setLabelFor(file);
+    file.getAccessibleContext().setAccessibleName("File of ratings");
+    file.putClientProperty("JTextField.placeholderText", "RATINGS.csv: object,schema,rating");
+    file.addActionListener(e -> open(Path.of(file.getText().strip())));
+    JButton browse = new JButton("Browse\u2026");
+    browse.setMnemonic('B');
+    browse.addActionListener(e -> browse());
+    panel.add(label);
+    panel.add(file);
+    panel.add(browse);
+    return panel;
+  }
+
+  private JSplitPane tables() {
+    JTable matches = RatingsTables.matches(new MatchTableModel(model), model.candidates());
+    JTable implied = RatingsTables.implied(new ImpliedTableModel(model));
+    JSplitPane split =
+        new JSplitPane(
+            JSplitPane.HORIZONTAL_SPLIT,
+            RatingsTables.captioned("Objects of the table and their Switches", 'O', matches, 48),
+            RatingsTables.captioned("What follows for the scene", 'W', implied, 86));
+    split.setResizeWeight(0.4);
+    split.setBorder(null);
+    return split;
+  }
+
+  private JPanel options() {
+    JPanel panel = new JPanel(new MigLayout("insets 0", "[]unrel[]"));
+    proposals.setMnemonic('P');
+    proposals.setToolTipText("Take the Switches whose names are only similar");
+    proposals.addActionListener(e -> model.acceptProposals());
+    follow.setMnemonic('e');
+    follow.addActionListener(e -> model.unratedFollow(follow.isSelected()));
+    panel.add(proposals);
+    panel.add(follow);
+    return panel;
+  }
+
+  private JTabbedPane messages() {
+    leftOut.setVisibleRowCount(4);
+    leftOut.getAccessibleContext().setAccessibleName("What is left out");
+    problems.setVisibleRowCount(4);
+    problems.getAccessibleContext().setAccessibleName("Problems of the table");
+    messages.addTab("Left Out", new JScrollPane(leftOut));
+    messages.addTab("Problems", new JScrollPane(problems));
+    messages.setMnemonicAt(0, 'L');
+    messages.setMnemonicAt(1, 'm');
+    messages.getAccessibleContext().setAccessibleName("Left out and problems");
+    return messages;
+  }
+
+  private JPanel buttons() {
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "push[sizegroup b][sizegroup b]"));
+    JButton cancel = new JButton("Cancel");
+    cancel.addActionListener(e -> dispose());
+    apply.addActionListener(e -> apply());
+    panel.add(apply, "tag ok");
+    panel.add(cancel, "tag cancel");
+    return panel;
+  }
+
+  private void browse() {
+    File scene = session.file().path().toAbsolutePath().toFile();
+    JFileChooser chooser = new JFileChooser(scene.getParentFile());
+    chooser.setDialogTitle("Table of Ratings");
+    chooser.setFileFilter(new FileNameExtensionFilter("Tables (CSV)", "csv"));
+    if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
+      open(chooser.getSelectedFile().toPath());
+    }
+  }
+
+  /** Reads a table in the background and shows what it implies. */
+  public void open(Path table) {
+    file.setText(table.toString());
+    session
+        .tasks()
+        .run(
+            "Reading " + table.getFileName(),
+            () -> RatingsModel.read(String.valueOf(table.getFileName()), Files.readAllBytes(table)),
+            model::take,
+            failure -> model.take(unread(table, failure)));
+  }
+
+  private static RatingsModel.Table unread(Path table, Exception failure) {
+    String why = failure instanceof IOException ? "it cannot be read" : failure.getMessage();
+    Problem problem =
+        new Problem(
+            Problem.Severity.ERROR,
+            Location.of(table.toString()),
+            why + "; choose another file, or see to this one's permissions");
+    return new RatingsModel.Table(table.toString(), Optional.empty(), List.of(problem));
+  }
+
+  private void refresh() {
+    List<String> left = model.leftOut();
+    leftOut.setListData(left.toArray(String[]::new));
+    problems.setListData(model.problems().stream().map(Problem::toString).toArray(String[]::new));
+    messages.setTitleAt(0, "Left Out (%d)".formatted(left.size()));
+    messages.setTitleAt(1, "Problems (%d)".formatted(model.problems().size()));
+    messages.setSelectedIndex(model.problems().isEmpty() ? 0 : 1);
+    summary.setText(model.summary());
+    apply.setEnabled(model.applicable());
+    proposals.setEnabled(
+        model.matches().stream()
+            .anyMatch(
+                m ->
+                    m.how() == org.selectiverenderer.document.ratings.ObjectMatching.How.PROPOSED));
+  }
+
+  private void apply() {
+    try {
+      model
+          .edit()
+          .ifPresent(
+              edit -> {
+                dispose();
+                session.perform(edit);
+              });
+    } catch (EditRefused e) {
+      summary.setText(e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,187 @@
+package org.selectiverenderer.enricher.ratings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.ratings.ObjectMatching;
+import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.document.ratings.RatingPlan;
+import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * An import of ratings under review: the table that was read, which Switch each of its objects is,
+ * and what follows. What the author corrects is worked in at once. For one thread.
+ */
+final class RatingsModel {
+  /** What reading a table came to. */
+  record Table(String name, Optional<Ratings> ratings, List<Problem> problems) {}
+
+  private final Enrichment enrichment;
+  private final List<Runnable> listeners = new ArrayList<>();
+  private List<Problem> problems = List.of();
+  private String name = "";
+  private @Nullable Ratings ratings;
+  private @Nullable ObjectMatching matching;
+  private @Nullable RatingPlan plan;
+  private boolean unratedFollow = true;
+
+  RatingsModel(Enrichment enrichment) {
+    this.enrichment = enrichment;
+  }
+
+  /** Reads a table; any thread may. */
+  static Table read(String name, byte[] table) {
+    Problems problems = new Problems();
+    return new Table(name, Ratings.read(name, table, problems), problems.list());
+  }
+
+  void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** Takes a table that was read; one with errors is not used, and its problems are listed. */
+  void take(Table table) {
+    name = table.name();
+    problems = table.problems();
+    ratings = table.ratings().orElse(null);
+    matching =
+        ratings == null
+            ? null
+            : new ObjectMatching(ratings.means().keySet(), enrichment.switches());
+    work();
+  }
+
+  /** Whether objects that were not rated are as expected as their room's. */
+  void unratedFollow(boolean follow) {
+    unratedFollow = follow;
+    work();
+  }
+
+  boolean unratedFollow() {
+    return unratedFollow;
+  }
+
+  /** Says which Switch an object of the table is; empty for none. */
+  void match(String object, Optional<String> switchName) {
+    ObjectMatching current = matching;
+    if (current != null) {
+      switchName.ifPresentOrElse(
+          name -> current.choose(object, name), () -> current.leaveOut(object));
+      work();
+    }
+  }
+
+  /** Takes all proposals for objects whose names are only similar. */
+  void acceptProposals() {
+    ObjectMatching current = matching;
+    if (current != null) {
+      current.matches().stream()
+          .filter(match -> match.how() == ObjectMatching.How.PROPOSED)
+          .forEach(match -> current.choose(match.object(), match.switchName().orElseThrow()));
+      work();
+    }
+  }
+
+  /** Works the plan out anew, as after an edit of the document. */
+  void work() {
+    plan =
+        ratings == null || matching == null
+            ? null
+            : RatingPlan.of(enrichment, ratings, matching, unratedFollow);
+    listeners.forEach(Runnable::run);
+  }
+
+  List<Match> matches() {
+    return matching == null ? List.of() : matching.matches();
+  }
+
+  /** The Switches that an object can be: those with versions, by name. */
+  List<String> candidates() {
+    return enrichment.switches().stream()
+        .filter(node -> node.choices().size() > 1)
+        .map(SwitchNode::name)
+        .distinct()
+        .sorted(String.CASE_INSENSITIVE_ORDER)
+        .toList();
+  }
+
+  Optional<Ratings> ratings() {
+    return Optional.ofNullable(ratings);
+  }
+
+  Optional<RatingPlan> plan() {
+    return Optional.ofNullable(plan);
+  }
+
+  List<Problem> problems() {
+    return problems;
+  }
+
+  /** What is left out, a sentence each: ratings not used, proposals, objects not rated. */
+  List<String> leftOut() {
+    if (plan == null) {
+      return List.of();
+    }
+    Map<String, String> taken = new LinkedHashMap<>();
+    plan.rows().forEach(row -> row.object().ifPresent(o -> taken.put(row.node().name(), o)));
+    List<String> sentences = new ArrayList<>();
+    for (Match match : plan.unused()) {
+      sentences.add("Not used: " + reason(match, taken));
+    }
+    for (SwitchNode node : plan.unrated()) {
+      sentences.add("Not rated: %s stays as it is".formatted(node.name()));
+    }
+    return sentences;
+  }
+
+  private static String reason(Match match, Map<String, String> taken) {
+    String switchName = match.switchName().orElse("");
+    return switch (match.how()) {
+      case NONE -> "%s has no Switch".formatted(match.object());
+      case PROPOSED ->
+          "%s may be %s; choose it to use its ratings".formatted(match.object(), switchName);
+      case SAME_NAME, CHOSEN ->
+          taken.containsKey(switchName)
+              ? "%s is %s, which %s is already"
+                  .formatted(match.object(), switchName, taken.get(switchName))
+              : "%s is %s, which has fewer than two versions".formatted(match.object(), switchName);
+    };
+  }
+
+  /** One sentence about the whole. */
+  String summary() {
+    if (plan == null) {
+      return name.isEmpty()
+          ? "Choose a table with the columns object, schema and rating (1 to 6)."
+          : "The table is not used: see Problems.";
+    }
+    long proposed = matches().stream().filter(m -> m.how() == ObjectMatching.How.PROPOSED).count();
+    return "%d objects and %d areas get metadata; %d of the table's %d objects are left out%s."
+        .formatted(
+            plan.rows().size(),
+            plan.sensors().size(),
+            plan.unused().size(),
+            matches().size(),
+            proposed == 0 ? "" : ", %d of them have a proposal".formatted(proposed));
+  }
+
+  /** Whether there is something to apply. */
+  boolean applicable() {
+    return plan != null && !(plan.rows().isEmpty() && plan.sensors().isEmpty());
+  }
+
+  /** All of it as one step. */
+  Optional<Edit> edit() {
+    // The author may have edited the scene beside the dialog.
+    work();
+    return plan().filter(p -> applicable()).map(p -> p.edit("Import ratings of " + name));
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * One open document and what is selected in it: what all views of the enricher's window share.
+ *
+ * <p>In: selections and edits from the views. Out: the same to all others. For the event dispatch
+ * thread only. Uses {@code document} and {@code enricher.task}; no widgets.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.session;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,69 @@
+package org.selectiverenderer.enricher.settings;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.swing.Timer;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.session.EnricherSession;
+
+/** Keeps the unsaved changes of one session every few seconds, so that a crash costs little. */
+public final class Autosave {
+  private static final int EVERY_MILLISECONDS = 5000;
+
+  private final EnricherSession session;
+  private final Recovery recovery;
+  private final Timer timer;
+  private long kept;
+
+  public Autosave(EnricherSession session, Recovery recovery) {
+    this.session = session;
+    this.recovery = recovery;
+    this.kept = session.document().revision();
+    timer = new Timer(EVERY_MILLISECONDS, event -> keep());
+    timer.start();
+  }
+
+  /** Keeps the changes if there are new ones. */
+  public void keep() {
+    if (!session.document().modified() || session.document().revision() == kept) {
+      return;
+    }
+    Path path = session.file().path();
+    Snapshot snapshot = session.document().snapshot();
+    kept = snapshot.revision();
+    session
+        .tasks()
+        .run(
+            "Keeping unsaved changes",
+            () -> {
+              recovery.keep(path, snapshot);
+              return path;
+            },
+            done -> {
+              if (!session.document().modified()) {
+                forget(); // saved meanwhile
+              }
+            },
+            failed ->
+                session.message("Unsaved changes cannot be kept for a crash: " + message(failed)));
+  }
+
+  /** The changes are saved, or not wanted any more. */
+  public void forget() {
+    kept = session.document().revision();
+    try {
+      recovery.forget(session.file().path());
+    } catch (IOException e) {
+      session.message("The kept copy cannot be removed: " + message(e));
+    }
+  }
+
+  private static String message(Exception e) {
+    return String.valueOf(e.getMessage());
+  }
+
+  public void dispose() {
+    timer.stop();
+  }
+}

@@ -1,0 +1,9 @@
+/**
+ * What the enricher remembers of its author: files, layout, theme, unsaved work.
+ *
+ * <p>In and out: files in the folder of the user's settings. Uses {@code document.file}.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.settings;
+
+import org.jspecify.annotations.NullMarked;

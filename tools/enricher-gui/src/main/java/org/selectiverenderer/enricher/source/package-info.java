@@ -1,0 +1,9 @@
+/**
+ * The text of the scene: highlighted, editable, one page at a time where it is too big.
+ *
+ * <p>In: a session, typing. Out: changes of the document, selections.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.source;
+
+import org.jspecify.annotations.NullMarked;

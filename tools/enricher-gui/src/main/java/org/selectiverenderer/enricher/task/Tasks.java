@@ -1,0 +1,99 @@
+package org.selectiverenderer.enricher.task;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+
+/**
+ * Runs work on threads of its own and hands the results to the event dispatch thread. Work that is
+ * cancelled hands nothing to anybody.
+ */
+public final class Tasks implements AutoCloseable {
+  private static final int THREADS = 3;
+
+  private final Executor eventThread;
+  private final ExecutorService workers;
+  private final List<Task> running = new CopyOnWriteArrayList<>();
+
+  /** Work that tells how far it is. */
+  @FunctionalInterface
+  public interface Work<T> {
+    T run(Progress progress) throws Exception;
+  }
+
+  /**
+   * @param eventThread where results are handed over: {@code EventQueue::invokeLater}
+   */
+  public Tasks(Executor eventThread) {
+    this.eventThread = eventThread;
+    this.workers =
+        Executors.newFixedThreadPool(
+            THREADS,
+            work -> {
+              Thread thread = new Thread(work, "enricher-task");
+              thread.setDaemon(true);
+              thread.setPriority(Thread.MIN_PRIORITY + 1);
+              return thread;
+            });
+  }
+
+  /**
+   * Runs work that cannot tell how far it is.
+   *
+   * @param name as the author is told: {@code Counting polygons}
+   * @param done hears the result on the event dispatch thread
+   * @param failed hears instead what went wrong
+   */
+  public <T> Task run(String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    return run(name, progress -> work.call(), done, failed);
+  }
+
+  /** Runs work that tells how far it is, otherwise as the other one. */
+  public <T> Task run(String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    Task task = new Task(name, System.nanoTime());
+    running.add(task);
+    task.runs(workers.submit(() -> work(task, work, done, failed)));
+    return task;
+  }
+
+  private <T> void work(Task task, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    Runnable handOver;
+    try {
+      T result = work.run(task);
+      handOver = () -> done.accept(result);
+    } catch (CancellationException e) {
+      handOver = task::cancel;
+    } catch (Exception e) {
+      handOver = () -> failed.accept(e);
+    } catch (LinkageError | OutOfMemoryError | StackOverflowError e) {
+      handOver = () -> failed.accept(new ExecutionException(e));
+    }
+    Runnable last = handOver;
+    running.remove(task);
+    eventThread.execute(
+        () -> {
+          if (!task.cancelled()) {
+            last.run();
+          }
+        });
+  }
+
+  /** What runs or waits now, the oldest first. */
+  public List<Task> running() {
+    running.removeIf(Task::cancelled);
+    return List.copyOf(running);
+  }
+
+  /** Cancels all and takes no more. */
+  @Override
+  public void close() {
+    running.forEach(Task::cancel);
+    workers.shutdownNow();
+  }
+}

@@ -1,0 +1,67 @@
+package org.selectiverenderer.enricher.tree;
+
+import java.awt.Component;
+import java.util.function.Predicate;
+import javax.swing.JTree;
+import javax.swing.tree.DefaultTreeCellRenderer;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.SensorNode;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+
+/** A row of the tree: icon with a mark, type and name. */
+final class NodeRenderer extends DefaultTreeCellRenderer {
+  private static final long serialVersionUID = 1L;
+
+  private final transient Enrichment enrichment;
+  private final transient Predicate<DocumentElement> faulty;
+
+  NodeRenderer(Enrichment enrichment, Predicate<DocumentElement> faulty) {
+    this.enrichment = enrichment;
+    this.faulty = faulty;
+  }
+
+  @Override
+  public Component getTreeCellRendererComponent(
+      JTree tree,
+      Object value,
+      boolean selected,
+      boolean expanded,
+      boolean leaf,
+      int row,
+      boolean focused) {
+    super.getTreeCellRendererComponent(tree, value, selected, expanded, leaf, row, focused);
+    if (value instanceof DocumentElement element) {
+      setText(text(element));
+      NodeIcon.Mark mark = mark(element);
+      setIcon(new NodeIcon(NodeIcon.Kind.of(element.name()), mark));
+      setToolTipText(
+          switch (mark) {
+            case NONE -> null;
+            case ENRICHED -> "Has schema metadata";
+            case FAULTY -> "Has a problem: see the list below";
+          });
+    }
+    return this;
+  }
+
+  static String text(DocumentElement element) {
+    String name = element.def().orElseGet(() -> element.use().map(use -> "uses " + use).orElse(""));
+    boolean known = element.name().equals("Switch") || element.name().equals("ProximitySensor");
+    return name.isEmpty() ? element.name() : known ? name : element.name() + "  " + name;
+  }
+
+  private NodeIcon.Mark mark(DocumentElement element) {
+    if (!element.attached()) {
+      return NodeIcon.Mark.NONE;
+    }
+    boolean wrong = faulty.test(element);
+    boolean enriched = false;
+    if (element.name().equals("Switch")) {
+      enriched = enrichment.switchNode(element).filter(SwitchNode::enriched).isPresent();
+    } else if (element.name().equals("ProximitySensor")) {
+      enriched = enrichment.sensorNode(element).filter(SensorNode::enriched).isPresent();
+    }
+    return wrong ? NodeIcon.Mark.FAULTY : enriched ? NodeIcon.Mark.ENRICHED : NodeIcon.Mark.NONE;
+  }
+}

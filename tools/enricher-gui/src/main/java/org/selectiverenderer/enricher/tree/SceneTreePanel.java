@@ -1,0 +1,190 @@
+package org.selectiverenderer.enricher.tree;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.JTree;
+import javax.swing.Timer;
+import javax.swing.ToolTipManager;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.tree.TreePath;
+import javax.swing.tree.TreeSelectionModel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.enricher.session.ElementPath;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+
+/** The left side of the window: search, what to show, and the tree. */
+public final class SceneTreePanel {
+  private static final int PAUSE_MILLISECONDS = 150;
+
+  private final EnricherSession session;
+  private final SceneTreeModel model;
+  private final JTree tree;
+  private final JTextField search = new JTextField();
+  private final JComboBox<String> extent =
+      new JComboBox<>(new String[] {"Switches and sensors", "Whole scene"});
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 6, gap 4, fill", "[grow]", "[][][grow]"));
+  private final SelectionListener selecting = this::follow;
+  private final org.selectiverenderer.document.DocumentListener changing = this::changed;
+  private boolean following;
+
+  /**
+   * @param faulty whether an element has a problem
+   */
+  public SceneTreePanel(EnricherSession session, Predicate<DocumentElement> faulty) {
+    this.session = session;
+    model = new SceneTreeModel(session.document());
+    tree = new JTree(model);
+    tree.setCellRenderer(new NodeRenderer(session.enrichment(), faulty));
+    tree.setLargeModel(true);
+    tree.setRowHeight(tree.getFontMetrics(tree.getFont()).getHeight() + 8);
+    tree.setRootVisible(false);
+    tree.setShowsRootHandles(true);
+    tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
+    tree.getAccessibleContext().setAccessibleName("Nodes of the scene");
+    tree.addTreeSelectionListener(event -> chosen());
+    ToolTipManager.sharedInstance().registerComponent(tree);
+    search.putClientProperty("JTextField.placeholderText", "Search nodes (Ctrl+Shift+F)");
+    search.putClientProperty("JTextField.showClearButton", true);
+    search.getAccessibleContext().setAccessibleName("Search nodes");
+    Timer pause = new Timer(PAUSE_MILLISECONDS, event -> searchNow());
+    pause.setRepeats(false);
+    search.getDocument().addDocumentListener(new Typed(pause::restart));
+    search.addActionListener(event -> tree.requestFocusInWindow());
+    extent.getAccessibleContext().setAccessibleName("What the tree shows");
+    extent.addActionListener(event -> extentChosen());
+    panel.add(search, "growx, wmin 0, wrap");
+    panel.add(extent, "growx, wmin 0, wrap");
+    JScrollPane scroll = new JScrollPane(tree);
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
+    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
+    panel.add(scroll, "grow, wmin 0, hmin 0");
+    session.addSelectionListener(selecting);
+    session.document().addListener(changing);
+    expandTop();
+  }
+
+  private record Typed(Runnable then) implements DocumentListener {
+    @Override
+    public void insertUpdate(DocumentEvent e) {
+      then.run();
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent e) {
+      then.run();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent e) {
+      then.run();
+    }
+  }
+
+  public JPanel component() {
+    return panel;
+  }
+
+  public JTree tree() {
+    return tree;
+  }
+
+  public JTextField searchField() {
+    return search;
+  }
+
+  private void searchNow() {
+    quietly(() -> model.search(search.getText()));
+    shown();
+  }
+
+  private void extentChosen() {
+    quietly(() -> model.showNodesOnly(extent.getSelectedIndex() == 0));
+    shown();
+  }
+
+  private void shown() {
+    expandTop();
+    follow(session.selection(), session);
+  }
+
+  private void quietly(Runnable change) {
+    following = true;
+    try {
+      change.run();
+    } finally {
+      following = false;
+    }
+  }
+
+  /** A tree whose root is not shown is empty until the root is expanded. */
+  private void expandTop() {
+    Object root = model.getRoot();
+    tree.expandPath(new TreePath(root));
+    if (!model.flat() && root instanceof DocumentElement element) {
+      element.children().stream()
+          .filter(child -> child.name().equals("Scene"))
+          .findFirst()
+          .flatMap(model::path)
+          .ifPresent(tree::expandPath);
+    }
+  }
+
+  private void chosen() {
+    if (!following
+        && tree.getLastSelectedPathComponent() instanceof DocumentElement element
+        && element.attached()) {
+      session.select(element, this);
+    }
+  }
+
+  private void follow(Optional<DocumentElement> element, Object origin) {
+    if (origin == this) {
+      return;
+    }
+    quietly(
+        () -> {
+          Optional<TreePath> path = element.flatMap(model::path);
+          tree.setSelectionPath(path.orElse(null));
+          path.ifPresent(tree::scrollPathToVisible);
+        });
+  }
+
+  private void changed(org.selectiverenderer.document.DocumentListener.Change change) {
+    List<ElementPath> expanded = new ArrayList<>();
+    var paths = tree.getExpandedDescendants(new TreePath(model.getRoot()));
+    if (paths != null && !model.flat()) {
+      Collections.list(paths).stream()
+          .map(TreePath::getLastPathComponent)
+          .filter(DocumentElement.class::isInstance)
+          .map(each -> ElementPath.of((DocumentElement) each))
+          .forEach(expanded::add);
+    }
+    quietly(model::refresh);
+    session
+        .document()
+        .tree()
+        .ifPresent(
+            now ->
+                expanded.forEach(
+                    each -> each.find(now).flatMap(model::path).ifPresent(tree::expandPath)));
+    shown();
+    tree.repaint();
+  }
+
+  /** Lets go of the session. */
+  public void dispose() {
+    session.removeSelectionListener(selecting);
+    session.document().removeListener(changing);
+  }
+}

@@ -1,0 +1,9 @@
+/**
+ * The scene as a tree, whole or its Switches and ProximitySensors only; virtual, for big scenes.
+ *
+ * <p>In: a session. Out: selections. Uses {@code document} and {@code enricher.session}.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.tree;
+
+import org.jspecify.annotations.NullMarked;

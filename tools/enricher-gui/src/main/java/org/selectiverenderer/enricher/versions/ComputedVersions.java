@@ -1,0 +1,72 @@
+package org.selectiverenderer.enricher.versions;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.versions.VersionsEdit;
+import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.versions.Version;
+import org.selectiverenderer.polygon.versions.VersionPlan.PlannedFile;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.X3dReader;
+
+/**
+ * What making versions comes to, before anything is written.
+ *
+ * @param edit empty if the object cannot get these versions; the problems say why
+ * @param shapes of the versions in order, those that can be drawn
+ */
+record ComputedVersions(
+    Optional<VersionsEdit> edit, List<Optional<ObjectShape>> shapes, List<Problem> problems) {
+
+  /** Works it out; takes a while, so not for the thread of the window. */
+  static ComputedVersions of(
+      Snapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue) throws IOException {
+    Problems problems = new Problems();
+    Optional<VersionsEdit> edit = VersionsEdit.plan(snapshot, request, catalogue, problems);
+    List<Optional<ObjectShape>> shapes = new ArrayList<>();
+    if (edit.isPresent()) {
+      for (Version version : edit.get().versions()) {
+        shapes.add(shape(version.file(), edit.get(), catalogue));
+      }
+    }
+    return new ComputedVersions(edit, shapes, problems.list());
+  }
+
+  /** Versions that are there already stay in their files; the others are only planned. */
+  private static Optional<ObjectShape> shape(Path file, VersionsEdit edit, NodeCatalogue catalogue)
+      throws IOException {
+    Optional<byte[]> planned =
+        edit.files().stream()
+            .filter(each -> each.file().equals(file))
+            .map(PlannedFile::content)
+            .findFirst();
+    if (planned.isEmpty() && !Files.isReadable(file)) {
+      return Optional.empty();
+    }
+    byte[] content = planned.isPresent() ? planned.get() : Files.readAllBytes(file);
+    Problems unheard = new Problems(); // the plan has reported what is wrong with the object
+    X3dFile scene = new X3dReader(catalogue).read(file.toString(), content, unheard);
+    Path folder = file.toAbsolutePath().getParent();
+    return new ModelReader(catalogue)
+        .of(scene.nodes(), scene, folder, Location.of(file.toString()), "the version", unheard)
+        .map(ObjectShape::of);
+  }
+
+  List<Version> versions() {
+    return edit.map(VersionsEdit::versions).orElse(List.of());
+  }
+
+  /** The vertices of the original: Max Vertex of Fig 39; 0 if not known. */
+  int maxVertex() {
+    return versions().isEmpty() ? 0 : versions().get(0).vertices();
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.enricher.versions;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.polygon.model.Model;
+import org.selectiverenderer.polygon.model.ModelPart;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.geometry.Mesh;
+
+/**
+ * A version as triangles of plain colours, to be looked at from all sides. Immutable by convention.
+ *
+ * @param corners x, y, z of three corners per triangle, in the object's frame
+ * @param colors 0xRRGGBB per triangle: the diffuse colours, without textures
+ */
+record ObjectShape(float[] corners, int[] colors) {
+  private static final int GREY = 0xCCCCCC; // the standard's default diffuse colour, 0.8
+
+  static ObjectShape of(Model model) {
+    int count = model.polygons();
+    float[] corners = new float[9 * count];
+    int[] colors = new int[count];
+    int triangle = 0;
+    for (ModelPart part : model.parts()) {
+      Mesh mesh = part.mesh();
+      int plain = diffuse(part.appearance());
+      for (int t = 0; t < mesh.polygons(); t++, triangle++) {
+        for (int c = 0; c < 3; c++) {
+          int vertex = mesh.indices()[3 * t + c];
+          System.arraycopy(mesh.positions(), 3 * vertex, corners, 9 * triangle + 3 * c, 3);
+        }
+        float[] own = mesh.colors();
+        colors[triangle] = own == null ? plain : rgb(own, 4 * mesh.indices()[3 * t]);
+      }
+    }
+    return new ObjectShape(corners, colors);
+  }
+
+  private static int diffuse(@Nullable NodeView appearance) {
+    NodeView material = appearance == null ? null : appearance.node("material");
+    if (material == null || material.type().field("diffuseColor").isEmpty()) {
+      return GREY;
+    }
+    return rgb(material.floats("diffuseColor"), 0);
+  }
+
+  private static int rgb(float[] values, int at) {
+    int rgb = 0;
+    for (int i = 0; i < 3; i++) {
+      rgb = rgb << 8 | Math.round(255 * Math.max(0, Math.min(1, values[at + i])));
+    }
+    return rgb;
+  }
+
+  int polygons() {
+    return colors.length;
+  }
+
+  /** Where it is and how large, so that all versions are drawn to one scale. */
+  ShapeFrame frame() {
+    return ShapeFrame.around(corners);
+  }
+}

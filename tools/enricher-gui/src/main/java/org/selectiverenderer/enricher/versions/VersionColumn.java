@@ -1,0 +1,156 @@
+package org.selectiverenderer.enricher.versions;
+
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.JSpinner;
+import javax.swing.SpinnerNumberModel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.polygon.versions.Version;
+
+/** One version: its goal, its figures, its picture as a solid and as wires. */
+@SuppressWarnings("serial") // never written
+final class VersionColumn extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final VersionsModel model;
+  private final int index;
+  private final ShapeView solid;
+  private final ShapeView wires;
+  private final JLabel polygons = new JLabel();
+  private final JLabel vertices = new JLabel();
+  private final JLabel error = new JLabel();
+  private final JComboBox<VersionGoal.Kind> kind = new JComboBox<>(VersionGoal.Kind.values());
+  private final JSlider slider = new JSlider(1, 100, 50);
+  private final JSpinner spinner = new JSpinner(new SpinnerNumberModel(50.0, 0.1, 100.0, 1.0));
+  private boolean following;
+
+  /**
+   * @param index 0 for the original
+   */
+  VersionColumn(VersionsModel model, int index, Orbit orbit) {
+    super(new MigLayout("insets 0, fill", "[grow,fill]", "[][]rel[grow,fill][grow,fill][]"));
+    this.model = model;
+    this.index = index;
+    this.solid = new ShapeView(orbit, false);
+    this.wires = new ShapeView(orbit, true);
+    String name = "version " + (index + 1);
+    solid.getAccessibleContext().setAccessibleName("Picture of %s, solid".formatted(name));
+    wires.getAccessibleContext().setAccessibleName("Picture of %s, wireframe".formatted(name));
+    JLabel title =
+        new JLabel(index == 0 ? "Version 1: the original" : "Version %d".formatted(index + 1));
+    title.putClientProperty("FlatLaf.styleClass", "h4");
+    add(title, "wrap");
+    add(goal(name), "wrap");
+    add(solid, "grow, wrap");
+    add(wires, "grow, wrap");
+    add(figures(name));
+  }
+
+  private JPanel goal(String name) {
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
+    for (javax.swing.JComponent control : new javax.swing.JComponent[] {kind, slider, spinner}) {
+      control.setVisible(index > 0); // their room stays, so that pictures stand in line
+    }
+    kind.getAccessibleContext().setAccessibleName("Goal of " + name);
+    slider.getAccessibleContext().setAccessibleName("Vertices of " + name);
+    spinner.getAccessibleContext().setAccessibleName("Vertices of %s as a number".formatted(name));
+    ((JSpinner.DefaultEditor) spinner.getEditor())
+        .getTextField()
+        .getAccessibleContext()
+        .setAccessibleName("Vertices of %s as a number".formatted(name));
+    ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField().setColumns(5);
+    kind.addActionListener(
+        e -> wish(current().as((VersionGoal.Kind) kind.getSelectedItem(), model.maxVertex())));
+    slider.addChangeListener(e -> wish(new VersionGoal(current().kind(), slider.getValue())));
+    spinner.addChangeListener(
+        e -> wish(new VersionGoal(current().kind(), ((Number) spinner.getValue()).doubleValue())));
+    panel.add(kind);
+    panel.add(slider, "wmin 60");
+    panel.add(spinner);
+    return panel;
+  }
+
+  private JPanel figures(String name) {
+    JPanel panel = new JPanel(new MigLayout("insets 0", "[]unrel[]"));
+    String[] heads = {index == 0 ? "Max Vertex" : "Vertices", "Polygons", "Error"};
+    JLabel[] values = {vertices, polygons, error};
+    for (int i = 0; i < heads.length; i++) {
+      JLabel head = new JLabel(heads[i]);
+      head.setLabelFor(values[i]);
+      values[i].getAccessibleContext().setAccessibleName("%s of %s".formatted(heads[i], name));
+      panel.add(head);
+      panel.add(values[i], "wrap");
+    }
+    return panel;
+  }
+
+  private VersionGoal current() {
+    return model.goals().get(index - 1);
+  }
+
+  private void wish(VersionGoal goal) {
+    if (!following) {
+      model.goal(index - 1, goal);
+    }
+  }
+
+  /** Shows the goal and the result as they are. */
+  void refresh() {
+    following = true;
+    if (index > 0) {
+      showGoal(current());
+    }
+    following = false;
+    Optional<ComputedVersions> result = model.result();
+    Optional<Version> version =
+        result.filter(r -> r.versions().size() > index).map(r -> r.versions().get(index));
+    ShapeFrame frame =
+        result
+            .filter(r -> !r.shapes().isEmpty())
+            .flatMap(r -> r.shapes().get(0))
+            .map(ObjectShape::frame)
+            .orElse(new ShapeFrame(0, 0, 0, 1));
+    ObjectShape shape = version.flatMap(v -> result.orElseThrow().shapes().get(index)).orElse(null);
+    solid.show(shape, frame);
+    wires.show(shape, frame);
+    boolean stale = !model.current() && index > 0;
+    polygons.setText(text(version.map(v -> grouped(v.polygons())), stale));
+    vertices.setText(text(version.map(v -> grouped(v.vertices())), stale));
+    error.setText(text(version.map(this::error), stale));
+  }
+
+  private String error(Version version) {
+    String share = String.format(Locale.ROOT, "%.2f %% of its size", 100 * version.error());
+    return version.met() ? share : share + "; as near as its form allows";
+  }
+
+  private static String grouped(int count) {
+    return String.format(Locale.ROOT, "%,d", count);
+  }
+
+  private static String text(Optional<String> value, boolean stale) {
+    return stale ? "\u2026" : value.orElse("\u2013");
+  }
+
+  private void showGoal(VersionGoal goal) {
+    boolean percent = goal.kind() == VersionGoal.Kind.PERCENT;
+    int most = percent ? 100 : Math.max(VersionGoal.FEWEST, model.maxVertex());
+    kind.setEnabled(model.maxVertex() > 0); // a count needs to know of how many
+    kind.setSelectedItem(goal.kind());
+    slider.setMinimum(percent ? 1 : VersionGoal.FEWEST);
+    slider.setMaximum(most);
+    if (slider.getValue() != Math.round(goal.value())) {
+      slider.setValue((int) Math.round(goal.value()));
+    }
+    SpinnerNumberModel numbers = (SpinnerNumberModel) spinner.getModel();
+    numbers.setMinimum(percent ? VersionGoal.LEAST_PERCENT : (double) VersionGoal.FEWEST);
+    numbers.setMaximum((double) most);
+    if (numbers.getNumber().doubleValue() != goal.value()) {
+      numbers.setValue(goal.value());
+    }
+  }
+}

@@ -1,0 +1,243 @@
+package org.selectiverenderer.enricher.versions;
+
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.versions.VersionsEdit;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.polygon.versions.VersionPlan.PlannedFile;
+import org.selectiverenderer.x3d.Problem;
+
+/**
+ * Makes versions of an object: how many vertices each is to have, what that looks like and costs,
+ * and then their files and the Switch in the scene as one step.
+ */
+@SuppressWarnings("serial") // never written
+public final class VersionsDialog extends JDialog {
+  private static final long serialVersionUID = 1L;
+
+  private final EnricherSession session;
+  private final VersionsModel model;
+  private final VersionsWork work;
+  private final Orbit orbit = new Orbit();
+  private final JPanel columns = new JPanel(new MigLayout("insets 0, fill", "", "[grow,fill]"));
+  private final List<VersionColumn> shown = new ArrayList<>();
+  private final JLabel summary = new JLabel(" ");
+  private final JList<String> problems = new JList<>();
+  private final JScrollPane problemPane = new JScrollPane(problems);
+  private final JProgressBar progress = new JProgressBar();
+  private final JButton stop = new JButton("Stop");
+  private final JButton more = new JButton("Add Version");
+  private final JButton fewer = new JButton("Remove Version");
+  private final JButton apply = new JButton("Make Versions");
+  private final DocumentListener changes;
+
+  /**
+   * @param object the object, or an element in it
+   */
+  public VersionsDialog(Window owner, EnricherSession session, DocumentElement object) {
+    super(owner, "Make Versions", ModalityType.DOCUMENT_MODAL);
+    this.session = session;
+    this.model = new VersionsModel(VersionsModel.nameOf(object));
+    this.work = new VersionsWork(session, model, this::failed);
+    this.changes = change -> model.outdate();
+    setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+    JPanel content =
+        new JPanel(
+            new MigLayout("insets dialog, fill, hidemode 3", "[grow,fill]", "[][grow,fill][][][]"));
+    content.add(choice(), "wrap");
+    JScrollPane scrolling = new JScrollPane(columns);
+    scrolling.setBorder(null);
+    content.add(scrolling, "grow, wrap");
+    content.add(summary, "wrap");
+    content.add(problemPane, "wrap");
+    content.add(buttons());
+    summary.getAccessibleContext().setAccessibleName("What the versions come to");
+    problems.setVisibleRowCount(3);
+    problems.getAccessibleContext().setAccessibleName("Problems of the versions");
+    setContentPane(content);
+    getRootPane().setDefaultButton(apply);
+    getRootPane()
+        .registerKeyboardAction(
+            e -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+    session.document().addListener(changes);
+    model.addListener(this::refresh);
+    refresh();
+    work.start();
+    refresh();
+    pack();
+    setLocationRelativeTo(owner);
+  }
+
+  private JPanel choice() {
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][]unrel[][]push"));
+    JComboBox<String> objects =
+        new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new));
+    objects.setPrototypeDisplayValue("Transform_OfSomeObject");
+    objects.setSelectedItem(model.object());
+    objects.getAccessibleContext().setAccessibleName("Object to make versions of");
+    objects.addActionListener(e -> model.object(String.valueOf(objects.getSelectedItem())));
+    JLabel label = new JLabel("Object:");
+    label.setDisplayedMnemonic('O');
+    label.setLabelFor(objects);
+    more.setMnemonic('A');
+    more.addActionListener(e -> model.add());
+    fewer.setMnemonic('R');
+    fewer.addActionListener(e -> model.removeLast());
+    panel.add(label);
+    panel.add(objects);
+    panel.add(more);
+    panel.add(fewer);
+    return panel;
+  }
+
+  private JPanel buttons() {
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx, hidemode 2", "[][]push[][]"));
+    progress.setIndeterminate(true);
+    progress.getAccessibleContext().setAccessibleName("Working out the versions");
+    stop.setMnemonic('S');
+    stop.addActionListener(
+        e -> {
+          work.cancel();
+          refresh();
+          summary.setText("Stopped. Change a value to work the versions out again.");
+        });
+    JButton cancel = new JButton("Cancel");
+    cancel.addActionListener(e -> dispose());
+    apply.addActionListener(e -> apply());
+    panel.add(progress);
+    panel.add(stop);
+    panel.add(apply, "tag ok");
+    panel.add(cancel, "tag cancel");
+    return panel;
+  }
+
+  private void refresh() {
+    int count = 1 + model.goals().size();
+    if (shown.size() != count) {
+      while (shown.size() < count) {
+        shown.add(new VersionColumn(model, shown.size(), orbit));
+      }
+      while (shown.size() > count) {
+        shown.remove(shown.size() - 1);
+      }
+      columns.removeAll();
+      shown.forEach(column -> columns.add(column, "grow, sizegroup versions, gapright unrel"));
+      columns.revalidate();
+      columns.repaint();
+      grow();
+    }
+    shown.forEach(VersionColumn::refresh);
+    boolean busy = !model.current() && work.busy();
+    progress.setVisible(busy);
+    stop.setVisible(busy);
+    more.setEnabled(model.goals().size() < VersionsModel.MOST);
+    fewer.setEnabled(model.goals().size() > 1);
+    apply.setEnabled(model.applicable());
+    List<Problem> found = model.result().map(ComputedVersions::problems).orElse(List.of());
+    problems.setListData(found.stream().map(Problem::toString).toArray(String[]::new));
+    problemPane.setVisible(!found.isEmpty());
+    summary.setText(busy ? "Working out the versions\u2026" : summary());
+    revalidate();
+  }
+
+  /** Makes room for all versions, as far as the screen has it. */
+  private void grow() {
+    if (isShowing()) {
+      Rectangle screen = getGraphicsConfiguration().getBounds();
+      Dimension wanted = getPreferredSize();
+      setSize(
+          Math.min(Math.max(wanted.width, getWidth()), screen.width),
+          Math.min(Math.max(wanted.height, getHeight()), screen.height));
+      setLocationRelativeTo(getOwner());
+    }
+  }
+
+  private String summary() {
+    Optional<VersionsEdit> edit = model.result().flatMap(ComputedVersions::edit);
+    if (edit.isEmpty()) {
+      return model.object().isEmpty()
+          ? "Choose an object; one without a DEF name has to get one first."
+          : "There are no versions of %s to make; see the problems.".formatted(model.object());
+    }
+    List<String> files =
+        edit.get().files().stream()
+            .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
+            .map(
+                file ->
+                    file.file().getFileName()
+                        + (file.state() == PlannedFile.State.CHANGED ? " (replaced)" : ""))
+            .toList();
+    return files.isEmpty()
+        ? "All files of the versions are there already."
+        : "Writes " + String.join(", ", files) + ".";
+  }
+
+  private void failed(String message) {
+    refresh();
+    summary.setText(message);
+  }
+
+  private void apply() {
+    Optional<VersionsEdit> edit = model.result().flatMap(ComputedVersions::edit);
+    if (edit.isEmpty() || !model.applicable()) {
+      return;
+    }
+    if (!replacing(edit.get())) {
+      return;
+    }
+    session.document().removeListener(changes);
+    try {
+      edit.get().apply(session.document(), FileActions.REAL);
+      dispose();
+    } catch (EditRefused | IOException e) {
+      session.document().addListener(changes);
+      summary.setText(e.getMessage());
+    }
+  }
+
+  /** Files that are there already go for good, as undoing concerns the scene only. */
+  private boolean replacing(VersionsEdit edit) {
+    List<String> there =
+        edit.files().stream()
+            .filter(file -> file.state() == PlannedFile.State.CHANGED)
+            .map(file -> String.valueOf(file.file().getFileName()))
+            .toList();
+    return there.isEmpty()
+        || JOptionPane.showConfirmDialog(
+                this,
+                "%s will be replaced; undoing does not bring back what is in there now."
+                    .formatted(String.join(", ", there)),
+                "Replace Files?",
+                JOptionPane.OK_CANCEL_OPTION,
+                JOptionPane.WARNING_MESSAGE)
+            == JOptionPane.OK_OPTION;
+  }
+
+  @Override
+  public void dispose() {
+    work.close();
+    session.document().removeListener(changes);
+    super.dispose();
+  }
+}

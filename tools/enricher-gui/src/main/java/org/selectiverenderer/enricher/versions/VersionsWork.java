@@ -1,0 +1,107 @@
+package org.selectiverenderer.enricher.versions;
+
+import java.util.function.Consumer;
+import javax.swing.Timer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.versions.VersionsEdit;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.polygon.simplify.Goal;
+
+/**
+ * Works out versions in the background, one after the other: while a slider is dragged, only what
+ * is asked for when the one before is ready. Cancelling forgets the one under way.
+ */
+final class VersionsWork {
+  private static final String FOLDER = "inlineNodes";
+  private static final int SETTLED = 150; // milliseconds without a change
+
+  private final EnricherSession session;
+  private final VersionsModel model;
+  private final Consumer<String> failed;
+  private final Timer settle = new Timer(SETTLED, e -> start());
+  private long running;
+  private @Nullable Task task;
+  private long cancelled;
+  private boolean closed;
+
+  /**
+   * @param failed hears why something could not be worked out
+   */
+  VersionsWork(EnricherSession session, VersionsModel model, Consumer<String> failed) {
+    this.session = session;
+    this.model = model;
+    this.failed = failed;
+    settle.setRepeats(false);
+    model.addListener(this::changed);
+  }
+
+  private void changed() {
+    if (!closed && model.wanted() > cancelled && !model.current() && running == 0) {
+      settle.restart();
+    }
+  }
+
+  /** Works out what is asked for now. */
+  void start() {
+    if (closed || running != 0 || model.current() || model.object().isEmpty()) {
+      return;
+    }
+    long number = model.wanted();
+    running = number;
+    Snapshot snapshot = session.document().snapshot();
+    VersionsEdit.Request request =
+        new VersionsEdit.Request(
+            session.file().path(),
+            model.object(),
+            model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
+            FOLDER);
+    task =
+        session
+            .tasks()
+            .run(
+                "Working out versions of " + model.object(),
+                () -> ComputedVersions.of(snapshot, request, session.catalogue()),
+                computed -> done(number, () -> model.take(number, computed)),
+                failure -> done(number, () -> failed.accept(sentence(failure))));
+  }
+
+  private static String sentence(Exception failure) {
+    String message = failure.getMessage();
+    return message == null ? "the versions cannot be worked out: " + failure : message;
+  }
+
+  private void done(long number, Runnable report) {
+    if (running != number) {
+      return; // cancelled meanwhile
+    }
+    running = 0;
+    if (!closed) {
+      report.run();
+      if (model.wanted() > number) {
+        settle.restart();
+      }
+    }
+  }
+
+  boolean busy() {
+    return running != 0 || settle.isRunning();
+  }
+
+  /** Gives up what is under way; the next change begins anew. */
+  void cancel() {
+    settle.stop();
+    if (task != null) {
+      task.cancel();
+    }
+    running = 0;
+    cancelled = model.wanted();
+  }
+
+  /** The dialog is closed. */
+  void close() {
+    closed = true;
+    cancel();
+  }
+}

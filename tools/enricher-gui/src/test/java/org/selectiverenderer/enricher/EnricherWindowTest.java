@@ -1,0 +1,220 @@
+package org.selectiverenderer.enricher;
+
+import static java.awt.image.BufferedImage.TYPE_INT_RGB;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
+import javax.swing.JTree;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.enricher.diff.DiffDialog;
+import org.selectiverenderer.enricher.driving.ControlNames;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.x3d.NodeCatalogue;
+
+/** The window under the hands of an author. */
+@RequiresDisplay
+@Timeout(value = 180, unit = TimeUnit.SECONDS)
+class EnricherWindowTest {
+  @TempDir Path folder;
+  private final Hands hands = new Hands();
+  private EnricherWindow window;
+
+  private EnricherSession open(Path scene, String theme) throws IOException {
+    Path settings = Files.createDirectories(folder.resolve("settings"));
+    Files.writeString(settings.resolve("enricher.properties"), "theme=" + theme + "\n");
+    window = Hands.onEdt(() -> new EnricherWindow(settings, () -> {}));
+    hands.show(window.frame());
+    Hands.onEdt(
+        () -> {
+          window.open(scene);
+          return true;
+        });
+    hands.await("the scene", () -> window.session().isPresent());
+    // A preview that is loading keeps the event queue busy, which the robot would wait for.
+    Hands.onEdt(
+        () -> {
+          window.bench().orElseThrow().showTab(broken(window) ? 2 : 3);
+          return true;
+        });
+    return window.session().orElseThrow();
+  }
+
+  private static boolean broken(EnricherWindow window) {
+    return window.session().orElseThrow().document().fault().isPresent();
+  }
+
+  @AfterEach
+  void close() {
+    if (window != null) {
+      Hands.onEdt(
+          () -> {
+            window.dispose();
+            return true;
+          });
+    }
+  }
+
+  private Container content() {
+    return window.frame().getContentPane();
+  }
+
+  private void clickRow(int row) {
+    JTree tree = Hands.named(content(), "Nodes of the scene", JTree.class);
+    hands.click(tree);
+    Hands.onEdt(
+        () -> {
+          tree.setSelectionRow(row);
+          return true;
+        });
+  }
+
+  private void fill(String field, String letters) {
+    JTextField text = Hands.named(content(), field, JTextField.class);
+    hands.click(text);
+    letters.chars().forEach(hands::press);
+    hands.press(KeyEvent.VK_ENTER);
+  }
+
+  private Path scene() throws IOException {
+    return Sessions.with(
+            folder, Sessions.object("Cup") + "<ProximitySensor DEF='KitchenArea' size='4 3 4'/>\n")
+        .file()
+        .path();
+  }
+
+  /** Thesis Fig 45. */
+  @Test
+  void anObjectIsChosenFilledInSavedAndThereAgain() throws IOException {
+    EnricherSession session = open(scene(), "light");
+    clickRow(0);
+    JComboBox<?> type = Hands.named(content(), "Type of choice 0", JComboBox.class);
+    hands.click(type);
+    hands.press(KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_ENTER);
+    fill("Schemas of choice 0", "KITCHEN");
+    clickRow(1);
+    fill("Schemas on entering", "KITCHEN");
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+    hands.await("the changes", () -> dialog() != null);
+    JButton save = Hands.named(dialog(), "Save", JButton.class);
+    hands.click(save);
+    hands.await("the saved file", () -> !session.document().modified());
+
+    Enrichment again =
+        new Enrichment(DocumentFile.open(session.file().path()).document(), NodeCatalogue.load());
+    ChoiceValues first = again.switches().get(0).values().get(0);
+    assertThat(first.schemas()).containsExactly("kitchen");
+    assertThat(first.type()).isPresent();
+    assertThat(again.sensors().get(0).schemas().enter()).containsExactly("kitchen");
+    assertThat(session.file().backup()).exists();
+  }
+
+  private static DiffDialog dialog() {
+    return Arrays.stream(Window.getWindows())
+        .filter(DiffDialog.class::isInstance)
+        .filter(Window::isShowing)
+        .map(DiffDialog.class::cast)
+        .findFirst()
+        .orElse(null);
+  }
+
+  @Test
+  void aStepIsUndoneAndMadeAgainByKeys() throws IOException {
+    EnricherSession session = open(scene(), "light");
+    String before = session.document().snapshot().text();
+    clickRow(0);
+    fill("Schemas of choice 1", "OFFICE");
+    hands.await("the edit", () -> session.document().modified());
+    assertThat(window.frame().getJMenuBar().getMenu(1).getItem(0).getText())
+        .isEqualTo("Undo Describe choice 1 of Switch_Cup");
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+    hands.await("the undone edit", () -> !session.document().modified());
+    assertThat(session.document().snapshot().text()).isEqualTo(before);
+    JTextField field = Hands.named(content(), "Schemas of choice 1", JTextField.class);
+    String text = Hands.onEdt(field::getText);
+    assertThat(text).isEmpty();
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
+    hands.await("the edit again", () -> session.document().modified());
+  }
+
+  @Test
+  void aSceneThatIsNotWellFormedOpensAtTheFault() throws IOException {
+    Path broken = Files.writeString(folder.resolve("broken.x3d"), "<X3D>\n<Scene>\n</X3D>\n");
+    open(broken, "light");
+    JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
+    String shown = Hands.onEdt(() -> tabs.getTitleAt(tabs.getSelectedIndex()));
+    assertThat(shown).isEqualTo("Source");
+    Hands.picture(content(), "window-broken-light", 1);
+  }
+
+  private static long colours(JComponent shown) {
+    BufferedImage image = new BufferedImage(shown.getWidth(), shown.getHeight(), TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    shown.paint(graphics);
+    graphics.dispose();
+    int width = image.getWidth();
+    return Arrays.stream(image.getRGB(0, 0, width, image.getHeight(), null, 0, width))
+        .distinct()
+        .count();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"light", "dark"})
+  void everyControlHasAName(String theme) throws IOException {
+    Path scene = Path.of("scenes/apartment.x3d");
+    EnricherSession session = open(scene, theme);
+    Hands.onEdt(
+        () -> {
+          session.select(
+              session.document().tree().orElseThrow().named("Switch_TrashCan").orElseThrow(), this);
+          return true;
+        });
+    JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
+    var picture = Hands.named(content(), "Picture of choice 0", JLabel.class);
+    hands.await("the picture", () -> picture.getIcon() != null);
+    for (String view : List.of("Preview", "Schemas", "Source", "Help")) {
+      Hands.onEdt(
+          () -> {
+            tabs.setSelectedIndex(tabs.indexOfTab(view));
+            return true;
+          });
+      hands.await("quiet", () -> session.tasks().running().isEmpty());
+      if (view.equals("Preview")) {
+        JComponent shown = Hands.named(content(), "3D preview", JComponent.class);
+        hands.await("a picture", () -> colours(shown) > 50);
+      }
+      String name = "window-" + view.toLowerCase(java.util.Locale.ROOT) + "-" + theme;
+      Hands.picture(window.frame().getRootPane(), name, 1);
+      Hands.picture(window.frame().getRootPane(), name + "-200", 2);
+    }
+    List<String> unnamed = Hands.onEdt(() -> ControlNames.missing(window.frame()));
+    assertThat(unnamed).isEmpty();
+  }
+}

@@ -1,0 +1,178 @@
+package org.selectiverenderer.enricher.driving;
+
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.Window;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.reflect.InvocationTargetException;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.function.BooleanSupplier;
+import javax.imageio.ImageIO;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
+
+/** Mouse and keyboard on the components of a window, which are found by their accessible names. */
+public final class Hands {
+  private static final int PATIENCE = 60_000;
+  private static final int STEP = 50;
+  private static final int SETTLING = 150;
+  private final Robot robot;
+
+  public Hands() {
+    try {
+      robot = new Robot();
+    } catch (AWTException e) {
+      throw new AssertionError(e);
+    }
+    robot.setAutoDelay(15);
+  }
+
+  /** Does something on the event dispatch thread and gives its result. */
+  public static <T> T onEdt(Callable<T> work) {
+    FutureTask<T> task = new FutureTask<>(work);
+    try {
+      SwingUtilities.invokeAndWait(task);
+      return task.get();
+    } catch (InterruptedException | InvocationTargetException e) {
+      throw new AssertionError(e);
+    } catch (java.util.concurrent.ExecutionException e) {
+      throw new AssertionError(e.getCause());
+    }
+  }
+
+  /** Shows a window; one that is modal is waited for until it is there. */
+  public void show(Window window) {
+    SwingUtilities.invokeLater(() -> window.setVisible(true));
+    await("the window", window::isShowing);
+    SwingUtilities.invokeLater(window::toFront);
+    settle();
+  }
+
+  /**
+   * Lets what was done arrive. Robot's own waiting takes seconds beside a view that keeps drawing,
+   * in which the X server would repeat a key that is down.
+   */
+  private void settle() {
+    robot.delay(SETTLING);
+    onEdt(() -> true);
+  }
+
+  /** Waits until something is so. */
+  public void await(String what, BooleanSupplier so) {
+    for (int waited = 0; !onEdt(so::getAsBoolean); waited += STEP) {
+      if (waited > PATIENCE) {
+        throw new AssertionError("waited in vain for " + what);
+      }
+      robot.delay(STEP);
+    }
+  }
+
+  /** The component of that accessible name. */
+  public static <T extends Component> T named(Container in, String name, Class<T> type) {
+    return onEdt(
+        () -> {
+          T found = find(in, name, type);
+          if (found == null) {
+            throw new AssertionError("no " + type.getSimpleName() + " is called " + name);
+          }
+          return found;
+        });
+  }
+
+  private static <T extends Component> @org.jspecify.annotations.Nullable T find(
+      Container in, String name, Class<T> type) {
+    for (Component each : in.getComponents()) {
+      boolean called =
+          each.getAccessibleContext() != null
+              && name.equals(each.getAccessibleContext().getAccessibleName());
+      if (called && type.isInstance(each)) {
+        return type.cast(each);
+      }
+      T within = each instanceof Container more ? find(more, name, type) : null;
+      if (within != null) {
+        return within;
+      }
+    }
+    return null;
+  }
+
+  public void click(Component component) {
+    click(component, onEdt(() -> new Rectangle(component.getSize())));
+  }
+
+  /** Clicks a cell of a table by its place on the screen. */
+  public void click(JTable table, int row, int column) {
+    Rectangle cell =
+        onEdt(
+            () -> {
+              table.scrollRectToVisible(table.getCellRect(row, column, true));
+              return table.getCellRect(row, column, true);
+            });
+    click(table, cell);
+  }
+
+  private void click(Component component, Rectangle area) {
+    Point at = onEdt(component::getLocationOnScreen);
+    robot.mouseMove(at.x + area.x + area.width / 2, at.y + area.y + area.height / 2);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    settle();
+  }
+
+  /** Presses keys, all at once, and lets them go. */
+  public void press(int... keys) {
+    for (int key : keys) {
+      robot.keyPress(key);
+    }
+    for (int i = keys.length - 1; i >= 0; i--) {
+      robot.keyRelease(keys[i]);
+    }
+    settle();
+  }
+
+  /** Types digits and points. */
+  public void type(String digits) {
+    digits.chars().forEach(c -> press(c == '.' ? KeyEvent.VK_PERIOD : c));
+  }
+
+  /**
+   * Paints a window's content into a PNG in {@code target/pictures}.
+   *
+   * @param scale 2 for how it looks on a screen of 200 %
+   */
+  public static void picture(Container content, String name, int scale) {
+    BufferedImage image =
+        onEdt(
+            () -> {
+              BufferedImage painted =
+                  new BufferedImage(
+                      content.getWidth() * scale,
+                      content.getHeight() * scale,
+                      BufferedImage.TYPE_INT_RGB);
+              java.awt.Graphics2D graphics = painted.createGraphics();
+              graphics.scale(scale, scale);
+              content.paint(graphics);
+              graphics.dispose();
+              return painted;
+            });
+    File file = new File("target/pictures/" + name + ".png");
+    try {
+      if (!file.getParentFile().isDirectory() && !file.getParentFile().mkdirs()) {
+        throw new IOException("no folder " + file.getParent());
+      }
+      ImageIO.write(image, "png", file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

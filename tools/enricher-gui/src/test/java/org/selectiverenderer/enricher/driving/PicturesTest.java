@@ -1,0 +1,131 @@
+package org.selectiverenderer.enricher.driving;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JList;
+import javax.swing.JTable;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.document.ratings.ObjectMatching;
+import org.selectiverenderer.document.ratings.RatingPlan;
+import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.enricher.diff.DiffDialog;
+import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.ratings.RatingsDialog;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.versions.VersionsDialog;
+import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.x3d.Problems;
+
+/** Pictures of the dialogs with the apartment, for looking at: {@code target/pictures}. */
+@RequiresDisplay
+class PicturesTest {
+  private static final Path SCENES = Path.of("scenes");
+  private static final Path RATINGS = SCENES.resolve("apartment-ratings.csv");
+
+  @TempDir Path folder;
+  private final Hands hands = new Hands();
+
+  private static void both(Container content, String name, boolean dark) {
+    String theme = dark ? "-dark" : "-light";
+    Hands.picture(content, name + theme, 1);
+    Hands.picture(content, name + theme + "-200", 2);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void overview(boolean dark) throws IOException {
+    Sessions.theme(dark);
+    EnricherSession session = Sessions.open(SCENES.resolve("apartment.x3d"));
+    JFrame frame =
+        Hands.onEdt(
+            () -> {
+              JFrame made = new JFrame();
+              made.setContentPane(new OverviewPanel(session));
+              made.setSize(1000, 640);
+              return made;
+            });
+    hands.show(frame);
+    JTable table = Hands.named(frame, "Degrees of objects by schemas", JTable.class);
+    hands.click(table, 3, 1);
+    assertThat(Hands.onEdt(table::getRowCount)).isGreaterThan(20);
+    both(frame.getContentPane(), "overview", dark);
+    Hands.onEdt(
+        () -> {
+          frame.dispose();
+          return true;
+        });
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void ratings(boolean dark) throws IOException {
+    Sessions.theme(dark);
+    EnricherSession session = Sessions.open(SCENES.resolve("apartment-plain.x3d"));
+    RatingsDialog dialog = Hands.onEdt(() -> new RatingsDialog(null, session));
+    hands.show(dialog);
+    Hands.onEdt(
+        () -> {
+          dialog.open(RATINGS);
+          return true;
+        });
+    hands.await("the plan", Hands.named(dialog, "Apply", JButton.class)::isEnabled);
+    both(dialog.getContentPane(), "ratings", dark);
+    Hands.onEdt(
+        () -> {
+          dialog.dispose();
+          return true;
+        });
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void versions(boolean dark) throws IOException {
+    Sessions.theme(dark);
+    EnricherSession session = Sessions.open(SCENES.resolve("apartment.x3d"));
+    var object = session.enrichment().switchesByName().get("Switch_TrashCan").element();
+    VersionsDialog dialog = Hands.onEdt(() -> new VersionsDialog(null, session, object));
+    hands.show(dialog);
+    hands.await("the versions", Hands.named(dialog, "Make Versions", JButton.class)::isEnabled);
+    both(dialog.getContentPane(), "versions", dark);
+    Hands.onEdt(
+        () -> {
+          dialog.dispose();
+          return true;
+        });
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void diff(boolean dark) throws IOException {
+    Sessions.theme(dark);
+    Path scene = Files.copy(SCENES.resolve("apartment-plain.x3d"), folder.resolve("plain.x3d"));
+    EnricherSession session = Sessions.open(scene);
+    byte[] table = Files.readString(RATINGS).getBytes(StandardCharsets.UTF_8);
+    Ratings ratings = Ratings.read("ratings.csv", table, new Problems()).orElseThrow();
+    var matching = new ObjectMatching(ratings.means().keySet(), session.enrichment().switches());
+    session.perform(
+        RatingPlan.of(session.enrichment(), ratings, matching, true).edit("Import ratings"));
+    DiffDialog dialog = Hands.onEdt(() -> new DiffDialog(null, session));
+    hands.show(dialog);
+    JList<?> lines = Hands.named(dialog, "Changes of the file", JList.class);
+    hands.await("the lines", () -> lines.getModel().getSize() > 100);
+    both(dialog.getContentPane(), "diff", dark);
+    hands.press(java.awt.event.KeyEvent.VK_F3);
+    assertThat(List.of(Hands.onEdt(lines::getSelectedIndex))).doesNotContain(-1);
+    Hands.onEdt(
+        () -> {
+          dialog.dispose();
+          return true;
+        });
+  }
+}

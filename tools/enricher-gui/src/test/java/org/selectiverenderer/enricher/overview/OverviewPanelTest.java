@@ -1,0 +1,102 @@
+package org.selectiverenderer.enricher.overview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.JFrame;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** The table is filled with keys only. */
+@RequiresDisplay
+class OverviewPanelTest {
+  private static final String AREA =
+      """
+      <ProximitySensor DEF='Prox' size='1 1 1'>
+        <MetadataSet name='schemaDefinition' containerField='metadata'>
+          <MetadataString name='enterTimeSchema' value='"A"' containerField='value'/>
+        </MetadataSet>
+      </ProximitySensor>
+      """;
+
+  @TempDir Path folder;
+  private final Hands hands = new Hands();
+
+  private JTable shown(EnricherSession session) {
+    JFrame frame =
+        Hands.onEdt(
+            () -> {
+              JFrame made = new JFrame("overview");
+              made.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
+              made.setContentPane(new OverviewPanel(session));
+              made.setSize(900, 500);
+              return made;
+            });
+    hands.show(frame);
+    return Hands.named(frame, "Degrees of objects by schemas", JTable.class);
+  }
+
+  private static void close(JTable table) {
+    Hands.onEdt(
+        () -> {
+          javax.swing.SwingUtilities.getWindowAncestor(table).dispose();
+          return true;
+        });
+  }
+
+  @Test
+  void keysFillCellsAndTheRowIsTheSessionsSelection() throws IOException {
+    Sessions.theme(false);
+    EnricherSession session =
+        Sessions.with(folder, AREA + Sessions.object("Sink") + Sessions.object("TrashCan"));
+    JTable table = shown(session);
+    hands.click(table, 0, 0);
+    Hands.picture(
+        javax.swing.SwingUtilities.getRootPane(table).getContentPane(), "overview-findings", 1);
+    assertThat(session.selection().orElseThrow().def()).contains("Switch_Sink");
+    hands.press(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_H);
+    assertThat(session.document().history().names()).containsExactly("Set 2 cells to high");
+    hands.press(KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_UP);
+    hands.type("0.25");
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(session.document().history().names()).hasSize(2);
+    hands.press(KeyEvent.VK_DELETE);
+    assertThat(session.document().history().undoName())
+        .hasValueSatisfying(name -> assertThat(name).startsWith("Clear"));
+    Hands.onEdt(
+        () -> {
+          session.select(session.enrichment().switches().get(1).element(), "the tree");
+          return true;
+        });
+    assertThat(Hands.onEdt(table::getSelectedRow)).isEqualTo(1);
+    close(table);
+  }
+
+  @Test
+  void tenThousandObjectsAreNoBurden() throws IOException {
+    Sessions.theme(true);
+    String objects =
+        IntStream.range(0, 10_000)
+            .mapToObj(i -> Sessions.object("Object" + i))
+            .collect(Collectors.joining());
+    EnricherSession session = Sessions.with(folder, AREA + objects);
+    JTable table = shown(session);
+    assertThat(Hands.onEdt(table::getRowCount)).isEqualTo(10_000);
+    hands.click(table, 9_999, 0);
+    assertThat(session.selection().orElseThrow().def()).contains("Switch_Object9999");
+    hands.press(KeyEvent.VK_L);
+    assertThat(Hands.onEdt(() -> table.getValueAt(9_999, 0))).isEqualTo("low");
+    close(table);
+  }
+}

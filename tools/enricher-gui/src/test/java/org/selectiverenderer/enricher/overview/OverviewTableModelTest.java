@@ -1,0 +1,153 @@
+package org.selectiverenderer.enricher.overview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.enrichment.Scenes;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.schema.Degree;
+
+class OverviewTableModelTest {
+  private final Scenes scene =
+      Scenes.with(
+          Sessions.object("Sink") + Sessions.object("TrashCan") + Sessions.object("Bottle"));
+  private final OverviewTableModel model =
+      new OverviewTableModel(scene.enrichment, making -> scene.perform(making.get()));
+
+  OverviewTableModelTest() {
+    scene.document.addListener(change -> model.refresh());
+    model.addSchema("KitchenSchema");
+  }
+
+  private List<String> column(int column) {
+    List<String> values = new ArrayList<>();
+    for (int row = 0; row < model.getRowCount(); row++) {
+      values.add(String.valueOf(model.getValueAt(row, column)));
+    }
+    return values;
+  }
+
+  @Test
+  void manyCellsAreFilledAsOneStep() {
+    model.fill(List.of(new CellAt(0, 1), new CellAt(2, 1)), Optional.of(Degree.HIGH));
+    assertThat(column(1)).containsExactly("high", "", "high");
+    assertThat(scene.document.history().names()).containsExactly("Set 2 cells to high");
+    scene.document.history().undo();
+    assertThat(column(1)).containsExactly("", "", "");
+  }
+
+  @Test
+  void aCellTakesWordsLettersAndNothing() {
+    model.setValueAt("l", 0, 1);
+    model.setValueAt(" HIGH ", 1, 1);
+    model.setValueAt("rubbish", 2, 1);
+    assertThat(column(1)).containsExactly("low", "high", "");
+    model.setValueAt("", 1, 1);
+    assertThat(column(1)).containsExactly("low", "", "");
+  }
+
+  @Test
+  void writingWhatIsThereAlreadyIsNoStep() {
+    model.setValueAt("low", 0, 1);
+    model.setValueAt("low", 0, 1);
+    assertThat(scene.document.history().names()).hasSize(1);
+  }
+
+  @Test
+  void rowsAreSortedUpDownAndAsInTheDocument() {
+    model.sort(model.order().clicked(0));
+    assertThat(column(0)).containsExactly("Bottle", "Sink", "TrashCan");
+    model.sort(model.order().clicked(0));
+    assertThat(column(0)).containsExactly("TrashCan", "Sink", "Bottle");
+    model.sort(model.order().clicked(0));
+    assertThat(column(0)).containsExactly("Sink", "TrashCan", "Bottle");
+  }
+
+  @Test
+  void emptyCellsAreSortedLastBothWays() {
+    model.setValueAt("low", 1, 1);
+    model.setValueAt("high", 2, 1);
+    model.sort(new RowOrder(1, false));
+    assertThat(column(1)).containsExactly("low", "high", "");
+    model.sort(new RowOrder(1, true));
+    assertThat(column(1)).containsExactly("high", "low", "");
+  }
+
+  @Test
+  void rowsStayWhereTheyAreWhileTheyAreEdited() {
+    model.filter(new RowFilter("", RowFilter.Which.BARE));
+    model.setValueAt("high", 0, 1);
+    assertThat(column(0)).containsExactly("Sink", "TrashCan", "Bottle");
+    model.filter(new RowFilter("", RowFilter.Which.BARE));
+    assertThat(column(0)).containsExactly("TrashCan", "Bottle");
+  }
+
+  @Test
+  void rowsAreFilteredByPartOfAName() {
+    model.filter(new RowFilter("CAN", RowFilter.Which.ALL));
+    assertThat(column(0)).containsExactly("TrashCan");
+    assertThat(model.objectCount()).isEqualTo(3);
+  }
+
+  @Test
+  void whatStandsInAnObjectIsInItsRow() {
+    assertThat(model.row(scene.switchNode("Switch_TrashCan").choices().get(1).element()))
+        .isEqualTo(1);
+    assertThat(model.row(scene.document.tree().orElseThrow().root())).isEqualTo(-1);
+  }
+
+  @Test
+  void anObjectThatIsTypedInGetsARow() {
+    int at = scene.document.text().toString().indexOf("</Scene>");
+    scene.document.type(at, at, Sessions.object("Tv"));
+    assertThat(column(0)).containsExactly("Sink", "TrashCan", "Bottle", "Tv");
+  }
+
+  @Test
+  void aColumnNeedsANameOfItsOwn() {
+    assertThatThrownBy(() -> model.addSchema(" ")).isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> model.addSchema("KitchenSchema"))
+        .isInstanceOf(EditRefused.class)
+        .hasMessageContaining("KitchenSchema");
+  }
+
+  @Test
+  void aRenamedSchemaKeepsItsColumnOnlyUnderItsNewName() {
+    model.setValueAt("high", 0, 1);
+    scene.perform(scene.edits().renameSchema("KitchenSchema", "CookingSchema"));
+    model.renamed("KitchenSchema", "CookingSchema");
+    assertThat(model.schemas()).containsExactly("CookingSchema");
+    assertThat(column(1)).containsExactly("high", "", "");
+  }
+
+  @Test
+  void aColumnStaysInItsPlaceWhenItIsFilledFirst() {
+    model.addSchema("AtticSchema");
+    model.addSchema("BedroomSchema");
+    model.setValueAt("high", 0, 3);
+    assertThat(model.schemas()).containsExactly("KitchenSchema", "AtticSchema", "BedroomSchema");
+  }
+
+  @Test
+  void aSchemaThatNoAreaActivatesIsMarked() {
+    model.setValueAt("high", 0, 1);
+    assertThat(model.mark(1).orElseThrow().message()).contains("no area");
+    assertThat(model.mark(0)).isEmpty();
+  }
+
+  @Test
+  void cellsPutTogetherAreOneStep() {
+    model.put(
+        Map.of(
+            new CellAt(0, 1), CellInput.of("h").orElseThrow(),
+            new CellAt(1, 1), CellInput.of("0").orElseThrow()));
+    assertThat(column(1)).containsExactly("high", "low", "");
+    assertThat(scene.document.history().names()).containsExactly("Paste 2 cells");
+  }
+}

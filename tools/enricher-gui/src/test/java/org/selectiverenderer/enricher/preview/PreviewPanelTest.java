@@ -1,0 +1,276 @@
+package org.selectiverenderer.enricher.preview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+@RequiresDisplay
+@Timeout(value = 120, unit = TimeUnit.SECONDS)
+class PreviewPanelTest {
+  private static final int GREEN = 0x00ff00;
+  private static final int RED = 0xff0000;
+  private static final int BLUE = 0x0000ff;
+  private static final int OUTLINE = 0xff8c00;
+
+  /**
+   * Seen from (0, 0, 10): an object in two versions in the middle, an unnamed shape at its right.
+   */
+  private static final String SCENE =
+      """
+      <X3D profile='Immersive' version='4.0'><Scene>
+        <NavigationInfo type='"FLY"' speed='20' headlight='true'/>
+        <Background skyColor='0.5 0.5 0.5'/>
+        <Viewpoint position='0 0 10'/>
+        <ProximitySensor DEF='Desk' size='3 3 3'>
+          <MetadataSet containerField='metadata'>
+            <MetadataString containerField='value' name='enterTimeSchema' value='"DeskSchema"'/>
+            <MetadataString containerField='value' name='exitTimeSchema' value='"OfficeSchema"'/>
+          </MetadataSet>
+        </ProximitySensor>
+        <Switch DEF='TrashCan' whichChoice='0'>
+          <MetadataSet containerField='metadata'>
+            <MetadataSet containerField='value'>
+              <MetadataString containerField='value' name='schemaBelonginess' value='"OfficeSchema"'/>
+            </MetadataSet>
+            <MetadataSet containerField='value'>
+              <MetadataString containerField='value' name='schemaBelonginess' value='"DeskSchema"'/>
+            </MetadataSet>
+          </MetadataSet>
+          <Shape DEF='Low'><Appearance><UnlitMaterial emissiveColor='0 1 0'/></Appearance>
+            <Box size='1 1 1'/></Shape>
+          <Shape DEF='High'><Appearance><UnlitMaterial emissiveColor='1 0 0'/></Appearance>
+            <Sphere radius='0.7'/></Shape>
+        </Switch>
+        <Transform translation='3 0 0'>
+          <Shape><Appearance><UnlitMaterial emissiveColor='0 0 1'/></Appearance>
+            <Box size='1 1 1'/></Shape>
+        </Transform>
+      </Scene></X3D>
+      """;
+
+  @TempDir Path folder;
+
+  private PreviewWindow open() throws Exception {
+    Path scene = Files.writeString(folder.resolve("scene.x3d"), SCENE);
+    PreviewWindow window = new PreviewWindow(scene);
+    window.awaitPicture();
+    return window;
+  }
+
+  private static int middle(Frame frame) {
+    return rgb(frame.image(), 0.5, 0.5);
+  }
+
+  private static int rgb(BufferedImage image, double x, double y) {
+    return image.getRGB((int) (x * image.getWidth()), (int) (y * image.getHeight())) & 0xffffff;
+  }
+
+  private static long count(Frame frame, int color) {
+    BufferedImage image = frame.image();
+    return Arrays.stream(
+            image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+        .filter(rgb -> (rgb & 0xffffff) == color)
+        .count();
+  }
+
+  private static void boxes(PreviewWindow window, boolean shown) {
+    PreviewWindow.edt(() -> window.panel.sensorsShown(shown));
+  }
+
+  @Test
+  void aClickSelectsTheSwitchAroundAShapeAndOutlinesIt() throws Exception {
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      Frame before = window.await(frame -> middle(frame) == GREEN);
+      assertThat(count(before, OUTLINE)).isZero();
+      window.click(before.image().getWidth() / 2, before.image().getHeight() / 2);
+      Frame after = window.await(frame -> frame.selected().isPresent());
+      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+          .contains("TrashCan");
+      assertThat(count(after, OUTLINE)).isGreaterThan(100);
+      assertThat(middle(after)).as("the object itself").isEqualTo(GREEN);
+    }
+  }
+
+  @Test
+  void aClickOnAShapeWithoutNamesSelectsItsElement() throws Exception {
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      Frame shown = window.await(frame -> count(frame, BLUE) > 100);
+      BufferedImage image = shown.image();
+      int y = image.getHeight() / 2;
+      int x = image.getWidth() / 2;
+      while ((image.getRGB(x, y) & 0xffffff) != BLUE) {
+        x++;
+      }
+      window.click(x + 10, y);
+      window.await(frame -> frame.selected().isPresent());
+      assertThat(PreviewWindow.get(() -> window.session.selection()).map(DocumentElement::name))
+          .contains("Shape");
+    }
+  }
+
+  @Test
+  void asIfInASchemaShowsItsVersionsAndTheirPolygons() throws Exception {
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      Frame start = window.await(frame -> middle(frame) == GREEN);
+      assertThat(start.polygons()).isEqualTo(24);
+      PreviewWindow.edt(() -> window.panel.asIf(List.of("OfficeSchema", "DeskSchema")));
+      Frame desk = window.await(frame -> middle(frame) == RED);
+      assertThat(desk.polygons()).isGreaterThan(24);
+      assertThat(desk.schemas()).containsExactly("OfficeSchema", "DeskSchema");
+      PreviewWindow.edt(() -> window.panel.asIf(List.of("DeskSchema", "OfficeSchema")));
+      assertThat(window.await(frame -> middle(frame) == GREEN).polygons()).isEqualTo(24);
+    }
+  }
+
+  @Test
+  void sensorBoxesAreDrawnAndLabelledAndALabelSelectsItsSensor() throws Exception {
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      Frame without = window.await(frame -> frame.labels().isEmpty());
+      boxes(window, true);
+      Frame with = window.await(frame -> !frame.labels().isEmpty());
+      Frame.Label label = with.labels().get(0);
+      assertThat(PictureView.text(label))
+          .contains("Desk", "DeskSchema", "OfficeSchema", "12 polygons");
+      int changed = 0;
+      for (int y = 0; y < with.image().getHeight(); y++) {
+        for (int x = 0; x < with.image().getWidth(); x++) {
+          changed += with.image().getRGB(x, y) == without.image().getRGB(x, y) ? 0 : 1;
+        }
+      }
+      assertThat(changed).as("pixels of the box").isGreaterThan(5000);
+      window.screenshot("preview-boxes");
+      window.click(label.x(), label.y() - 6);
+      Frame selected = window.await(frame -> frame.selected().isPresent());
+      assertThat(selected.labels().get(0).selected()).isTrue();
+      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+          .contains("Desk");
+    }
+  }
+
+  @Test
+  void anEditIsShownFromWhereTheAuthorLooksAndAFaultKeepsThePicture() throws Exception {
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      window.await(frame -> middle(frame) == GREEN);
+      window.robot.mouseMove(5, 5);
+      // Farther away: the object gets smaller, and stays so after the edit.
+      long near = count(window.await(frameAfter(window, "MINUS")), GREEN);
+      replace(window, "emissiveColor='0 1 0'", "emissiveColor='1 1 0'");
+      Frame edited = window.await(frame -> middle(frame) == 0xffff00);
+      assertThat(count(edited, 0xffff00)).isBetween(near - 50, near + 50);
+      replace(window, "</Switch>", "</Swich>");
+      window.panel.reload();
+      assertThat(PreviewWindow.get(window.panel::message)).contains("not well formed");
+      assertThat(PreviewWindow.get(() -> window.panel.view().frame()))
+          .get()
+          .satisfies(kept -> assertThat(middle(kept)).isEqualTo(0xffff00));
+    }
+  }
+
+  @Test
+  void whatUnsavedTextNamesIsReadBesideTheFileAndPickedAsTheInline() throws Exception {
+    Files.writeString(folder.resolve("more.x3d"), SCENE.replace("0 1 0", "0 1 1"));
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      window.await(frame -> middle(frame) == GREEN);
+      replace(
+          window,
+          "<Switch DEF='TrashCan'",
+          "<Transform translation='0 0 3'><Inline DEF='More' url='\"more.x3d\"'/></Transform>"
+              + "<Switch DEF='TrashCan'");
+      Frame both = window.await(frame -> middle(frame) == 0x00ffff);
+      assertThat(both.polygons()).isEqualTo(48);
+      window.click(both.image().getWidth() / 2, both.image().getHeight() / 2);
+      window.await(frame -> frame.selected().isPresent());
+      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+          .contains("More");
+    }
+  }
+
+  /** Presses a key of the picture by its action and says which frame is wanted. */
+  private static Predicate<Frame> frameAfter(PreviewWindow window, String key) {
+    PictureView view = window.panel.view();
+    long before = PreviewWindow.get(() -> count(view.frame().orElseThrow(), GREEN));
+    PreviewWindow.edt(
+        () -> {
+          Object name = view.getInputMap().get(KeyStroke.getKeyStroke(key));
+          view.getActionMap().get(name).actionPerformed(new ActionEvent(view, 0, key));
+        });
+    return frame -> count(frame, GREEN) < before;
+  }
+
+  private static void replace(PreviewWindow window, String what, String by) {
+    PreviewWindow.edt(
+        () -> {
+          int at = window.session.document().text().toString().indexOf(what);
+          window.session.document().type(at, at + what.length(), by);
+        });
+  }
+
+  @Test
+  void walkingEntersAreasUnderTheController() throws Exception {
+    try (PreviewWindow window = open()) {
+      boxes(window, false);
+      Frame start = window.await(frame -> middle(frame) == GREEN);
+      window.click(start.image().getWidth() - 20, 20); // Gives it the keyboard.
+      PreviewWindow.edt(() -> window.panel.walk(true));
+      assertThat(window.await(Frame::walking).areas()).isEmpty();
+      window.robot.keyPress(KeyEvent.VK_W);
+      Frame inside = window.await(frame -> frame.areas().contains("Desk"));
+      window.robot.keyRelease(KeyEvent.VK_W);
+      assertThat(inside.schemas()).containsExactly("DeskSchema");
+      assertThat(inside.polygons()).isGreaterThan(24);
+      window.robot.keyPress(KeyEvent.VK_ESCAPE);
+      window.robot.keyRelease(KeyEvent.VK_ESCAPE);
+      Frame after = window.await(frame -> !frame.walking());
+      assertThat(after.polygons()).isEqualTo(24);
+    }
+  }
+
+  @Test
+  void everyControlHasAnAccessibleName() throws Exception {
+    try (PreviewWindow window = open()) {
+      PreviewWindow.edt(() -> assertThat(AccessibleNames.missing(window.panel)).isEmpty());
+    }
+  }
+
+  @Test
+  void disposingEndsItsThreads() throws Exception {
+    Set<Thread> own;
+    try (PreviewWindow window = open()) {
+      own = threads();
+      assertThat(window.panel.isShowing()).isTrue();
+      assertThat(own).extracting(Thread::getName).contains("enricher-preview");
+    }
+    for (Thread thread : own) {
+      thread.join(TimeUnit.SECONDS.toMillis(60));
+      assertThat(thread.isAlive()).as(thread.getName()).isFalse();
+    }
+  }
+
+  private static Set<Thread> threads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> thread.getName().startsWith("enricher-preview"))
+        .collect(Collectors.toSet());
+  }
+}

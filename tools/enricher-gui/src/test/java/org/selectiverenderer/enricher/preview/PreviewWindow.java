@@ -1,0 +1,132 @@
+package org.selectiverenderer.enricher.preview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.AWTException;
+import java.awt.EventQueue;
+import java.awt.Point;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import javax.imageio.ImageIO;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.x3d.NodeCatalogue;
+
+/** A window with a preview in it, driven by a robot; waits for frames, not for time. */
+final class PreviewWindow implements AutoCloseable {
+  static final int WIDTH = 640;
+  static final int HEIGHT = 480;
+  private static final long PATIENCE = 60;
+
+  final EnricherSession session;
+  final PreviewPanel panel;
+  final Robot robot;
+  private final Tasks tasks = new Tasks(EventQueue::invokeLater);
+  private final JFrame window;
+  private final LinkedBlockingQueue<Frame> frames = new LinkedBlockingQueue<>();
+
+  PreviewWindow(Path scene) throws IOException, AWTException {
+    DocumentFile file = DocumentFile.open(scene);
+    session = get(() -> new EnricherSession(file, NodeCatalogue.load(), tasks, sentence -> {}));
+    panel =
+        get(
+            () -> {
+              PreviewPanel made = new PreviewPanel(session);
+              made.onFrame(frames::add);
+              return made;
+            });
+    window =
+        get(
+            () -> {
+              JFrame made = new JFrame("Preview");
+              made.add(panel);
+              made.setBounds(20, 20, WIDTH, HEIGHT);
+              made.setVisible(true);
+              return made;
+            });
+    robot = new Robot();
+    robot.setAutoWaitForIdle(true);
+  }
+
+  static void edt(Runnable task) {
+    try {
+      SwingUtilities.invokeAndWait(task);
+    } catch (ReflectiveOperationException e) {
+      throw new AssertionError(e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new AssertionError(e);
+    }
+  }
+
+  static <T> T get(Supplier<T> what) {
+    AtomicReference<T> result = new AtomicReference<>();
+    edt(() -> result.set(what.get()));
+    return result.get();
+  }
+
+  /** The next frame that is as wanted. */
+  Frame await(Predicate<Frame> wanted) throws InterruptedException {
+    Frame last = null;
+    while (true) {
+      Frame frame = frames.poll(PATIENCE, TimeUnit.SECONDS);
+      assertThat(frame).as("a frame after %s", last).isNotNull();
+      if (wanted.test(frame)) {
+        return frame;
+      }
+      last = frame;
+    }
+  }
+
+  /** A frame of the whole picture's size. */
+  Frame awaitPicture() throws InterruptedException {
+    return await(
+        frame -> {
+          int width = get(() -> panel.view().getWidth());
+          return frame.image().getWidth() == width;
+        });
+  }
+
+  /** Clicks at a place of the picture, in its pixels. */
+  void click(int x, int y) {
+    Point origin = get(() -> panel.view().getLocationOnScreen());
+    robot.mouseMove(origin.x + x, origin.y + y);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+  }
+
+  void screenshot(String name) throws IOException {
+    BufferedImage image =
+        get(
+            () -> {
+              BufferedImage made =
+                  new BufferedImage(
+                      window.getWidth(), window.getHeight(), BufferedImage.TYPE_INT_RGB);
+              window.getContentPane().paint(made.getGraphics());
+              return made;
+            });
+    ImageIO.write(image, "png", Path.of("target", name + ".png").toFile());
+  }
+
+  @Override
+  public void close() {
+    edt(
+        () -> {
+          panel.dispose();
+          window.dispose();
+          session.dispose();
+          tasks.close();
+        });
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.enricher.preview;
+
+import org.jspecify.annotations.NullMarked;

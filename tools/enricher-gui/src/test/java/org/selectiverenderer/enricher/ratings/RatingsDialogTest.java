@@ -1,0 +1,96 @@
+package org.selectiverenderer.enricher.ratings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JButton;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** A table of ratings is imported by hand: read, corrected, applied, undone. */
+@RequiresDisplay
+class RatingsDialogTest {
+  private static final String TABLE =
+      """
+      object,schema,rating
+      Sink,KitchenSchema,5.5
+      Sink,KitchenSchema,5
+      Bin,KitchenSchema,2
+      TrashCn,KitchenSchema,3.4
+      """;
+
+  @TempDir Path folder;
+
+  @Test
+  void ratingsAreReviewedCorrectedAndAppliedAsOneStep() throws IOException {
+    Sessions.theme(false);
+    EnricherSession session =
+        Sessions.with(
+            folder,
+            Sessions.object("Sink") + Sessions.object("TrashCan") + Sessions.object("Bucket"));
+    String before = session.document().text().toString();
+    Path table = Files.writeString(folder.resolve("ratings.csv"), TABLE);
+    Hands hands = new Hands();
+    RatingsDialog dialog = Hands.onEdt(() -> new RatingsDialog(null, session));
+    Hands.onEdt(
+        () -> {
+          dialog.open(table);
+          return true;
+        });
+    hands.show(dialog);
+    JTable matches = Hands.named(dialog, "Which Switch each object is", JTable.class);
+    hands.await("the table", () -> matches.getRowCount() == 3);
+    assertThat(Hands.onEdt(() -> matches.getValueAt(0, 2))).isEqualTo("same name");
+    assertThat(Hands.onEdt(() -> matches.getValueAt(2, 1))).isEqualTo("Switch_TrashCan");
+
+    hands.click(Hands.named(dialog, "Accept Proposals", JButton.class));
+    assertThat(Hands.onEdt(() -> matches.getValueAt(2, 2))).isEqualTo("chosen");
+    hands.click(matches, 1, MatchTableModel.SWITCH); // a list of Switches opens
+    hands.press(KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("the choice", () -> "Switch_Bucket".equals(matches.getValueAt(1, 1)));
+    Hands.picture(dialog.getContentPane(), "ratings-corrected", 1);
+
+    hands.click(Hands.named(dialog, "Apply", JButton.class));
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(session.document().history().names())
+        .containsExactly("Import ratings of ratings.csv");
+    assertThat(session.enrichment().switchesByName().get("Switch_Sink").choices().get(1).values())
+        .satisfies(values -> assertThat(values.schemas()).containsExactly("KitchenSchema"));
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).isEqualTo(before);
+  }
+
+  @Test
+  void aTableThatIsNoneIsNotUsedAndTheDialogSaysWhere() throws IOException {
+    Sessions.theme(true);
+    EnricherSession session = Sessions.with(folder, Sessions.object("Sink"));
+    Path table = Files.writeString(folder.resolve("bad.csv"), "object,schema,rating\nSink,A,9\n");
+    Hands hands = new Hands();
+    RatingsDialog dialog = Hands.onEdt(() -> new RatingsDialog(null, session));
+    hands.show(dialog);
+    Hands.onEdt(
+        () -> {
+          dialog.open(table);
+          return true;
+        });
+    javax.swing.JList<?> problems =
+        Hands.named(dialog, "Problems of the table", javax.swing.JList.class);
+    hands.await("the problem", () -> problems.getModel().getSize() == 1);
+    assertThat(Hands.onEdt(() -> problems.getModel().getElementAt(0).toString()))
+        .startsWith("bad.csv:2:");
+    assertThat(Hands.named(dialog, "Apply", JButton.class).isEnabled()).isFalse();
+    Hands.picture(dialog.getContentPane(), "ratings-bad-dark", 1);
+    hands.press(KeyEvent.VK_ESCAPE);
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(session.document().modified()).isFalse();
+  }
+}

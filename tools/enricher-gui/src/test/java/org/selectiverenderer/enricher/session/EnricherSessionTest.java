@@ -1,0 +1,50 @@
+package org.selectiverenderer.enricher.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.enricher.driving.Sessions;
+
+class EnricherSessionTest {
+  @TempDir Path folder;
+
+  @Test
+  void theSelectionComesBackWhenABrokenTextIsMended() throws IOException {
+    EnricherSession session = Sessions.with(folder, Sessions.object("Cup"));
+    session.select(session.document().tree().orElseThrow().named("Switch_Cup").orElseThrow(), this);
+    session.document().type(0, 0, "<");
+    assertThat(session.selection()).isEmpty();
+    session.document().history().undo();
+    assertThat(session.selection()).hasValueSatisfying(e -> assertThat(e.attached()).isTrue());
+    assertThat(session.selection().orElseThrow().def()).hasValue("Switch_Cup");
+  }
+
+  @Test
+  void allViewsHearOfASelectionOnce() throws IOException {
+    EnricherSession session = Sessions.with(folder, Sessions.object("Cup"));
+    List<Object> heard = new ArrayList<>();
+    session.addSelectionListener((element, origin) -> heard.add(origin));
+    var element = session.document().tree().orElseThrow().root();
+    session.select(element, "tree");
+    session.select(element, "source");
+    assertThat(heard).containsExactly("tree");
+  }
+
+  @Test
+  void anEditThatIsRefusedIsToldAndNotMade() throws IOException {
+    EnricherSession session = Sessions.with(folder, Sessions.object("Cup"));
+    boolean made =
+        session.attempt(
+            () -> {
+              throw new EditRefused("no");
+            });
+    assertThat(made).isFalse();
+    assertThat(session.document().modified()).isFalse();
+  }
+}

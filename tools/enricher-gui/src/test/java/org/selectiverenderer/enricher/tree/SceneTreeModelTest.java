@@ -1,0 +1,55 @@
+package org.selectiverenderer.enricher.tree;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.enricher.driving.Sessions;
+
+class SceneTreeModelTest {
+  @TempDir Path folder;
+
+  private SceneDocument scene() throws IOException {
+    return Sessions.with(
+            folder, "<Group>" + Sessions.object("Cup") + "</Group>" + Sessions.object("Chair"))
+        .document();
+  }
+
+  @Test
+  void switchesAndSensorsAreAListAtFirst() throws IOException {
+    SceneTreeModel model = new SceneTreeModel(scene());
+    assertThat(model.getChildCount(model.getRoot())).isEqualTo(2);
+    assertThat(model.isLeaf(model.getChild(model.getRoot(), 0))).isTrue();
+  }
+
+  @Test
+  void searchFindsNamesInTheWholeScene() throws IOException {
+    SceneTreeModel model = new SceneTreeModel(scene());
+    model.showNodesOnly(false);
+    model.search("inline");
+    assertThat(model.getChildCount(model.getRoot())).isEqualTo(4);
+    model.search("chair");
+    assertThat(model.getChildCount(model.getRoot())).isEqualTo(1);
+  }
+
+  @Test
+  void anElementWithinAnObjectIsShownByTheObjectInTheList() throws IOException {
+    SceneDocument document = scene();
+    SceneTreeModel model = new SceneTreeModel(document);
+    var cup = document.tree().orElseThrow().named("Switch_Cup").orElseThrow();
+    assertThat(model.path(cup.children().get(0)).orElseThrow().getLastPathComponent())
+        .isSameAs(cup);
+  }
+
+  @Test
+  void aBrokenTextHasAnEmptyTree() throws IOException {
+    SceneDocument document = scene();
+    SceneTreeModel model = new SceneTreeModel(document);
+    document.type(0, 0, "<");
+    model.refresh();
+    assertThat(model.getChildCount(model.getRoot())).isZero();
+  }
+}

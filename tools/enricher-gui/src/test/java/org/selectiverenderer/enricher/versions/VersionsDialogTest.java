@@ -1,0 +1,79 @@
+package org.selectiverenderer.enricher.versions;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** Versions of an object are made by hand: a slider, a look, one step, undone. */
+@RequiresDisplay
+class VersionsDialogTest {
+  private static final String BALL =
+      "  <Transform DEF='Ball'>\n    <Shape><Sphere/></Shape>\n  </Transform>\n";
+
+  @TempDir Path folder;
+
+  @Test
+  void theSliderSaysHowManyVerticesAndTheStepMakesTheVersions() throws IOException {
+    Sessions.theme(false);
+    EnricherSession session = Sessions.with(folder, BALL);
+    String before = session.document().text().toString();
+    Hands hands = new Hands();
+    VersionsDialog dialog =
+        Hands.onEdt(
+            () ->
+                new VersionsDialog(
+                    null,
+                    session,
+                    session.document().tree().orElseThrow().named("Ball").orElseThrow()));
+    hands.show(dialog);
+    JButton make = Hands.named(dialog, "Make Versions", JButton.class);
+    hands.await("the first result", make::isEnabled);
+    int original = polygons(dialog, 1);
+    int half = polygons(dialog, 2);
+    assertThat(half).isBetween(original / 3, 2 * original / 3);
+
+    JSlider slider = Hands.named(dialog, "Vertices of version 2", JSlider.class);
+    Hands.onEdt(slider::requestFocusInWindow);
+    hands.await("the focus", slider::isFocusOwner);
+    hands.press(KeyEvent.VK_PAGE_DOWN);
+    hands.press(KeyEvent.VK_PAGE_DOWN);
+    hands.await("fewer percent", () -> slider.getValue() < 40);
+    hands.await("the second result", make::isEnabled);
+    assertThat(polygons(dialog, 2)).isLessThan(half);
+
+    JComponent picture = Hands.named(dialog, "Picture of version 2, wireframe", JComponent.class);
+    hands.click(picture);
+    assertThat(Hands.onEdt(picture::isFocusOwner)).isTrue();
+    hands.press(KeyEvent.VK_LEFT);
+    Hands.picture(dialog.getContentPane(), "versions-ball", 1);
+
+    hands.click(Hands.named(dialog, "Add Version", JButton.class));
+    hands.await("the third version", make::isEnabled);
+    assertThat(polygons(dialog, 3)).isLessThan(polygons(dialog, 2));
+    Hands.picture(dialog.getContentPane(), "versions-three", 1);
+    hands.click(make);
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(folder.resolve("inlineNodes/Ball_v3.x3d")).exists();
+    assertThat(session.enrichment().switches()).hasSize(1);
+    assertThat(session.document().history().names()).containsExactly("Make versions of Ball");
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).isEqualTo(before);
+  }
+
+  private static int polygons(VersionsDialog dialog, int version) {
+    JLabel label = Hands.named(dialog, "Polygons of version " + version, JLabel.class);
+    return Integer.parseInt(Hands.onEdt(label::getText).replace(",", ""));
+  }
+}
