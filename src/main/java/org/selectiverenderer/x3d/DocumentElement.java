@@ -13,6 +13,7 @@ public final class DocumentElement {
   private final String name;
   private final int start;
   private final Location location;
+  private @Nullable Place place;
   private final List<DocumentElement> children = new ArrayList<>(2);
   private List<DocumentAttribute> attributes = List.of();
   private @Nullable StringBuilder text;
@@ -102,7 +103,12 @@ public final class DocumentElement {
   }
 
   Place place() {
-    return new Place(document.source(), start, location);
+    Place known = place;
+    if (known == null) {
+      known = new Place(document.source(), start, location);
+      place = known;
+    }
+    return known;
   }
 
   @Override

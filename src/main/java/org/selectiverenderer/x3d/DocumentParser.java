@@ -171,24 +171,14 @@ final class DocumentParser {
     return identifier == null ? "" : identifier;
   }
 
-  /** Where the current event starts. In front of the root the parser counts white space to it. */
   private Location place(SceneDocument document, XMLStreamReader2 xml) {
-    javax.xml.stream.Location at = xml.getLocationInfo().getStartLocation();
-    SourceText text = document.source();
-    int line = at.getLineNumber();
-    int column = at.getColumnNumber();
-    for (int i = at.getCharacterOffset(); i < text.length() && text.charAt(i) <= ' '; i++) {
-      char c = text.charAt(i);
-      boolean first = c == '\r' && i + 1 < text.length() && text.charAt(i + 1) == '\n';
-      column = c == '\n' || c == '\r' ? 1 : column + 1;
-      line += (c == '\n' || c == '\r') && !first ? 1 : 0;
-    }
-    return new Location(name, line, column);
+    return Place.of(document.source(), name, xml).location();
   }
 
   private boolean start(SceneDocument document, XMLStreamReader2 xml) throws XMLStreamException {
     String element = xml.getLocalName();
-    Location location = place(document, xml);
+    Place place = Place.of(document.source(), name, xml);
+    Location location = place.location();
     if (depth >= limits.maxDepth() || document.elements().size() >= limits.maxNodes()) {
       String limit =
           depth >= limits.maxDepth()
@@ -197,8 +187,7 @@ final class DocumentParser {
       document.add(new DocumentFault(Kind.LIMIT, location, limit));
       return false;
     }
-    int offset = xml.getLocationInfo().getStartLocation().getCharacterOffset();
-    DocumentElement made = new DocumentElement(document, open, element, offset, location);
+    DocumentElement made = new DocumentElement(document, open, element, place.offset(), location);
     depth++;
     prototypes += element.equals("ProtoDeclare") ? 1 : 0;
     made.attributes(attributes(xml, made));

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
-import org.codehaus.stax2.LocationInfo;
 import org.codehaus.stax2.XMLStreamReader2;
 import org.codehaus.stax2.typed.TypedValueDecoder;
 import org.jspecify.annotations.Nullable;
@@ -112,13 +111,7 @@ final class XmlCursor implements ElementCursor {
   public Place place() {
     Place known = place;
     if (known == null) {
-      LocationInfo info = xml.getLocationInfo();
-      javax.xml.stream.Location at = info.getStartLocation();
-      known =
-          new Place(
-              text,
-              at.getCharacterOffset(),
-              new Location(reading.source(), at.getLineNumber(), at.getColumnNumber()));
+      known = Place.of(text, reading.source(), xml);
       place = known;
     }
     return known;
