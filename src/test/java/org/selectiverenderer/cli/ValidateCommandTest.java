@@ -136,6 +136,31 @@ class ValidateCommandTest {
   }
 
   @Test
+  void doubleStarsStandForAnyNumberOfFoldersAndNone() throws IOException {
+    write("a/deep/er/x.x3d", GOOD.formatted(""));
+    write("a/x.x3d", GOOD.formatted(""));
+    for (String pattern : List.of("**/*.x3d", "**/{x,good,error,warning}.x3d", "**/**/*.x3d")) {
+      out.reset();
+      execute("validate", folder + "/" + pattern, "--base", folder.toString());
+      assertThat(text(out)).as(pattern).contains("5 files:");
+    }
+    out.reset();
+    assertThat(execute("validate", folder + "/a/**/x.x3d", "--base", folder.toString())).isZero();
+    assertThat(text(out)).contains("2 files:");
+    assertFails("no scene", "**/*.x3dv");
+  }
+
+  @Test
+  void namesAreRelativeReferencesInSarif() throws IOException {
+    write("C: 50% #1?/Το é.x3d", ERROR);
+    String scene = folder.resolve("C: 50% #1?/Το é.x3d").toString();
+    assertThat(execute("validate", scene, "--base", folder.toString(), "--format", "sarif"))
+        .isEqualTo(1);
+    assertThat(text(out))
+        .contains("\"uri\" : \"C%3A%2050%25%20%231%3F/%CE%A4%CE%BF%20%C3%A9.x3d\"");
+  }
+
+  @Test
   void linksInCirclesEndInALine() throws IOException {
     Files.createSymbolicLink(folder.resolve("loop"), folder);
     assertThat(execute("validate", folder.toString(), "--base", folder.toString())).isEqualTo(1);
@@ -179,7 +204,12 @@ class ValidateCommandTest {
   private int validate(String name, String... options) {
     String[] args = new String[options.length + 2];
     args[0] = "validate";
-    args[1] = folder.resolve(name.replace("*", "_")).toString().replace("_.x3dv", "*.x3dv");
+    args[1] =
+        folder
+            .resolve(name.replace("*", "_"))
+            .toString()
+            .replace("_.x3dv", "*.x3dv")
+            .replace("__/", "**/");
     System.arraycopy(options, 0, args, 2, options.length);
     return execute(args);
   }
