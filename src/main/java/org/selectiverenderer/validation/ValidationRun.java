@@ -40,6 +40,7 @@ final class ValidationRun {
   private final Executor executor;
   private final FileChecker checker;
   private final List<SceneCheck> sceneChecks;
+  private final List<RunCheck> runChecks;
   private final Map<Path, CompletableFuture<FileResult>> started = new LinkedHashMap<>();
   private final Queue<Pending> pending = new ArrayDeque<>();
 
@@ -50,6 +51,7 @@ final class ValidationRun {
     this.checker = new FileChecker(rules, settings);
     this.sceneChecks =
         rules.groups().stream().flatMap(group -> group.sceneChecks().stream()).toList();
+    this.runChecks = rules.groups().stream().flatMap(group -> group.runChecks().stream()).toList();
   }
 
   Report validate(List<SourceFile> files) {
@@ -125,6 +127,13 @@ final class ValidationRun {
       all.addAll(scene.join().list());
       dropped += scene.join().dropped();
     }
+    Findings ofRun = new Findings(wanted);
+    Path file = settings.file();
+    RunCheck.Settings given =
+        new RunCheck.Settings(settings, file == null ? "" : FileNames.relative(file, base));
+    List<SceneView> views = scenes.stream().map(this::view).toList();
+    runChecks.forEach(check -> check.check(views, given, ofRun));
+    all.addAll(ofRun.list());
     List<Finding> weighed =
         all.stream().map(finding -> finding.with(settings.severity(finding.rule()))).toList();
     return Report.of(files, weighed, dropped);
@@ -132,8 +141,12 @@ final class ValidationRun {
 
   private Findings check(Scene scene, WantedFindings wanted) {
     Findings findings = new Findings(wanted);
-    SceneView view = new SceneView(scene.main, scene.root, scene.contents, settings);
+    SceneView view = view(scene);
     sceneChecks.forEach(check -> check.check(view, findings));
     return findings;
+  }
+
+  private SceneView view(Scene scene) {
+    return new SceneView(scene.main, scene.root, scene.contents, settings);
   }
 }

@@ -31,8 +31,10 @@ final class ReachCheck implements EnrichmentPart {
   private static void check(
       EnrichedScene scene, ParsedNode sensor, Optional<Bounds> reach, Findings findings) {
     float[] size = sensor.floats("size");
-    if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) {
-      findings.add(SensorRules.NO_VOLUME, sensor);
+    if (!SensorCheck.hasVolume(sensor)) {
+      if (Math.min(size[0], Math.min(size[1], size[2])) >= 0) { // Less is SR105's.
+        findings.add(SensorRules.NO_VOLUME, sensor);
+      }
     } else if (scene.areas().containsKey(sensor)) {
       List<Matrix4dc> places = scene.model().map(m -> m.places(sensor)).orElse(List.of());
       List<SensorBox> boxes = new ArrayList<>();

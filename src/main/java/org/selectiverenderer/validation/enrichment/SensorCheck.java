@@ -35,7 +35,7 @@ final class SensorCheck implements EnrichmentPart {
             });
     SensorSchemas schemas = NodeMetadata.of(sensor).flatMap(reader::sensor).orElse(null);
     if (schemas == null) {
-      if (!scene.heard(sensor)) {
+      if (!scene.heard(sensor) && !slipOfSize(scene, sensor)) {
         findings.add(
             scene.model().isPresent() ? SensorRules.WITHOUT_SCHEMAS : SensorRules.NOT_ENRICHED,
             sensor);
@@ -43,5 +43,18 @@ final class SensorCheck implements EnrichmentPart {
     } else if (!schemas.enter().isEmpty() && schemas.exit().isEmpty() && !emptyExit[0]) {
       findings.add(SensorRules.WITHOUT_EXIT, sensor);
     }
+  }
+
+  /** Whether the box has sides of more than nothing. */
+  static boolean hasVolume(ParsedNode sensor) {
+    float[] size = sensor.floats("size");
+    return size[0] > 0 && size[1] > 0 && size[2] > 0;
+  }
+
+  /** Whether a size is given that is none, which is told of already. */
+  private static boolean slipOfSize(EnrichedScene scene, ParsedNode sensor) {
+    return sensor.given(sensor.type().indexOf("size"))
+        && !hasVolume(sensor)
+        && !scene.driven(sensor, "size");
   }
 }

@@ -113,6 +113,11 @@ final class CountCheck implements NodeCheck {
     int spine = node.floats("spine").length / 3;
     int scales = node.floats("scale").length / 2;
     int turns = node.floats("orientation").length / 4;
+    report(node, "spine", spine, "points", 2, findings);
+    report(node, "crossSection", node.floats("crossSection").length / 2, "points", 2, findings);
+    if (spine < 2) {
+      return;
+    }
     if (scales > 1) {
       report(node, "scale", scales, "scales", spine, findings);
     }

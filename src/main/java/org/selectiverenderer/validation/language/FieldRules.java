@@ -13,7 +13,7 @@ final class FieldRules {
           .see("X3D 4.0 XML encoding, clause 6");
 
   static final Rule UNKNOWN_ATTRIBUTE =
-      Rule.error("SR102", "{node} has no field {field}{suggestion}")
+      Rule.error("SR102", "{element} has no {attribute}{suggestion}")
           .because(
               """
               A browser leaves out an attribute that it does not know, so that the field keeps its \

@@ -105,7 +105,9 @@ final class NameCheck implements ScopeCheck {
     boolean export = element.name().equals("EXPORT");
     for (String needed : export ? List.of("localDEF") : List.of("inlineDEF", "importedDEF")) {
       if (element.attribute(needed).isEmpty()) {
-        findings.add(NameRules.LINK, element, element.name() + " needs " + needed);
+        if (Statements.lacks(element, needed)) {
+          findings.add(NameRules.LINK, element, element.name() + " needs " + needed);
+        }
         return;
       }
     }
