@@ -48,6 +48,11 @@ public final class Findings {
     add(rule, attribute.location(offset), label(attribute.element()), words);
   }
 
+  /** About a node of a document, at a place within it. */
+  public void addWithin(Rule rule, DocumentElement element, Location place, Object... words) {
+    add(rule, place, label(element), words);
+  }
+
   /** About a node of a scene. */
   public void add(Rule rule, NodeView node, Object... words) {
     add(rule, node.location(), label(node), words);

@@ -17,6 +17,7 @@ public final class DocumentElement {
   private final List<DocumentElement> children = new ArrayList<>(2);
   private List<DocumentAttribute> attributes = List.of();
   private @Nullable StringBuilder text;
+  private @Nullable Location textLocation;
   private @Nullable Location end;
 
   DocumentElement(
@@ -43,9 +44,10 @@ public final class DocumentElement {
     end = place;
   }
 
-  void addText(String more) {
+  void addText(String more, Location at) {
     if (text == null) {
       text = new StringBuilder();
+      textLocation = at;
     }
     text.append(more);
   }
@@ -59,7 +61,7 @@ public final class DocumentElement {
     return Optional.ofNullable(parent);
   }
 
-  /** The name without prefix. */
+  /** The name without prefix; with it where the element is of another language's namespace. */
   public String name() {
     return name;
   }
@@ -100,6 +102,11 @@ public final class DocumentElement {
   /** The text directly within the element; empty where there is white space only. */
   public String text() {
     return text == null ? "" : text.toString();
+  }
+
+  /** Where that text begins; where the tag starts if there is none. */
+  public Location textLocation() {
+    return textLocation == null ? location : textLocation;
   }
 
   Place place() {

@@ -143,7 +143,7 @@ final class DocumentParser {
         return start(document, xml);
       }
       case XMLStreamConstants.END_ELEMENT -> end(document, xml);
-      case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text(xml);
+      case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text(document, xml);
       case XMLStreamConstants.COMMENT -> {
         comments.add(new SceneDocument.Comment(xml.getText(), place(document, xml), null));
       }
@@ -176,7 +176,7 @@ final class DocumentParser {
   }
 
   private boolean start(SceneDocument document, XMLStreamReader2 xml) throws XMLStreamException {
-    String element = xml.getLocalName();
+    String element = XmlNames.element(xml);
     Place place = Place.of(document.source(), name, xml);
     Location location = place.location();
     if (depth >= limits.maxDepth() || document.elements().size() >= limits.maxNodes()) {
@@ -218,9 +218,9 @@ final class DocumentParser {
     }
   }
 
-  private void text(XMLStreamReader2 xml) throws XMLStreamException {
+  private void text(SceneDocument document, XMLStreamReader2 xml) throws XMLStreamException {
     if (!xml.isWhiteSpace() && open != null) {
-      open.addText(xml.getText());
+      open.addText(xml.getText(), place(document, xml));
     }
   }
 

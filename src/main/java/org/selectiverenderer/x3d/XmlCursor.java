@@ -104,7 +104,7 @@ final class XmlCursor implements ElementCursor {
 
   @Override
   public String name() {
-    return xml.getLocalName();
+    return XmlNames.element(xml);
   }
 
   @Override

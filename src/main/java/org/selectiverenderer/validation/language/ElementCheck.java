@@ -27,7 +27,7 @@ final class ElementCheck implements FileCheck {
       String name = element.name();
       if (OF_X3D_4_1.contains(name)) {
         findings.add(HeadRules.YOUNGER, element, name);
-      } else if (!file.knows(element)) {
+      } else if (!file.knows(element) && name.indexOf(':') < 0) {
         String suggestion =
             file.catalogue()
                 .suggestion(name)

@@ -95,7 +95,7 @@ final class HeadCheck implements FileCheck {
     Set<String> known = new TreeSet<>(Profile.COMPONENTS_WITHOUT_NODES);
     file.catalogue().all().stream().map(NodeType::component).forEach(known::add);
     DocumentAttribute name = element.attribute("name").orElseThrow();
-    if (!known.contains(name.text().strip())) {
+    if (!known.contains(Profile.component(name.text().strip()))) {
       findings.add(
           HeadRules.COMPONENT,
           name,

@@ -144,7 +144,7 @@ final class RangeCheck implements FileCheck {
             : value instanceof String string ? List.of(string) : List.of();
     boolean open = OPEN.contains(field.name()) && !CLOSED.contains(attribute.element().name());
     for (String word : given) {
-      if (!known.contains(word)) {
+      if (!known.contains(word) && !word.isEmpty()) {
         // In an open list only a slip of letter case is surely one.
         boolean slip = known.stream().anyMatch(word::equalsIgnoreCase);
         if (!open || slip) {

@@ -17,7 +17,9 @@ final class StatementCheck implements FileCheck {
         continue;
       }
       for (DocumentAttribute attribute : element.attributes()) {
-        if (Statements.unknown(attribute)) {
+        if (element.name().equals("IMPORT") && attribute.name().equals("exportedDEF")) {
+          findings.add(FieldRules.OLD_SPELLING, attribute, "exportedDEF", "importedDEF");
+        } else if (Statements.unknown(attribute)) {
           findings.add(
               FieldRules.UNKNOWN_ATTRIBUTE,
               attribute,
