@@ -58,6 +58,11 @@ public final class Findings {
     add(rule, node.location(), label(node), words);
   }
 
+  /** About a field of a node of a scene, whose place {@link FileOutline#place} knows. */
+  public void addAt(Rule rule, FileOutline file, NodeView node, String field, Object... words) {
+    add(rule, file.place(node, field), label(node), words);
+  }
+
   /** About any place, or about a file as a whole ({@link Location#of}). */
   public void add(Rule rule, Location location, String node, Object... words) {
     if (wanted.test(rule, location)

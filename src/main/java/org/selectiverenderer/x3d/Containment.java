@@ -39,6 +39,8 @@ public final class Containment {
     return switch (parent.name()) {
       case "Switch" -> Optional.of("children").filter(now -> name.equals("choice"));
       case "LOD" -> Optional.of("children").filter(now -> name.equals("level"));
+      case "LoadSensor" -> Optional.of("children").filter(now -> name.equals("watchList"));
+      case "ParticleSystem" -> Optional.of("color").filter(now -> name.equals("colorRamp"));
       case "ComposedCubeMapTexture" ->
           Optional.of(name + "Texture").filter(now -> parent.field(now).isPresent());
       default -> Optional.empty();

@@ -118,7 +118,10 @@ final class DocumentParser {
   private void breakOff(SceneDocument document, boolean cut, XMLStreamException fault) {
     String what = XmlFaults.describe(fault);
     Kind kind = what.contains("entities of a DOCTYPE") ? Kind.ENTITY : Kind.SYNTAX;
-    breakOff(document, cut, kind, what, fault.getLocation());
+    if (!cut) {
+      Location at = XmlFaults.place(fault, document.source(), name);
+      document.add(new DocumentFault(kind, at == null ? Location.of(name) : at, what));
+    }
   }
 
   private void breakOff(

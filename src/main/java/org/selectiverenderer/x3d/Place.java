@@ -62,6 +62,13 @@ final class Place {
     return walk(index).find(index, -1);
   }
 
+  /** The name of that attribute with its prefix; empty if there is none. */
+  String attributeName(int index) {
+    Walk walk = walk(index);
+    walk.find(index, -1);
+    return walk.last;
+  }
+
   /** A character of its value, counted from the first that is no white space. */
   Location inAttribute(int index, int offset) {
     return walk(index).find(index, offset);
@@ -93,6 +100,7 @@ final class Place {
     private int column;
     private int found;
     private char quote;
+    private String last = "";
 
     Walk(Mark from) {
       at = from.at;
@@ -114,6 +122,7 @@ final class Place {
         int line = this.line;
         int column = this.column;
         String name = name();
+        last = name;
         if (name.isEmpty()) {
           return location;
         }

@@ -182,6 +182,20 @@ class ValidateCommandTest {
   }
 
   @Test
+  void sentencesNameWhatTheUserWrote() throws IOException {
+    assertFails(
+        "'xml' is no format: text, json, sarif, junit or github", "good.x3d", "--format", "xml");
+    String settings = write("settings.json", "{\"ignore\": [").toString();
+    assertFails("settings.json:1:13: is no JSON", "good.x3d", "--config", settings);
+    assertThat(text(err)).doesNotContain("Source", "byte[]", "start marker");
+    assertFails("--rules says what the rules are; it takes no PATH", "good.x3d", "--rules");
+    assertFails("it takes no PATH", "good.x3d", "--explain", "SR101");
+    if (Files.isWritable(Path.of("/dev/full"))) {
+      assertFails("/dev/full: ", "good.x3d", "--output", "/dev/full");
+    }
+  }
+
+  @Test
   void explainsItsRules() {
     assertThat(execute("validate", "--rules")).isZero();
     assertThat(text(out)).contains("SR001  error", "SR102  error");

@@ -5,6 +5,7 @@ import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.ParsedNode;
 
@@ -20,6 +21,7 @@ final class SensorCheck implements EnrichmentPart {
   }
 
   private static void check(EnrichedScene scene, ParsedNode sensor, Findings findings) {
+    FileOutline file = scene.view().main();
     boolean[] emptyExit = {false};
     SchemaReader reader =
         new SchemaReader(
@@ -27,10 +29,16 @@ final class SensorCheck implements EnrichmentPart {
               NodeMetadata at = (NodeMetadata) problem.metadata();
               emptyExit[0] |= SchemaField.of(at.name()).equals(SchemaField.of("exitTimeSchema"));
               if (problem.kind() == SchemaProblem.Kind.NO_SCHEMA) {
-                findings.add(SensorRules.NAMES_NOTHING, at.node(), at.name().strip());
+                findings.addAt(
+                    SensorRules.NAMES_NOTHING, file, at.node(), "value", at.name().strip());
               } else {
-                findings.add(
-                    SchemaRules.MISPLACED, at.node(), at.name().strip(), Misplacement.IN_AREA);
+                findings.addAt(
+                    SchemaRules.MISPLACED,
+                    file,
+                    at.node(),
+                    "name",
+                    at.name().strip(),
+                    Misplacement.IN_AREA);
               }
             });
     SensorSchemas schemas = NodeMetadata.of(sensor).flatMap(reader::sensor).orElse(null);

@@ -71,7 +71,7 @@ final class ContainmentCheck implements ScopeCheck {
       findings.add(ContainmentRules.CONTAINER_FIELD, child, type, name, parent, suggestion);
     } else if (asked != null
         && Containment.renamed(parent, asked).isPresent()
-        && !(old && parent.is("ComposedCubeMapTexture"))) {
+        && (!old || parent.is("Switch") || parent.is("LOD"))) {
       findings.add(FieldRules.OLD_SPELLING, child, asked, field.name());
     }
     if (!filled.add(field.name()) && !field.type().multiple()) {
