@@ -35,22 +35,24 @@ public final class Findings {
 
   /** About a node of a document: its whole element. */
   public void add(Rule rule, DocumentElement element, Object... words) {
-    add(rule, element.location(), label(element), words);
+    addWithin(rule, element, element.location(), words);
   }
 
   /** About an attribute: its name. */
   public void add(Rule rule, DocumentAttribute attribute, Object... words) {
-    add(rule, attribute.location(), label(attribute.element()), words);
+    addWithin(rule, attribute.element(), attribute.location(), words);
   }
 
   /** About a word within an attribute's value. */
   public void addAt(Rule rule, DocumentAttribute attribute, int offset, Object... words) {
-    add(rule, attribute.location(offset), label(attribute.element()), words);
+    addWithin(rule, attribute.element(), attribute.location(offset), words);
   }
 
   /** About a node of a document, at a place within it. */
   public void addWithin(Rule rule, DocumentElement element, Location place, Object... words) {
-    add(rule, place, label(element), words);
+    if (keeps(rule, place)) {
+      list(rule, place, label(element), words);
+    }
   }
 
   /** About a node of a scene. */
@@ -65,11 +67,20 @@ public final class Findings {
 
   /** About any place, or about a file as a whole ({@link Location#of}). */
   public void add(Rule rule, Location location, String node, Object... words) {
-    if (wanted.test(rule, location)
-        && counts.merge(new Key(rule, location.file()), 1, Integer::sum) <= LIMIT) {
-      String message = printable(rule.message(words));
-      list.add(new Finding(rule, rule.severity(), location, node, message));
+    if (keeps(rule, location)) {
+      list(rule, location, node, words);
     }
+  }
+
+  // Asked first: to write a message costs, for suggestions and labels, and there may be a million.
+  private boolean keeps(Rule rule, Location location) {
+    return wanted.test(rule, location)
+        && counts.merge(new Key(rule, location.file()), 1, Integer::sum) <= LIMIT;
+  }
+
+  private void list(Rule rule, Location location, String node, Object... words) {
+    String message = printable(rule.message(words));
+    list.add(new Finding(rule, rule.severity(), location, node, message));
   }
 
   /** All that are kept, in the order found. */
