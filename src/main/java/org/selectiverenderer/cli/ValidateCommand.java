@@ -3,6 +3,7 @@ package org.selectiverenderer.cli;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,8 +25,10 @@ import org.selectiverenderer.validation.report.RuleBook;
 import org.selectiverenderer.x3d.Problem.Severity;
 import org.selectiverenderer.x3d.Spelling;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
 
 @Command(
     name = "validate",
@@ -43,6 +46,20 @@ final class ValidateCommand extends CliCommand {
     warning
   }
 
+  /** Names formats as the user writes them. */
+  private static final class Formats implements ITypeConverter<ReportFormat> {
+    @Override
+    public ReportFormat convert(String value) {
+      for (ReportFormat format : ReportFormat.values()) {
+        if (format.name().equalsIgnoreCase(value)) {
+          return format;
+        }
+      }
+      throw new TypeConversionException(
+          "'" + value + "' is no format: text, json, sarif, junit or github");
+    }
+  }
+
   private final InputStream input;
 
   @Parameters(
@@ -54,6 +71,7 @@ final class ValidateCommand extends CliCommand {
   @Option(
       names = "--format",
       defaultValue = "text",
+      converter = Formats.class,
       description = "text, json, sarif, junit or github (default: ${DEFAULT-VALUE})")
   private ReportFormat format = ReportFormat.TEXT;
 
@@ -105,6 +123,10 @@ final class ValidateCommand extends CliCommand {
   @Override
   ExitStatus run() throws IOException {
     RuleCatalogue catalogue = RuleCatalogue.standard();
+    if ((rules || explained != null) && !paths.isEmpty()) {
+      throw CommandFailure.usage(
+          (rules ? "--rules" : "--explain") + " says what the rules are; it takes no PATH");
+    }
     if (rules || explained != null) {
       print(explained == null ? new RuleBook(catalogue).list() : explain(catalogue, explained));
       return ExitStatus.DONE;
@@ -165,7 +187,13 @@ final class ValidateCommand extends CliCommand {
       console().out().print(text);
       console().out().flush();
     } else {
-      Files.writeString(output, text, StandardCharsets.UTF_8);
+      try {
+        Files.writeString(output, text, StandardCharsets.UTF_8);
+      } catch (FileSystemException e) {
+        throw e; // It names the file.
+      } catch (IOException e) {
+        throw new IOException(output + ": " + e.getMessage(), e);
+      }
     }
   }
 }

@@ -96,6 +96,18 @@ public final class SchemaUse<N> {
             unmatched.add(unmatched(schema, node, what, known.keySet()));
           }
         });
+    left.forEach(
+        (schema, node) -> {
+          if (!known.containsKey(schema) && !entered.containsKey(schema)) {
+            String what = "no Switch of the scene belongs to the schema " + schema;
+            Unmatched<N> found = unmatched(schema, node, what, known.keySet());
+            boolean told = // from the object's side
+                unmatched.stream().anyMatch(o -> o.meant().filter(schema::equals).isPresent());
+            if (found.meant().isPresent() && !told) {
+              unmatched.add(found);
+            }
+          }
+        });
     return unmatched;
   }
 

@@ -66,6 +66,7 @@ public final class Baseline {
                   left.put(key, rest - 1);
                   return rest <= 0;
                 })
-            .toList());
+            .toList(),
+        report.dropped());
   }
 }

@@ -3,6 +3,7 @@ package org.selectiverenderer.validation;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.selectiverenderer.x3d.NodeCatalogue;
@@ -18,8 +19,10 @@ final class FileChecker {
   private final Outliner outliner = new Outliner();
   private final List<FileCheck> checks;
   private final Set<String> ids;
+  private final ValidationSettings settings;
 
-  FileChecker(RuleCatalogue rules) {
+  FileChecker(RuleCatalogue rules, ValidationSettings settings) {
+    this.settings = settings;
     checks = rules.groups().stream().flatMap(group -> group.fileChecks().stream()).toList();
     ids = rules.rules().stream().map(Rule::id).collect(Collectors.toSet());
   }
@@ -37,10 +40,15 @@ final class FileChecker {
     }
     // What the reader says of the scene is for who shows it; here the checks speak.
     X3dFile scene = reader.scene(document, new Problems());
-    Findings findings = new Findings();
+    Suppressions suppressions = Suppressions.of(document, ids);
+    Findings findings =
+        new Findings(new WantedFindings(settings, Map.of(document.name(), suppressions)));
     FileView view = new FileView(catalogue, document, scene, ids);
     checks.forEach(check -> check.check(view, findings));
     return new FileResult(
-        outliner.outline(file, size, document, scene), findings.list(), Suppressions.of(document));
+        outliner.outline(file, size, document, scene),
+        findings.list(),
+        findings.dropped(),
+        suppressions);
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.X3dFile;
 
@@ -14,7 +15,7 @@ import org.selectiverenderer.x3d.X3dFile;
  * @param bytes its size on disk
  * @param scene whose nodes have lost their long values
  * @param nodes all of them, each once, parents before what they hold; prototypes expanded
- * @param urls where the attribute {@code url} of an element stands, by the place of the element
+ * @param places where attributes that scene checks speak of stand, by the place of the element
  * @param measures how much each geometry node draws
  */
 public record FileOutline(
@@ -22,12 +23,12 @@ public record FileOutline(
     long bytes,
     X3dFile scene,
     List<ParsedNode> nodes,
-    Map<Location, Location> urls,
+    Map<Location, Map<String, Location>> places,
     Map<ParsedNode, Measure> measures) {
 
-  /** Where the url of a node stands. */
-  public Location url(ParsedNode node) {
-    return urls.getOrDefault(node.location(), node.location());
+  /** Where a field of a node is given; the node's own place where it is not, or not kept. */
+  public Location place(NodeView node, String field) {
+    return places.getOrDefault(node.location(), Map.of()).getOrDefault(field, node.location());
   }
 
   /** How much a geometry node draws; empty for a node that cannot be drawn. */

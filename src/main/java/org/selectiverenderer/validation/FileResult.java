@@ -5,7 +5,9 @@ import java.util.List;
 /**
  * A file that has been checked by itself.
  *
- * @param findings of the file's own checks
+ * @param findings of the file's own checks, those that are wanted
+ * @param dropped how many more there are
  * @param suppressions by comments in it
  */
-record FileResult(FileOutline outline, List<Finding> findings, Suppressions suppressions) {}
+record FileResult(
+    FileOutline outline, List<Finding> findings, int dropped, Suppressions suppressions) {}

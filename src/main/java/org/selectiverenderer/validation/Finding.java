@@ -14,13 +14,15 @@ import org.selectiverenderer.x3d.Problem.Severity;
  */
 public record Finding(
     Rule rule, Severity severity, Location location, String node, String message) {
-  /** The order of reports: file, line, column, rule, message. */
+  /** The order of reports: file, line, column, rule, and what tells two such findings apart. */
   public static final Comparator<Finding> ORDER =
       Comparator.comparing((Finding finding) -> finding.location().file())
           .thenComparingInt(finding -> finding.location().line())
           .thenComparingInt(finding -> finding.location().column())
           .thenComparing(finding -> finding.rule().id())
-          .thenComparing(Finding::message);
+          .thenComparing(Finding::message)
+          .thenComparing(Finding::node)
+          .thenComparing(Finding::severity);
 
   /** The same finding, taken more or less seriously. */
   public Finding with(Severity other) {

@@ -4,42 +4,54 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiPredicate;
 import org.selectiverenderer.x3d.DocumentAttribute;
 import org.selectiverenderer.x3d.DocumentElement;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeView;
 
 /**
- * Collects findings. Of each rule {@value #LIMIT} per file are kept and the rest dropped, the last
- * one saying so: whoever has more mends a few and runs again. Serves one thread.
+ * Collects findings that are wanted. Of each rule and file {@value #LIMIT} are kept and the rest
+ * are counted, so that a file of a million slips does not take all memory. Serves one thread.
  */
 public final class Findings {
-  /** Findings of one rule that are listed per file. */
-  public static final int LIMIT = 50;
+  /** Findings of one rule that are kept per file. */
+  public static final int LIMIT = 10_000;
 
   private static final int LONGEST_MESSAGE = 300;
 
   private record Key(Rule rule, String file) {}
 
+  private final BiPredicate<Rule, Location> wanted;
   private final List<Finding> list = new ArrayList<>();
   private final Map<Key, Integer> counts = new HashMap<>();
 
+  /**
+   * @param wanted says of what is found in a place whether it is to be kept
+   */
+  public Findings(BiPredicate<Rule, Location> wanted) {
+    this.wanted = wanted;
+  }
+
   /** About a node of a document: its whole element. */
   public void add(Rule rule, DocumentElement element, Object... words) {
-    add(rule, element.location(), label(element), words);
+    addWithin(rule, element, element.location(), words);
   }
 
   /** About an attribute: its name. */
   public void add(Rule rule, DocumentAttribute attribute, Object... words) {
-    if (!full(rule, attribute.element().location())) {
-      add(rule, attribute.location(), label(attribute.element()), words);
-    }
+    addWithin(rule, attribute.element(), attribute.location(), words);
   }
 
   /** About a word within an attribute's value. */
   public void addAt(Rule rule, DocumentAttribute attribute, int offset, Object... words) {
-    if (!full(rule, attribute.element().location())) {
-      add(rule, attribute.location(offset), label(attribute.element()), words);
+    addWithin(rule, attribute.element(), attribute.location(offset), words);
+  }
+
+  /** About a node of a document, at a place within it. */
+  public void addWithin(Rule rule, DocumentElement element, Location place, Object... words) {
+    if (keeps(rule, place)) {
+      list(rule, place, label(element), words);
     }
   }
 
@@ -48,26 +60,37 @@ public final class Findings {
     add(rule, node.location(), label(node), words);
   }
 
+  /** About a field of a node of a scene, whose place {@link FileOutline#place} knows. */
+  public void addAt(Rule rule, FileOutline file, NodeView node, String field, Object... words) {
+    add(rule, file.place(node, field), label(node), words);
+  }
+
   /** About any place, or about a file as a whole ({@link Location#of}). */
   public void add(Rule rule, Location location, String node, Object... words) {
-    int count = counts.merge(new Key(rule, location.file()), 1, Integer::sum);
-    if (count <= LIMIT) {
-      String message = printable(rule.message(words));
-      if (count == LIMIT) {
-        message += "; further findings of this rule in this file are not listed";
-      }
-      list.add(new Finding(rule, rule.severity(), location, node, message));
+    if (keeps(rule, location)) {
+      list(rule, location, node, words);
     }
   }
 
-  /** All so far, in the order found. */
+  // Asked first: to write a message costs, for suggestions and labels, and there may be a million.
+  private boolean keeps(Rule rule, Location location) {
+    return wanted.test(rule, location)
+        && counts.merge(new Key(rule, location.file()), 1, Integer::sum) <= LIMIT;
+  }
+
+  private void list(Rule rule, Location location, String node, Object... words) {
+    String message = printable(rule.message(words));
+    list.add(new Finding(rule, rule.severity(), location, node, message));
+  }
+
+  /** All that are kept, in the order found. */
   public List<Finding> list() {
     return List.copyOf(list);
   }
 
-  // To find a place costs; a hostile file must not make it quadratic.
-  private boolean full(Rule rule, Location location) {
-    return counts.getOrDefault(new Key(rule, location.file()), 0) >= LIMIT;
+  /** How many were wanted, but not kept. */
+  public int dropped() {
+    return counts.values().stream().mapToInt(count -> Math.max(0, count - LIMIT)).sum();
   }
 
   private static String label(DocumentElement element) {

@@ -31,8 +31,18 @@ final class JsonFile {
                   file,
                   e.getLocation() == null ? 1 : e.getLocation().getLineNr(),
                   e.getLocation() == null ? 1 : e.getLocation().getColumnNr(),
-                  e.getOriginalMessage()),
+                  sentence(e.getOriginalMessage())),
           e);
     }
+  }
+
+  /** Without the parser's own places, which count bytes of a buffer. */
+  private static String sentence(String message) {
+    return message
+        .lines()
+        .findFirst()
+        .orElse("")
+        .replaceFirst("\\s*\\(start marker at.*", "")
+        .replaceFirst("\\s*at \\[Source:.*", "");
   }
 }

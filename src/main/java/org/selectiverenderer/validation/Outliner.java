@@ -27,15 +27,30 @@ final class Outliner {
       }
     }
     nodes.forEach(Outliner::release);
-    return new FileOutline(file, bytes, scene, nodes, urls(document), measures);
+    return new FileOutline(file, bytes, scene, nodes, places(document), measures);
   }
 
-  private static Map<Location, Location> urls(SceneDocument document) {
-    Map<Location, Location> places = new HashMap<>();
+  private static Map<Location, Map<String, Location>> places(SceneDocument document) {
+    Map<Location, Map<String, Location>> places = new HashMap<>();
     for (DocumentElement element : document.elements()) {
-      element.attribute("url").ifPresent(url -> places.put(element.location(), url.location()));
+      Map<String, Location> own = new HashMap<>();
+      for (String field : told(element.name())) {
+        element.attribute(field).ifPresent(found -> own.put(field, found.location()));
+      }
+      if (!own.isEmpty()) {
+        places.put(element.location(), Map.copyOf(own));
+      }
     }
     return places;
+  }
+
+  /** The attributes that scene checks speak of. */
+  private static List<String> told(String element) {
+    return switch (element) {
+      case "Switch" -> List.of("whichChoice");
+      case "ProximitySensor" -> List.of("size", "enabled");
+      default -> element.startsWith("Metadata") ? List.of("name", "value") : List.of("url");
+    };
   }
 
   private static void release(ParsedNode node) {

@@ -10,18 +10,20 @@ import org.selectiverenderer.x3d.Problem.Severity;
  *
  * @param files that were checked, Inlines included, by name
  * @param findings in the order of {@link Finding#ORDER}
+ * @param dropped how many more there are, beyond {@link Findings#LIMIT} of a rule and a file
  */
-public record Report(List<SourceFile> files, List<Finding> findings) {
+public record Report(List<SourceFile> files, List<Finding> findings, int dropped) {
   public Report {
     files = List.copyOf(files);
     findings = List.copyOf(findings);
   }
 
   /** Sorts. */
-  static Report of(Collection<SourceFile> files, Collection<Finding> findings) {
+  static Report of(Collection<SourceFile> files, Collection<Finding> findings, int dropped) {
     return new Report(
         files.stream().sorted(Comparator.comparing(SourceFile::name)).toList(),
-        findings.stream().sorted(Finding.ORDER).toList());
+        findings.stream().sorted(Finding.ORDER).toList(),
+        dropped);
   }
 
   /** How many findings are that severe. */

@@ -9,10 +9,21 @@ import java.util.List;
  * @param rules in the order of their ids
  */
 public record RuleGroup(
-    String title, List<Rule> rules, List<FileCheck> fileChecks, List<SceneCheck> sceneChecks) {
+    String title,
+    List<Rule> rules,
+    List<FileCheck> fileChecks,
+    List<SceneCheck> sceneChecks,
+    List<RunCheck> runChecks) {
   public RuleGroup {
     rules = List.copyOf(rules);
     fileChecks = List.copyOf(fileChecks);
     sceneChecks = List.copyOf(sceneChecks);
+    runChecks = List.copyOf(runChecks);
+  }
+
+  /** Without checks of whole runs. */
+  public RuleGroup(
+      String title, List<Rule> rules, List<FileCheck> fileChecks, List<SceneCheck> sceneChecks) {
+    this(title, rules, fileChecks, sceneChecks, List.of());
   }
 }

@@ -40,7 +40,8 @@ public final class SceneFinder {
   /**
    * A file itself, whatever its name; of a folder all {@code .x3d} and {@code .x3dz} files in it
    * and below, those apart whose name or folder begins with a dot; of a pattern such as {@code
-   * scenes/**}{@code /*.x3d} all that match it. Links to folders are not followed.
+   * scenes/**}{@code /*.x3d} all that match it, {@code **}{@code /} standing for any number of
+   * folders and none. Links to folders are not followed.
    *
    * @throws IOException if there is no such file, or a folder cannot be read, or nothing is found
    */
@@ -91,11 +92,33 @@ public final class SceneFinder {
     }
     try {
       PathMatcher matcher =
-          FileSystems.getDefault().getPathMatcher("glob:" + slashes.substring(start.length()));
+          FileSystems.getDefault()
+              .getPathMatcher("glob:" + anyDepth(slashes.substring(start.length())));
       return in(folder, file -> matcher.matches(folder.relativize(file)));
     } catch (PatternSyntaxException e) {
       throw new IOException(pattern + ": is no file and no pattern: " + e.getDescription(), e);
     }
+  }
+
+  /**
+   * With {@code **}{@code /} for no folder, too, as shells and editors have it; Java's patterns
+   * want one. A group cannot stand in a group, so that those within braces stay as they are.
+   */
+  private static String anyDepth(String pattern) {
+    StringBuilder wide = new StringBuilder();
+    int braces = 0;
+    for (int i = 0; i < pattern.length(); i++) {
+      char c = pattern.charAt(i);
+      braces += c == '{' ? 1 : c == '}' ? -1 : 0;
+      boolean begins = i == 0 || pattern.charAt(i - 1) == '/';
+      if (begins && braces == 0 && pattern.startsWith("**/", i)) {
+        wide.append("{**/,}");
+        i += "**/".length() - 1;
+      } else {
+        wide.append(c);
+      }
+    }
+    return wide.toString();
   }
 
   private List<SourceFile> in(Path folder, Predicate<Path> wanted) throws IOException {

@@ -66,7 +66,7 @@ public final class SettingsFile {
       throw fault("\"megabytes\" is a number from 0");
     }
     double most = megabytes.asDouble(ValidationSettings.MEGABYTES);
-    return new ValidationSettings(ignored, severities, budgets, most);
+    return new ValidationSettings(ignored, severities, budgets, most, file);
   }
 
   private Budget budget(JsonNode json) throws IOException {

@@ -1,7 +1,10 @@
 package org.selectiverenderer.validation;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.DocumentElement;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.SceneDocument;
@@ -12,43 +15,90 @@ import org.selectiverenderer.x3d.SceneDocument;
  * </code> before an element is for that element and all within it; before the root element, for the
  * whole file.
  */
-record Suppressions(List<Suppression> list) {
+final class Suppressions {
   /**
-   * One comment.
+   * One comment and its element.
    *
    * @param ids of rules, or beginnings of ids
-   * @param whole whether it is for the whole file
+   * @param outer the one for an element around this one, or for the same; null if there is none
    */
-  record Suppression(List<String> ids, boolean whole, Location from, Location to) {
-    boolean covers(Finding finding) {
-      Location at = finding.location();
-      boolean within = !before(at, from) && !before(to, at);
-      return (whole || within) && ids.stream().anyMatch(finding.rule().id()::startsWith);
-    }
-
-    private static boolean before(Location a, Location b) {
-      return a.line() != b.line() ? a.line() < b.line() : a.column() < b.column();
+  private record Suppression(
+      Set<String> ids, Location from, Location to, @Nullable Suppression outer) {
+    boolean holds(Location at) {
+      return !before(at, from) && !before(to, at);
     }
   }
 
-  static Suppressions of(SceneDocument document) {
+  private final Set<String> whole;
+  private final List<Suppression> list;
+
+  private Suppressions(Set<String> whole, List<Suppression> list) {
+    this.whole = whole;
+    this.list = list;
+  }
+
+  /**
+   * Those of a document.
+   *
+   * @param rules ids of all rules
+   */
+  static Suppressions of(SceneDocument document, Set<String> rules) {
+    Set<String> whole = new HashSet<>();
     List<Suppression> list = new ArrayList<>();
+    Suppression last = null;
     for (SceneDocument.Comment comment : document.comments()) {
       IgnoreComment ignoring = IgnoreComment.of(comment).orElse(null);
       DocumentElement element = comment.before();
-      if (ignoring != null && element != null) {
-        Location end =
-            element
-                .end()
-                .orElse(new Location(document.name(), Integer.MAX_VALUE, Integer.MAX_VALUE));
-        list.add(
-            new Suppression(ignoring.ids(), element.parent().isEmpty(), element.location(), end));
+      if (ignoring == null || element == null) {
+        continue;
       }
+      Set<String> ids = new HashSet<>(ignoring.ids());
+      ids.removeIf(id -> rules.stream().noneMatch(rule -> rule.startsWith(id)));
+      if (element.parent().isEmpty()) {
+        whole.addAll(ids);
+        continue;
+      }
+      Location from = element.location();
+      Location to =
+          element.end().orElse(new Location(document.name(), Integer.MAX_VALUE, Integer.MAX_VALUE));
+      while (last != null && !last.holds(from)) {
+        last = last.outer;
+      }
+      last = new Suppression(ids, from, to, last);
+      list.add(last);
     }
-    return new Suppressions(List.copyOf(list));
+    return new Suppressions(whole, list);
   }
 
-  boolean cover(Finding finding) {
-    return list.stream().anyMatch(suppression -> suppression.covers(finding));
+  boolean cover(Rule rule, Location at) {
+    String id = rule.id();
+    if (whole.stream().anyMatch(id::startsWith)) {
+      return true;
+    }
+    for (Suppression s = lastBefore(at); s != null; s = s.outer) {
+      if (s.holds(at) && s.ids.stream().anyMatch(id::startsWith)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The last that begins at a place or before; they are in document order, and may be many. */
+  private @Nullable Suppression lastBefore(Location at) {
+    int low = 0;
+    int high = list.size();
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (before(at, list.get(middle).from)) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return low == 0 ? null : list.get(low - 1);
+  }
+
+  private static boolean before(Location a, Location b) {
+    return a.line() != b.line() ? a.line() < b.line() : a.column() < b.column();
   }
 }

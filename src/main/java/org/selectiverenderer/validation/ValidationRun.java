@@ -40,6 +40,7 @@ final class ValidationRun {
   private final Executor executor;
   private final FileChecker checker;
   private final List<SceneCheck> sceneChecks;
+  private final List<RunCheck> runChecks;
   private final Map<Path, CompletableFuture<FileResult>> started = new LinkedHashMap<>();
   private final Queue<Pending> pending = new ArrayDeque<>();
 
@@ -47,9 +48,10 @@ final class ValidationRun {
     this.settings = settings;
     this.base = base;
     this.executor = executor;
-    this.checker = new FileChecker(rules);
+    this.checker = new FileChecker(rules, settings);
     this.sceneChecks =
         rules.groups().stream().flatMap(group -> group.sceneChecks().stream()).toList();
+    this.runChecks = rules.groups().stream().flatMap(group -> group.runChecks().stream()).toList();
   }
 
   Report validate(List<SourceFile> files) {
@@ -104,28 +106,47 @@ final class ValidationRun {
   }
 
   private Report report(List<Scene> scenes) {
-    List<CompletableFuture<List<Finding>>> checking =
-        scenes.stream()
-            .map(scene -> CompletableFuture.supplyAsync(() -> check(scene), executor))
-            .toList();
     // A file of several scenes has its findings once.
     Set<Finding> all = new HashSet<>();
+    int dropped = 0;
     Map<String, Suppressions> suppressions = new LinkedHashMap<>();
     List<SourceFile> files = new ArrayList<>();
     for (CompletableFuture<FileResult> file : started.values()) {
       FileResult result = file.join();
       all.addAll(result.findings());
+      dropped += result.dropped();
       suppressions.put(result.outline().file().name(), result.suppressions());
       files.add(result.outline().file());
     }
-    checking.forEach(scene -> all.addAll(scene.join()));
-    return Report.of(files, new FindingFilter(settings, suppressions).apply(all));
+    WantedFindings wanted = new WantedFindings(settings, suppressions);
+    List<CompletableFuture<Findings>> checking =
+        scenes.stream()
+            .map(scene -> CompletableFuture.supplyAsync(() -> check(scene, wanted), executor))
+            .toList();
+    for (CompletableFuture<Findings> scene : checking) {
+      all.addAll(scene.join().list());
+      dropped += scene.join().dropped();
+    }
+    Findings ofRun = new Findings(wanted);
+    Path file = settings.file();
+    RunCheck.Settings given =
+        new RunCheck.Settings(settings, file == null ? "" : FileNames.relative(file, base));
+    List<SceneView> views = scenes.stream().map(this::view).toList();
+    runChecks.forEach(check -> check.check(views, given, ofRun));
+    all.addAll(ofRun.list());
+    List<Finding> weighed =
+        all.stream().map(finding -> finding.with(settings.severity(finding.rule()))).toList();
+    return Report.of(files, weighed, dropped);
   }
 
-  private List<Finding> check(Scene scene) {
-    Findings findings = new Findings();
-    SceneView view = new SceneView(scene.main, scene.root, scene.contents, settings);
+  private Findings check(Scene scene, WantedFindings wanted) {
+    Findings findings = new Findings(wanted);
+    SceneView view = view(scene);
     sceneChecks.forEach(check -> check.check(view, findings));
-    return findings.list();
+    return findings;
+  }
+
+  private SceneView view(Scene scene) {
+    return new SceneView(scene.main, scene.root, scene.contents, settings);
   }
 }

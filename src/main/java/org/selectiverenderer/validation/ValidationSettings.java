@@ -1,9 +1,11 @@
 package org.selectiverenderer.validation;
 
+import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.Problem.Severity;
 
 /**
@@ -12,9 +14,14 @@ import org.selectiverenderer.x3d.Problem.Severity;
  * @param ignored ids of rules, or beginnings of ids ({@code SR2} for a group)
  * @param severities by id of rule, instead of the rule's own
  * @param megabytes that a scene and all its files may have
+ * @param file that they were read from; null for none
  */
 public record ValidationSettings(
-    Set<String> ignored, Map<String, Severity> severities, List<Budget> budgets, double megabytes) {
+    Set<String> ignored,
+    Map<String, Severity> severities,
+    List<Budget> budgets,
+    double megabytes,
+    @Nullable Path file) {
   public ValidationSettings {
     ignored = Set.copyOf(ignored);
     severities = Map.copyOf(severities);
@@ -26,7 +33,7 @@ public record ValidationSettings(
 
   /** All rules as they are, no budgets. */
   public static ValidationSettings standard() {
-    return new ValidationSettings(Set.of(), Map.of(), List.of(), MEGABYTES);
+    return new ValidationSettings(Set.of(), Map.of(), List.of(), MEGABYTES, null);
   }
 
   /** Whether findings of a rule are not wanted. */
@@ -38,7 +45,7 @@ public record ValidationSettings(
   public ValidationSettings ignoring(Set<String> more) {
     Set<String> all = new HashSet<>(ignored);
     all.addAll(more);
-    return new ValidationSettings(all, severities, budgets, megabytes);
+    return new ValidationSettings(all, severities, budgets, megabytes, file);
   }
 
   /** The severity that findings of a rule are to have. */

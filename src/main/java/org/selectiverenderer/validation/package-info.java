@@ -6,22 +6,24 @@
  *  paths --SceneFinder--> files --FileChecker (in parallel)--> FileOutline + findings of the file
  *                                    | Inlines, each file once
  *                                    v
- *                     SceneChecker: one scene with all it inlines --> findings of the scene
+ *               SceneCheck: one scene with all it inlines --> findings of the scene
+ *               RunCheck: all scenes                      --> findings of the run
  *                                    v
- *        Filter (ignored rules, severities, comments in the file, baseline) --> Report --> report.*
+ *               severities of the settings --> Baseline --> Report --> report.*
  * </pre>
  *
  * <p>In: files and folders, {@link org.selectiverenderer.validation.ValidationSettings}. Out:
  * {@link org.selectiverenderer.validation.Report}, which {@code validation.report} writes in one of
  * five formats: sorted, the same bytes on every machine.
  *
- * <p>A file is parsed once, whoever inlines it. {@link org.selectiverenderer.validation.FileCheck}s
- * look at its document, where every attribute has its place; then the text and the coordinates are
- * let go, and what is left, the {@link org.selectiverenderer.validation.FileOutline}, is what
- * {@link org.selectiverenderer.validation.SceneCheck}s look at, so that memory is bounded by the
- * largest file. All that can be said stands in the {@link
- * org.selectiverenderer.validation.RuleCatalogue}; a package for each group of rules holds the
- * rules and their checks.
+ * <p>{@link org.selectiverenderer.validation.Findings} keeps none that the settings or a comment in
+ * the file suppress. A file is parsed once, whoever inlines it. {@link
+ * org.selectiverenderer.validation.FileCheck}s look at its document, where every attribute has its
+ * place; then the text and the coordinates are let go, and what is left, the {@link
+ * org.selectiverenderer.validation.FileOutline}, is what {@link
+ * org.selectiverenderer.validation.SceneCheck}s look at, so that memory is bounded by the largest
+ * file. All that can be said stands in the {@link org.selectiverenderer.validation.RuleCatalogue};
+ * a package for each group of rules holds the rules and their checks.
  *
  * <p>May use {@code x3d}, {@code schema} and {@code polygon.statistics}; loads no AWT and no GL.
  */

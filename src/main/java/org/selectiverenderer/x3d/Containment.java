@@ -17,8 +17,8 @@ public final class Containment {
       NodeType parent, NodeType child, @Nullable String containerField) {
     String name = containerField != null ? containerField : usual(parent, child);
     FieldDefinition field = parent.field(name).orElse(null);
-    if (field == null && isOld(parent, name)) {
-      field = parent.field("children").orElse(null);
+    if (field == null) {
+      field = renamed(parent, name).flatMap(parent::field).orElse(null);
     }
     return Optional.ofNullable(field).filter(found -> accepts(found, child));
   }
@@ -31,9 +31,20 @@ public final class Containment {
         : child.containerField();
   }
 
-  /** Whether X3D 3.0 and VRML97 called the children of such a node so. */
-  public static boolean isOld(NodeType parent, String name) {
-    return name.equals("choice") && parent.is("Switch") || name.equals("level") && parent.is("LOD");
+  /**
+   * What X3D 4.0 calls a field of such a node that earlier editions called otherwise: the children
+   * of a Switch or LOD in VRML97, the sides of a ComposedCubeMapTexture in X3D 3.
+   */
+  public static Optional<String> renamed(NodeType parent, String name) {
+    return switch (parent.name()) {
+      case "Switch" -> Optional.of("children").filter(now -> name.equals("choice"));
+      case "LOD" -> Optional.of("children").filter(now -> name.equals("level"));
+      case "LoadSensor" -> Optional.of("children").filter(now -> name.equals("watchList"));
+      case "ParticleSystem" -> Optional.of("color").filter(now -> name.equals("colorRamp"));
+      case "ComposedCubeMapTexture" ->
+          Optional.of(name + "Texture").filter(now -> parent.field(now).isPresent());
+      default -> Optional.empty();
+    };
   }
 
   /** All fields of a node that take such a child, in the order of the catalogue. */

@@ -13,9 +13,11 @@ public final class DocumentElement {
   private final String name;
   private final int start;
   private final Location location;
+  private @Nullable Place place;
   private final List<DocumentElement> children = new ArrayList<>(2);
   private List<DocumentAttribute> attributes = List.of();
   private @Nullable StringBuilder text;
+  private @Nullable Location textLocation;
   private @Nullable Location end;
 
   DocumentElement(
@@ -42,9 +44,10 @@ public final class DocumentElement {
     end = place;
   }
 
-  void addText(String more) {
+  void addText(String more, Location at) {
     if (text == null) {
       text = new StringBuilder();
+      textLocation = at;
     }
     text.append(more);
   }
@@ -58,7 +61,7 @@ public final class DocumentElement {
     return Optional.ofNullable(parent);
   }
 
-  /** The name without prefix. */
+  /** The name without prefix; with it where the element is of another language's namespace. */
   public String name() {
     return name;
   }
@@ -101,8 +104,18 @@ public final class DocumentElement {
     return text == null ? "" : text.toString();
   }
 
+  /** Where that text begins; where the tag starts if there is none. */
+  public Location textLocation() {
+    return textLocation == null ? location : textLocation;
+  }
+
   Place place() {
-    return new Place(document.source(), start, location);
+    Place known = place;
+    if (known == null) {
+      known = new Place(document.source(), start, location);
+      place = known;
+    }
+    return known;
   }
 
   @Override

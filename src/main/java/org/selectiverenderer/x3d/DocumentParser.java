@@ -118,7 +118,10 @@ final class DocumentParser {
   private void breakOff(SceneDocument document, boolean cut, XMLStreamException fault) {
     String what = XmlFaults.describe(fault);
     Kind kind = what.contains("entities of a DOCTYPE") ? Kind.ENTITY : Kind.SYNTAX;
-    breakOff(document, cut, kind, what, fault.getLocation());
+    if (!cut) {
+      Location at = XmlFaults.place(fault, document.source(), name);
+      document.add(new DocumentFault(kind, at == null ? Location.of(name) : at, what));
+    }
   }
 
   private void breakOff(
@@ -143,7 +146,7 @@ final class DocumentParser {
         return start(document, xml);
       }
       case XMLStreamConstants.END_ELEMENT -> end(document, xml);
-      case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text(xml);
+      case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text(document, xml);
       case XMLStreamConstants.COMMENT -> {
         comments.add(new SceneDocument.Comment(xml.getText(), place(document, xml), null));
       }
@@ -171,24 +174,14 @@ final class DocumentParser {
     return identifier == null ? "" : identifier;
   }
 
-  /** Where the current event starts. In front of the root the parser counts white space to it. */
   private Location place(SceneDocument document, XMLStreamReader2 xml) {
-    javax.xml.stream.Location at = xml.getLocationInfo().getStartLocation();
-    SourceText text = document.source();
-    int line = at.getLineNumber();
-    int column = at.getColumnNumber();
-    for (int i = at.getCharacterOffset(); i < text.length() && text.charAt(i) <= ' '; i++) {
-      char c = text.charAt(i);
-      boolean first = c == '\r' && i + 1 < text.length() && text.charAt(i + 1) == '\n';
-      column = c == '\n' || c == '\r' ? 1 : column + 1;
-      line += (c == '\n' || c == '\r') && !first ? 1 : 0;
-    }
-    return new Location(name, line, column);
+    return Place.of(document.source(), name, xml).location();
   }
 
   private boolean start(SceneDocument document, XMLStreamReader2 xml) throws XMLStreamException {
-    String element = xml.getLocalName();
-    Location location = place(document, xml);
+    String element = XmlNames.element(xml);
+    Place place = Place.of(document.source(), name, xml);
+    Location location = place.location();
     if (depth >= limits.maxDepth() || document.elements().size() >= limits.maxNodes()) {
       String limit =
           depth >= limits.maxDepth()
@@ -197,8 +190,7 @@ final class DocumentParser {
       document.add(new DocumentFault(Kind.LIMIT, location, limit));
       return false;
     }
-    int offset = xml.getLocationInfo().getStartLocation().getCharacterOffset();
-    DocumentElement made = new DocumentElement(document, open, element, offset, location);
+    DocumentElement made = new DocumentElement(document, open, element, place.offset(), location);
     depth++;
     prototypes += element.equals("ProtoDeclare") ? 1 : 0;
     made.attributes(attributes(xml, made));
@@ -229,9 +221,9 @@ final class DocumentParser {
     }
   }
 
-  private void text(XMLStreamReader2 xml) throws XMLStreamException {
+  private void text(SceneDocument document, XMLStreamReader2 xml) throws XMLStreamException {
     if (!xml.isWhiteSpace() && open != null) {
-      open.addText(xml.getText());
+      open.addText(xml.getText(), place(document, xml));
     }
   }
 

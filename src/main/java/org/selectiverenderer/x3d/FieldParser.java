@@ -101,8 +101,7 @@ public final class FieldParser {
       return size;
     }
     if (found < size) {
-      flaws.error(
-          0,
+      flaws.unusable(
           size == 1
               ? "a number is missing; the default is used"
               : size + " numbers are needed and " + found + " given; the default is used");

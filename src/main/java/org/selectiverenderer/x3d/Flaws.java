@@ -29,6 +29,18 @@ final class Flaws {
     }
   }
 
+  /** One flaw instead of those so far, since nothing of the value is used: the first, or this. */
+  void unusable(String message) {
+    FieldParser.Flaw first = list.isEmpty() ? null : list.get(0);
+    list.clear();
+    more = 0;
+    if (first == null) {
+      error(0, message);
+    } else {
+      error(first.offset(), first.message().replaceFirst(";.*", "") + "; the default is used");
+    }
+  }
+
   boolean isEmpty() {
     return list.isEmpty();
   }

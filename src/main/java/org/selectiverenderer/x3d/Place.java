@@ -1,26 +1,86 @@
 package org.selectiverenderer.x3d;
 
+import org.codehaus.stax2.XMLStreamLocation2;
+import org.codehaus.stax2.XMLStreamReader2;
+
 /**
  * Where an element starts in its file. Places within its start tag are found by reading the tag
- * once more, which costs nothing as long as nothing is wrong.
- *
- * @param offset of the tag's {@code <}
+ * once more, which costs nothing as long as nothing is wrong; who asks for one attribute after the
+ * other goes through the tag once. Serves one thread.
  */
-record Place(SourceText text, int offset, Location location) {
+final class Place {
+  private final SourceText text;
+  private final int offset;
+  private final Location location;
+  private Mark mark;
+
+  /** The name of an attribute that has been found, or the tag's start before the first one. */
+  private record Mark(int attribute, int at, int line, int column) {}
+
+  /**
+   * @param offset of the tag's {@code <}
+   * @param location of the same
+   */
+  Place(SourceText text, int offset, Location location) {
+    this.text = text;
+    this.offset = offset;
+    this.location = location;
+    this.mark = start();
+  }
+
+  /** Where the parser's current event starts: in front of the root it counts white space to it. */
+  static Place of(SourceText text, String file, XMLStreamReader2 xml) {
+    XMLStreamLocation2 at = xml.getLocationInfo().getStartLocation();
+    int offset = at.getCharacterOffset();
+    int line = at.getLineNumber();
+    int column = at.getColumnNumber();
+    for (; offset < text.length() && text.charAt(offset) <= ' '; offset++) {
+      char c = text.charAt(offset);
+      boolean first = c == '\r' && offset + 1 < text.length() && text.charAt(offset + 1) == '\n';
+      column = c == '\n' || c == '\r' ? 1 : column + 1;
+      line += (c == '\n' || c == '\r') && !first ? 1 : 0;
+    }
+    return new Place(text, offset, new Location(file, line, column));
+  }
+
+  private Mark start() {
+    return new Mark(-1, offset, location.line(), location.column());
+  }
+
+  /** Where the tag starts. */
+  Location location() {
+    return location;
+  }
+
+  /** The offset of the tag's {@code <}. */
+  int offset() {
+    return offset;
+  }
 
   /** The name of the attribute of that index, namespace declarations not counted. */
   Location attribute(int index) {
-    return new Walk().find(index, -1);
+    return walk(index).find(index, -1);
+  }
+
+  /** The name of that attribute with its prefix; empty if there is none. */
+  String attributeName(int index) {
+    Walk walk = walk(index);
+    walk.find(index, -1);
+    return walk.last;
   }
 
   /** A character of its value, counted from the first that is no white space. */
   Location inAttribute(int index, int offset) {
-    return new Walk().find(index, offset);
+    return walk(index).find(index, offset);
+  }
+
+  private Walk walk(int index) {
+    return new Walk(mark.attribute <= index ? mark : start());
   }
 
   /** The value of the attribute of that index as it is written, references and all. */
   String attributeText(int index) {
-    Walk walk = new Walk();
+    Walk walk = walk(index);
     walk.find(index, 0);
     int start = walk.at;
     while (!walk.ended() && walk.peek() != walk.quote) {
@@ -35,24 +95,40 @@ record Place(SourceText text, int offset, Location location) {
 
   /** Steps through the start tag and keeps count of lines and columns. */
   private final class Walk {
-    private int at = offset;
-    private int line = location.line();
-    private int column = location.column();
+    private int at;
+    private int line;
+    private int column;
+    private int found;
     private char quote;
+    private String last = "";
+
+    Walk(Mark from) {
+      at = from.at;
+      line = from.line;
+      column = from.column;
+      found = from.attribute;
+      if (found < 0) {
+        step();
+        name();
+      } else {
+        found--; // It is found again.
+      }
+    }
 
     Location find(int index, int inValue) {
-      step();
-      name();
-      for (int found = -1; ; ) {
+      while (true) {
         space();
+        int start = at;
         int line = this.line;
         int column = this.column;
         String name = name();
+        last = name;
         if (name.isEmpty()) {
           return location;
         }
         if (!name.equals("xmlns") && !name.startsWith("xmlns:")) {
           found++;
+          mark = new Mark(found, start, line, column);
         }
         if (found == index && inValue < 0) {
           return new Location(location.file(), line, column);

@@ -44,7 +44,8 @@ record SceneBytes(
     try (Gunzip unpacked = new Gunzip(start)) {
       return fill(unpacked, 4 * expected, limits, unpacked);
     } catch (ZipException | EOFException e) {
-      return refused("the gzip compression is damaged at its very start; nothing can be read");
+      String cut = "the gzip compression is damaged at its very start";
+      return new SceneBytes(new byte[0], 0, true, cut, null);
     }
   }
 

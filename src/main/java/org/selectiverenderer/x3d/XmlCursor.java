@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
-import org.codehaus.stax2.LocationInfo;
 import org.codehaus.stax2.XMLStreamReader2;
 import org.codehaus.stax2.typed.TypedValueDecoder;
 import org.jspecify.annotations.Nullable;
@@ -75,14 +74,17 @@ final class XmlCursor implements ElementCursor {
         }
       }
     } catch (XMLStreamException e) {
-      breakOff(XmlFaults.describe(e), e.getLocation());
+      breakOff(XmlFaults.describe(e), XmlFaults.place(e, text, reading.source()));
     } catch (RuntimeException e) {
       // Text is parsed when it is asked for, and then the parser wraps its exception. Whatever else
       // it may throw on hostile text means no more than that the text is bad.
       if (e.getCause() instanceof XMLStreamException fault) {
-        breakOff(XmlFaults.describe(fault), fault.getLocation());
+        breakOff(XmlFaults.describe(fault), XmlFaults.place(fault, text, reading.source()));
       } else {
-        breakOff("the XML is not well formed from here on", xml.getLocation());
+        javax.xml.stream.Location at = xml.getLocation();
+        breakOff(
+            "the XML is not well formed from here on",
+            new Location(reading.source(), at.getLineNumber(), at.getColumnNumber()));
       }
     }
     if (broken && gathered.size() > 1) {
@@ -91,34 +93,24 @@ final class XmlCursor implements ElementCursor {
     return false;
   }
 
-  private void breakOff(String what, javax.xml.stream.@Nullable Location at) {
+  private void breakOff(String what, @Nullable Location at) {
     broken = true;
-    if (cut) {
-      return;
+    if (!cut) {
+      Location location = at == null ? Location.of(reading.source()) : at;
+      reading.error(location, what + "; what was read before is kept");
     }
-    Location location =
-        at != null
-            ? new Location(reading.source(), at.getLineNumber(), at.getColumnNumber())
-            : Location.of(reading.source());
-    reading.error(location, what + "; what was read before is kept");
   }
 
   @Override
   public String name() {
-    return xml.getLocalName();
+    return XmlNames.element(xml);
   }
 
   @Override
   public Place place() {
     Place known = place;
     if (known == null) {
-      LocationInfo info = xml.getLocationInfo();
-      javax.xml.stream.Location at = info.getStartLocation();
-      known =
-          new Place(
-              text,
-              at.getCharacterOffset(),
-              new Location(reading.source(), at.getLineNumber(), at.getColumnNumber()));
+      known = Place.of(text, reading.source(), xml);
       place = known;
     }
     return known;

@@ -136,6 +136,31 @@ class ValidateCommandTest {
   }
 
   @Test
+  void doubleStarsStandForAnyNumberOfFoldersAndNone() throws IOException {
+    write("a/deep/er/x.x3d", GOOD.formatted(""));
+    write("a/x.x3d", GOOD.formatted(""));
+    for (String pattern : List.of("**/*.x3d", "**/{x,good,error,warning}.x3d", "**/**/*.x3d")) {
+      out.reset();
+      execute("validate", folder + "/" + pattern, "--base", folder.toString());
+      assertThat(text(out)).as(pattern).contains("5 files:");
+    }
+    out.reset();
+    assertThat(execute("validate", folder + "/a/**/x.x3d", "--base", folder.toString())).isZero();
+    assertThat(text(out)).contains("2 files:");
+    assertFails("no scene", "**/*.x3dv");
+  }
+
+  @Test
+  void namesAreRelativeReferencesInSarif() throws IOException {
+    write("C: 50% #1?/Το é.x3d", ERROR);
+    String scene = folder.resolve("C: 50% #1?/Το é.x3d").toString();
+    assertThat(execute("validate", scene, "--base", folder.toString(), "--format", "sarif"))
+        .isEqualTo(1);
+    assertThat(text(out))
+        .contains("\"uri\" : \"C%3A%2050%25%20%231%3F/%CE%A4%CE%BF%20%C3%A9.x3d\"");
+  }
+
+  @Test
   void linksInCirclesEndInALine() throws IOException {
     Files.createSymbolicLink(folder.resolve("loop"), folder);
     assertThat(execute("validate", folder.toString(), "--base", folder.toString())).isEqualTo(1);
@@ -154,6 +179,20 @@ class ValidateCommandTest {
     err.reset();
     assertThat(execute("validate")).isEqualTo(2);
     assertThat(text(err)).contains("name a scene, or a folder of scenes");
+  }
+
+  @Test
+  void sentencesNameWhatTheUserWrote() throws IOException {
+    assertFails(
+        "'xml' is no format: text, json, sarif, junit or github", "good.x3d", "--format", "xml");
+    String settings = write("settings.json", "{\"ignore\": [").toString();
+    assertFails("settings.json:1:13: is no JSON", "good.x3d", "--config", settings);
+    assertThat(text(err)).doesNotContain("Source", "byte[]", "start marker");
+    assertFails("--rules says what the rules are; it takes no PATH", "good.x3d", "--rules");
+    assertFails("it takes no PATH", "good.x3d", "--explain", "SR101");
+    if (Files.isWritable(Path.of("/dev/full"))) {
+      assertFails("/dev/full: ", "good.x3d", "--output", "/dev/full");
+    }
   }
 
   @Test
@@ -179,7 +218,12 @@ class ValidateCommandTest {
   private int validate(String name, String... options) {
     String[] args = new String[options.length + 2];
     args[0] = "validate";
-    args[1] = folder.resolve(name.replace("*", "_")).toString().replace("_.x3dv", "*.x3dv");
+    args[1] =
+        folder
+            .resolve(name.replace("*", "_"))
+            .toString()
+            .replace("_.x3dv", "*.x3dv")
+            .replace("__/", "**/");
     System.arraycopy(options, 0, args, 2, options.length);
     return execute(args);
   }

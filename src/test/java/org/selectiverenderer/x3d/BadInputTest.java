@@ -142,7 +142,7 @@ class BadInputTest {
         "test.x3d: the gzip compression is damaged or cut off here; what was read before is kept");
     fixture.read(Arrays.copyOf(packed, 5));
     fixture.assertOnly(
-        "test.x3d: the gzip compression is damaged at its very start; nothing can be read");
+        "test.x3d: the gzip compression is damaged at its very start; nothing can be shown");
   }
 
   @Test

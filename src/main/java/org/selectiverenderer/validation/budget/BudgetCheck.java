@@ -1,14 +1,9 @@
 package org.selectiverenderer.validation.budget;
 
-import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
-import java.util.Set;
 import org.selectiverenderer.polygon.statistics.SceneModel;
 import org.selectiverenderer.polygon.statistics.SceneModel.State;
-import org.selectiverenderer.schema.SchemaNames;
 import org.selectiverenderer.validation.Budget;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.OutlinedFile;
@@ -18,102 +13,54 @@ import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.ParsedNode;
 
-/**
- * Polygons of parts of a scene against their budgets. A group is found by its DEF name, else by the
- * only one that differs in letter case; a scene without it is not concerned.
- */
+/** Polygons of parts of a scene against their budgets. */
 final class BudgetCheck implements SceneCheck {
   @Override
   public void check(SceneView view, Findings findings) {
     if (!view.settings().budgets().isEmpty()) {
       SceneModel model = OutlinedFile.model(view);
-      Scene scene = new Scene(view, model, findings);
-      view.settings().budgets().forEach(scene::check);
+      for (Budget budget : view.settings().budgets()) {
+        Fit fit = Fit.of(budget, model);
+        if (fit instanceof Fit.Holds holds) {
+          worst(view, budget, holds, findings);
+        } else if (fit instanceof Fit.Slip slip) {
+          Object[] words = {slip.kind(), slip.name(), slip.near()};
+          report(view, BudgetRules.NO_SUCH_BUDGET, slip.group(), findings, words);
+        } // What is neither may be for another scene: UnusedBudgetCheck.
+      }
     }
   }
 
-  /** One scene and its budgets. */
-  private record Scene(SceneView view, SceneModel model, Findings findings) {
-    void check(Budget budget) {
-      String wanted = budget.scope();
-      Optional<String> group = wanted.isEmpty() ? Optional.of("") : group(wanted);
-      if (group.isPresent()) {
-        check(budget, group.get());
-      } else {
-        SchemaNames.probablyMeant(wanted, model.groups())
-            .ifPresent(near -> report(BudgetRules.NO_SUCH_BUDGET, near, "group", wanted, near));
-      }
-    }
+  private static void worst(SceneView view, Budget budget, Fit.Holds holds, Findings findings) {
+    String group = holds.group();
+    holds.states().stream()
+        .max(Comparator.comparingLong(State::polygons))
+        .filter(worst -> worst.polygons() > budget.polygons())
+        .ifPresent(
+            worst ->
+                report(
+                    view,
+                    BudgetRules.OVER_BUDGET,
+                    group,
+                    findings,
+                    group.isEmpty() ? "the scene" : group,
+                    worst.polygons(),
+                    in(worst.schemas()),
+                    worst.polygons() - budget.polygons(),
+                    budget.polygons()));
+  }
 
-    private void check(Budget budget, String group) {
-      Set<String> wanted = new HashSet<>(budget.schemas());
-      for (String schema : budget.schemas()) {
-        Optional<String> near = schemas().contains(schema) ? Optional.empty() : near(schema);
-        if (near.isPresent()) {
-          report(BudgetRules.NO_SUCH_BUDGET, group, "schema", schema, near.get());
-          return;
-        }
-      }
-      // What no area activates on entering holds where the viewer is in none.
-      wanted.retainAll(entered());
-      List<State> states =
-          model.states(group).stream()
-              .filter(s -> budget.schemas().isEmpty() || wanted.equals(new HashSet<>(s.schemas())))
-              .toList();
-      states.stream()
-          .max(Comparator.comparingLong(State::polygons))
-          .filter(worst -> worst.polygons() > budget.polygons())
-          .ifPresent(worst -> over(budget, group, worst));
-    }
+  private static String in(List<String> schemas) {
+    return schemas.isEmpty() ? "outside all areas" : "with " + String.join(" and ", schemas);
+  }
 
-    private void over(Budget budget, String group, State worst) {
-      String state =
-          worst.schemas().isEmpty()
-              ? "outside all areas"
-              : "with " + String.join(" and ", worst.schemas());
-      report(
-          BudgetRules.OVER_BUDGET,
-          group,
-          group.isEmpty() ? "the scene" : group,
-          worst.polygons(),
-          state,
-          worst.polygons() - budget.polygons(),
-          budget.polygons());
-    }
-
-    private Optional<String> group(String name) {
-      if (model.groups().contains(name)) {
-        return Optional.of(name);
-      }
-      List<String> alike =
-          model.groups().stream().filter(group -> group.equalsIgnoreCase(name)).toList();
-      return alike.size() == 1 ? Optional.of(alike.get(0)) : Optional.empty();
-    }
-
-    private Set<String> entered() {
-      Set<String> entered = new HashSet<>();
-      model.areas().forEach(area -> entered.addAll(area.schemas().enter()));
-      return entered;
-    }
-
-    private Set<String> schemas() {
-      Set<String> schemas = entered();
-      model.areas().forEach(area -> schemas.addAll(area.schemas().exit()));
-      model.objects().forEach(o -> schemas.addAll(o.schemas().choiceBySchema().keySet()));
-      return schemas;
-    }
-
-    private Optional<String> near(String schema) {
-      return SchemaNames.probablyMeant(schema, new ArrayList<>(schemas()));
-    }
-
-    private void report(Rule rule, String group, Object... words) {
-      ParsedNode node = view.main().scene().named().get(group);
-      if (node == null) {
-        findings.add(rule, Location.of(view.main().file().name()), "", words);
-      } else {
-        findings.add(rule, node, words);
-      }
+  private static void report(
+      SceneView view, Rule rule, String group, Findings findings, Object... words) {
+    ParsedNode node = view.main().scene().named().get(group);
+    if (node == null) {
+      findings.add(rule, Location.of(view.main().file().name()), "", words);
+    } else {
+      findings.add(rule, node, words);
     }
   }
 }

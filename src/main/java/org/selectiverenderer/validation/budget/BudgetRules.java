@@ -23,12 +23,23 @@ public final class BudgetRules {
       Rule.warning("SR502", "a budget is for the {kind} {name}, but the scene has {near}")
           .because(
               """
-              A budget of a group that a scene does not have does not concern that scene. This \
-              one has nearly the same name, so that the settings probably have a slip, and the \
-              budget is not checked.""")
+              A budget of a group or of schemas that a scene does not have does not concern that \
+              scene. This one has nearly the same name, so that the settings probably have a slip, \
+              and the budget is not checked.""")
           .bad(example("Ofice", 190000, 180500))
           .good(example("Office", 190000, 180500))
           .see("thesis 6.2");
+
+  static final Rule UNUSED_BUDGET =
+      Rule.warning("SR503", "the budget of {polygons} for {what} fits no scene of this run")
+          .because(
+              """
+              No scene has such a group, or such schemas that can be active together, so that \
+              nothing is held against the budget: a gate that is always open. Who checks only some \
+              of the scenes can leave it out by --ignore SR503.""")
+          .bad(example("Kitchen", 190000, 180500))
+          .good(example("Office", 190000, 180500))
+          .see("docs/validate.md");
 
   private BudgetRules() {}
 
@@ -43,6 +54,10 @@ public final class BudgetRules {
 
   public static RuleGroup group() {
     return new RuleGroup(
-        "Budget", List.of(OVER_BUDGET, NO_SUCH_BUDGET), List.of(), List.of(new BudgetCheck()));
+        "Budget",
+        List.of(OVER_BUDGET, NO_SUCH_BUDGET, UNUSED_BUDGET),
+        List.of(),
+        List.of(new BudgetCheck()),
+        List.of(new UnusedBudgetCheck()));
   }
 }

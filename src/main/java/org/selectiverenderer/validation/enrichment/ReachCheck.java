@@ -31,17 +31,24 @@ final class ReachCheck implements EnrichmentPart {
   private static void check(
       EnrichedScene scene, ParsedNode sensor, Optional<Bounds> reach, Findings findings) {
     float[] size = sensor.floats("size");
-    if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) {
-      findings.add(SensorRules.NO_VOLUME, sensor);
+    if (!SensorCheck.hasVolume(sensor)) {
+      if (Math.min(size[0], Math.min(size[1], size[2])) >= 0) { // Less is SR105's.
+        findings.addAt(SensorRules.NO_VOLUME, scene.view().main(), sensor, "size");
+      }
     } else if (scene.areas().containsKey(sensor)) {
       List<Matrix4dc> places = scene.model().map(m -> m.places(sensor)).orElse(List.of());
       List<SensorBox> boxes = new ArrayList<>();
       places.forEach(
           place -> SensorBox.of(sensor.floats("center"), size, place).ifPresent(boxes::add));
       if (boxes.isEmpty() && !places.isEmpty()) {
-        findings.add(SensorRules.NO_VOLUME, sensor);
+        findings.addAt(SensorRules.NO_VOLUME, scene.view().main(), sensor, "size");
       } else if (!sensor.bool("enabled") && !scene.driven(sensor, "enabled")) {
-        findings.add(SensorRules.UNREACHABLE, sensor, "it is not enabled, and no route enables it");
+        findings.addAt(
+            SensorRules.UNREACHABLE,
+            scene.view().main(),
+            sensor,
+            "enabled",
+            "it is not enabled, and no route enables it");
       } else if (reach.isPresent()
           && !boxes.isEmpty()
           && boxes.stream().allMatch(box -> apart(box.bounds(), reach.get()))) {

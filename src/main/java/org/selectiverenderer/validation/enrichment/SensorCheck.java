@@ -5,6 +5,7 @@ import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.ParsedNode;
 
@@ -20,6 +21,7 @@ final class SensorCheck implements EnrichmentPart {
   }
 
   private static void check(EnrichedScene scene, ParsedNode sensor, Findings findings) {
+    FileOutline file = scene.view().main();
     boolean[] emptyExit = {false};
     SchemaReader reader =
         new SchemaReader(
@@ -27,15 +29,21 @@ final class SensorCheck implements EnrichmentPart {
               NodeMetadata at = (NodeMetadata) problem.metadata();
               emptyExit[0] |= SchemaField.of(at.name()).equals(SchemaField.of("exitTimeSchema"));
               if (problem.kind() == SchemaProblem.Kind.NO_SCHEMA) {
-                findings.add(SensorRules.NAMES_NOTHING, at.node(), at.name().strip());
+                findings.addAt(
+                    SensorRules.NAMES_NOTHING, file, at.node(), "value", at.name().strip());
               } else {
-                findings.add(
-                    SchemaRules.MISPLACED, at.node(), at.name().strip(), Misplacement.IN_AREA);
+                findings.addAt(
+                    SchemaRules.MISPLACED,
+                    file,
+                    at.node(),
+                    "name",
+                    at.name().strip(),
+                    Misplacement.IN_AREA);
               }
             });
     SensorSchemas schemas = NodeMetadata.of(sensor).flatMap(reader::sensor).orElse(null);
     if (schemas == null) {
-      if (!scene.heard(sensor)) {
+      if (!scene.heard(sensor) && !slipOfSize(scene, sensor)) {
         findings.add(
             scene.model().isPresent() ? SensorRules.WITHOUT_SCHEMAS : SensorRules.NOT_ENRICHED,
             sensor);
@@ -43,5 +51,18 @@ final class SensorCheck implements EnrichmentPart {
     } else if (!schemas.enter().isEmpty() && schemas.exit().isEmpty() && !emptyExit[0]) {
       findings.add(SensorRules.WITHOUT_EXIT, sensor);
     }
+  }
+
+  /** Whether the box has sides of more than nothing. */
+  static boolean hasVolume(ParsedNode sensor) {
+    float[] size = sensor.floats("size");
+    return size[0] > 0 && size[1] > 0 && size[2] > 0;
+  }
+
+  /** Whether a size is given that is none, which is told of already. */
+  private static boolean slipOfSize(EnrichedScene scene, ParsedNode sensor) {
+    return sensor.given(sensor.type().indexOf("size"))
+        && !hasVolume(sensor)
+        && !scene.driven(sensor, "size");
   }
 }

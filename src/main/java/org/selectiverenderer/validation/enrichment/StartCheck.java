@@ -42,8 +42,14 @@ final class StartCheck implements EnrichmentPart {
           && inRange
           && claim.choice != shown
           && !scene.driven(object.node(), "whichChoice")) {
-        findings.add(
-            VersionRules.NOT_AS_AT_START, object.node(), shown, claim.schema, claim.choice);
+        findings.addAt(
+            VersionRules.NOT_AS_AT_START,
+            scene.view().main(),
+            object.node(),
+            "whichChoice",
+            shown,
+            claim.schema,
+            claim.choice);
       }
     }
   }

@@ -3,16 +3,21 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.Spelling;
 
 /** The metadata of each Switch by itself, against its children. */
 final class SwitchMetadataCheck implements EnrichmentPart {
@@ -34,7 +39,7 @@ final class SwitchMetadataCheck implements EnrichmentPart {
         new SchemaReader(
             problem -> {
               ours[0] = true;
-              report(problem, sets, children, findings);
+              report(problem, scene.view().main(), sets, children, findings);
             });
     SwitchSchemas schemas = reader.switchNode(metadata, children).orElse(null);
     if (schemas != null) {
@@ -46,7 +51,11 @@ final class SwitchMetadataCheck implements EnrichmentPart {
   }
 
   private static void report(
-      SchemaProblem problem, List<NodeMetadata> sets, int children, Findings findings) {
+      SchemaProblem problem,
+      FileOutline file,
+      List<NodeMetadata> sets,
+      int children,
+      Findings findings) {
     NodeMetadata at = (NodeMetadata) problem.metadata();
     NodeView node = at.node();
     switch (problem.kind()) {
@@ -55,12 +64,29 @@ final class SwitchMetadataCheck implements EnrichmentPart {
       case MORE_SETS_THAN_CHOICES ->
           findings.add(SwitchRules.MORE_SETS, node, Counts.sets(sets), Counts.children(children));
       case NO_SCHEMA -> findings.add(SwitchRules.NO_SCHEMA, node, Math.max(0, sets.indexOf(at)));
-      case UNKNOWN_TYPE -> findings.add(SwitchRules.UNKNOWN_TYPE, node, first(at));
-      case UNKNOWN_DEGREE -> findings.add(SwitchRules.UNKNOWN_DEGREE, node, first(at));
-      case SEVERAL_VALUES -> findings.add(SwitchRules.SEVERAL_VALUES, node, at.name().strip());
+      case UNKNOWN_TYPE ->
+          findings.addAt(SwitchRules.UNKNOWN_TYPE, file, node, "value", first(at), meant(at));
+      case UNKNOWN_DEGREE ->
+          findings.addAt(SwitchRules.UNKNOWN_DEGREE, file, node, "value", first(at));
+      case SEVERAL_VALUES ->
+          findings.addAt(SwitchRules.SEVERAL_VALUES, file, node, "value", at.name().strip());
       case MISPLACED ->
-          findings.add(SchemaRules.MISPLACED, node, at.name().strip(), Misplacement.inSwitch(at));
+          findings.addAt(
+              SchemaRules.MISPLACED,
+              file,
+              node,
+              "name",
+              at.name().strip(),
+              Misplacement.inSwitch(at));
     }
+  }
+
+  private static String meant(NodeMetadata at) {
+    List<String> known =
+        Stream.of(ConsistencyType.values()).map(t -> t.name().toLowerCase(Locale.ROOT)).toList();
+    return Spelling.nearest(at.values().get(0), known)
+        .map(near -> "; did you mean " + near + "?")
+        .orElse("");
   }
 
   private static String first(NodeMetadata at) {
@@ -87,7 +113,13 @@ final class SwitchMetadataCheck implements EnrichmentPart {
   private static void range(EnrichedScene scene, ParsedNode node, int children, Findings findings) {
     int choice = node.integer("whichChoice");
     if ((choice >= children || choice < -1) && !scene.driven(node, "whichChoice")) {
-      findings.add(SwitchRules.OUT_OF_RANGE, node, choice, Counts.children(children));
+      findings.addAt(
+          SwitchRules.OUT_OF_RANGE,
+          scene.view().main(),
+          node,
+          "whichChoice",
+          choice,
+          Counts.children(children));
     }
   }
 }

@@ -60,7 +60,8 @@ final class SwitchRules {
 
   static final Rule UNKNOWN_TYPE =
       Rule.warning(
-              "SR411", "consistencyType is neither consistent, inconsistent nor frame but {value}")
+              "SR411",
+              "consistencyType is neither consistent, inconsistent nor frame but {value}{suggestion}")
           .because("What is not one of the three words is ignored.")
           .bad(typed("usual"))
           .good(typed("inconsistent"))

@@ -22,33 +22,37 @@ final class VocabularyCheck implements EnrichmentPart {
 
   @Override
   public void check(EnrichedScene scene, Findings findings) {
+    FileOutline file = scene.view().main();
     for (ParsedNode node : scene.nodes()) {
       boolean ours = EnrichedScene.isArea(node) || EnrichedScene.isObject(node);
       words(
           node,
           at -> {
             if (ours) {
-              spelling(at, findings);
+              spelling(at, file, findings);
             } else if (SchemaField.of(at.name()).isPresent()) {
-              misplaced(at, "only ProximitySensors and Switches have schemas", findings);
+              misplaced(at, "only ProximitySensors and Switches have schemas", file, findings);
             }
           });
     }
     Set<FileOutline> inlined = new LinkedHashSet<>(scene.view().contents().values());
     inlined.remove(scene.view().main());
-    inlined.forEach(file -> inlined(file, findings));
+    inlined.forEach(other -> inlined(other, findings));
   }
 
-  private static void spelling(NodeMetadata at, Findings findings) {
+  private static void spelling(NodeMetadata at, FileOutline file, Findings findings) {
     String name = at.name().strip();
     Optional<SchemaField> field = SchemaField.of(name);
     if (field.isPresent()) {
       if (!field.get().spelling().equals(name)) {
-        findings.add(SchemaRules.OTHER_SPELLING, at.node(), name, field.get().spelling());
+        findings.addAt(
+            SchemaRules.OTHER_SPELLING, file, at.node(), "name", name, field.get().spelling());
       }
     } else {
       Spelling.nearest(name, NAMES, SLIPS)
-          .ifPresent(near -> findings.add(SchemaRules.UNKNOWN_NAME, at.node(), name, near));
+          .ifPresent(
+              near ->
+                  findings.addAt(SchemaRules.UNKNOWN_NAME, file, at.node(), "name", name, near));
     }
   }
 
@@ -60,15 +64,16 @@ final class VocabularyCheck implements EnrichmentPart {
             node,
             at -> {
               if (SchemaField.of(at.name()).isPresent()) {
-                misplaced(at, "the controller does not look into inlined files", findings);
+                misplaced(at, "the controller does not look into inlined files", file, findings);
               }
             });
       }
     }
   }
 
-  private static void misplaced(NodeMetadata at, String reason, Findings findings) {
-    findings.add(SchemaRules.MISPLACED, at.node(), at.name().strip(), reason);
+  private static void misplaced(
+      NodeMetadata at, String reason, FileOutline file, Findings findings) {
+    findings.addAt(SchemaRules.MISPLACED, file, at.node(), "name", at.name().strip(), reason);
   }
 
   /** All metadata of a node that is no set. */

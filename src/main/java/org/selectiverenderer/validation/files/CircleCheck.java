@@ -42,7 +42,10 @@ final class CircleCheck implements SceneCheck {
       FileOutline inlined = scene.content(node).orElse(null);
       if (inlined != null && open.contains(inlined)) {
         findings.add(
-            FileRules.CIRCLE, step.file.url(node), node.type().name(), inlined.file().name());
+            FileRules.CIRCLE,
+            step.file.place(node, "url"),
+            node.type().name(),
+            inlined.file().name());
       } else if (inlined != null && !done.contains(inlined)) {
         way.push(new Step(inlined));
         open.add(inlined);

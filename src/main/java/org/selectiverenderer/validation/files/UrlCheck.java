@@ -127,7 +127,7 @@ final class UrlCheck implements SceneCheck {
       words[0] = shown;
       System.arraycopy(more, 0, words, 1, more.length);
       String name = node.name() == null ? "" : " " + node.name();
-      findings.add(rule, file.url(node), node.type().name() + name, words);
+      findings.add(rule, file.place(node, "url"), node.type().name() + name, words);
     }
   }
 

@@ -69,7 +69,7 @@ final class CountCheck implements NodeCheck {
   /** Points that come in threes or fours, and properties that are as many. */
   private static void groups(ParsedNode node, int size, GeometryFindings findings) {
     int points = points(node, findings);
-    if (points > 0 && points % size != 0) {
+    if (points > 0 && points % size != 0 && !Vertices.filledLater(node, findings)) {
       long needed = (points / size + 1L) * size;
       findings.addAt(GeometryRules.COUNTS, node, "coord", "coord", points, "points", needed);
     }
@@ -77,7 +77,7 @@ final class CountCheck implements NodeCheck {
 
   private static void indices(ParsedNode node, int size, GeometryFindings findings) {
     int length = node.ints("index").length;
-    if (length % size != 0) {
+    if (length % size != 0 && !Vertices.filledLater(node, findings)) {
       long needed = (length / size + 1L) * size;
       findings.addAt(GeometryRules.COUNTS, node, "index", "index", length, "indices", needed);
     }
@@ -113,6 +113,11 @@ final class CountCheck implements NodeCheck {
     int spine = node.floats("spine").length / 3;
     int scales = node.floats("scale").length / 2;
     int turns = node.floats("orientation").length / 4;
+    report(node, "spine", spine, "points", 2, findings);
+    report(node, "crossSection", node.floats("crossSection").length / 2, "points", 2, findings);
+    if (spine < 2) {
+      return;
+    }
     if (scales > 1) {
       report(node, "scale", scales, "scales", spine, findings);
     }
@@ -128,7 +133,7 @@ final class CountCheck implements NodeCheck {
       String what,
       long needed,
       GeometryFindings findings) {
-    if (count < needed) {
+    if (count < needed && !Vertices.filledLater(node, findings)) {
       findings.addAt(GeometryRules.COUNTS, node, field, field, count, what, needed);
     }
   }

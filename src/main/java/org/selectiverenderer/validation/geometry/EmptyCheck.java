@@ -11,7 +11,7 @@ final class EmptyCheck implements NodeCheck {
       return;
     }
     String missing = missing(node);
-    if (!missing.isEmpty()) {
+    if (!missing.isEmpty() && !Vertices.filledLater(node, findings)) {
       findings.add(GeometryRules.NOTHING, node, node.type().name(), missing);
     }
   }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.validation.geometry;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
 
@@ -11,43 +12,57 @@ final class FaceCheck implements NodeCheck {
 
   @Override
   public void check(ParsedNode node, GeometryFindings findings) {
-    boolean separated = node.type().name().equals("IndexedFaceSet");
-    if (!separated && !node.type().name().equals("IndexedTriangleSet")) {
+    NodeView coordinates = Vertices.in(node, "coord");
+    if (coordinates == null || !coordinates.type().name().equals("Coordinate")) {
       return;
     }
-    NodeView coordinates = node.node("coord");
-    if (coordinates != null && coordinates.type().name().equals("Coordinate")) {
-      String field = separated ? "coordIndex" : "index";
-      new Faces(node.ints(field), coordinates.floats("point"), separated)
-          .report(node, field, findings);
+    float[] points = coordinates.floats("point");
+    switch (node.type().name()) {
+      case "IndexedFaceSet" ->
+          new Faces(node.ints("coordIndex"), points, 0).report(node, "coordIndex", findings);
+      case "IndexedTriangleSet" ->
+          new Faces(node.ints("index"), points, 3).report(node, "index", findings);
+      case "IndexedQuadSet" ->
+          new Faces(node.ints("index"), points, 4).report(node, "index", findings);
+      case "TriangleSet" -> new Faces(inOrder(points), points, 3).report(node, "coord", findings);
+      case "QuadSet" -> new Faces(inOrder(points), points, 4).report(node, "coord", findings);
+      // Strips and fans are joined by triangles without area; that is how they are made.
+      default -> {}
     }
+  }
+
+  private static int[] inOrder(float[] points) {
+    return IntStream.range(0, points.length / 3).toArray();
   }
 
   /** The faces of one node. */
   private static final class Faces {
     private final int[] indices;
     private final float[] points;
-    private final boolean separated;
+    private final int size;
     private final long[] edges;
     private int edgeCount;
     private int faces;
     private int flat;
     private int firstFlat;
 
-    Faces(int[] indices, float[] points, boolean separated) {
+    /**
+     * @param size points of each face; 0 where -1 ends each
+     */
+    Faces(int[] indices, float[] points, int size) {
       this.indices = indices;
       this.points = points;
-      this.separated = separated;
+      this.size = size;
       this.edges = new long[indices.length];
     }
 
     void report(ParsedNode node, String field, GeometryFindings findings) {
       int from = 0;
       for (int i = 0; i <= indices.length; i++) {
-        boolean ends = separated ? i == indices.length || indices[i] < 0 : i - from == 3;
+        boolean ends = size == 0 ? i == indices.length || indices[i] < 0 : i - from == size;
         if (ends) {
           face(from, i);
-          from = separated ? i + 1 : i;
+          from = size == 0 ? i + 1 : i;
         }
       }
       if (flat > 0) {
@@ -57,10 +72,10 @@ final class FaceCheck implements NodeCheck {
     }
 
     private void face(int from, int to) {
-      if (to - from < 3 || !known(from, to)) {
+      if (to == from || !known(from, to)) {
         return;
       }
-      if (!hasArea(from, to)) {
+      if (to - from < 3 || !hasArea(from, to)) {
         firstFlat = flat++ == 0 ? faces : firstFlat;
       } else {
         for (int i = from; i < to; i++) {

@@ -1,29 +1,101 @@
 package org.selectiverenderer.validation.geometry;
 
-import java.util.Optional;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.x3d.DocumentAttribute;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.ParsedNode;
 
-/** Puts findings about fields at the attributes that give them. */
-record GeometryFindings(FileView file, Findings findings) {
+/** Puts findings about fields at the attributes that give them. Serves one file. */
+final class GeometryFindings {
+  private final FileView file;
+  private final Findings findings;
+  private @Nullable Map<Location, DocumentElement> elements;
+  private @Nullable Set<Location> filled;
+
+  GeometryFindings(FileView file, Findings findings) {
+    this.file = file;
+    this.findings = findings;
+  }
+
   void add(Rule rule, ParsedNode node, Object... words) {
     findings.add(rule, node, words);
   }
 
-  /** At the attribute of that field, or at the node where the value comes from elsewhere. */
+  /**
+   * At the attribute of that field, or at the child in it; at the node where the value comes from
+   * elsewhere.
+   */
   void addAt(Rule rule, ParsedNode node, String field, Object... words) {
-    Optional<DocumentAttribute> attribute =
-        file.document().elements().stream()
-            .filter(element -> element.location().equals(node.location()))
-            .findFirst()
-            .flatMap(element -> element.attribute(field));
-    if (attribute.isPresent()) {
-      findings.add(rule, attribute.get(), words);
+    DocumentElement element = elements().get(node.location());
+    DocumentAttribute attribute = element == null ? null : element.attribute(field).orElse(null);
+    NodeView child = Vertices.in(node, field);
+    DocumentElement inside = child == null ? null : elements().get(child.location());
+    if (attribute != null) {
+      findings.add(rule, attribute, words);
+    } else if (element != null && inside != null && inside.parent().orElse(null) == element) {
+      findings.addWithin(rule, element, inside.location(), words);
     } else {
       findings.add(rule, node, words);
     }
+  }
+
+  /**
+   * Whether the values of a node may come while the scene runs, so that the file need not have
+   * them: by IS, by a route, or from a script that knows the node.
+   */
+  boolean filledLater(NodeView node) {
+    Set<Location> known = filled;
+    if (known == null) {
+      known = filled();
+      filled = known;
+    }
+    return known.contains(node.location());
+  }
+
+  private Set<Location> filled() {
+    Set<Location> places = new HashSet<>();
+    Set<String> names = new HashSet<>();
+    for (DocumentElement element : file.document().elements()) {
+      switch (element.name()) {
+        case "IS" -> element.parent().ifPresent(node -> places.add(node.location()));
+        case "ROUTE" -> element.text("toNode").ifPresent(names::add);
+        case "EXPORT" -> element.text("localDEF").ifPresent(names::add);
+        default -> {
+          boolean given =
+              element
+                  .parent()
+                  .filter(p -> p.name().equals("field") || p.name().equals("fieldValue"))
+                  .isPresent();
+          if (given) {
+            element.text("USE").ifPresent(names::add);
+          }
+        }
+      }
+    }
+    for (DocumentElement element : file.document().elements()) {
+      element.text("DEF").filter(names::contains).ifPresent(d -> places.add(element.location()));
+    }
+    return places;
+  }
+
+  private Map<Location, DocumentElement> elements() {
+    Map<Location, DocumentElement> known = elements;
+    if (known == null) {
+      known = new HashMap<>();
+      for (DocumentElement element : file.document().elements()) {
+        known.put(element.location(), element);
+      }
+      elements = known;
+    }
+    return known;
   }
 }

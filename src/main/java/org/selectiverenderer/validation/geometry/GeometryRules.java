@@ -36,8 +36,9 @@ public final class GeometryRules {
       Rule.warning("SR203", "{count} of {all} faces have no area, the first of them face {first}")
           .because(
               """
-              A face whose points coincide or lie on a line shows nothing, but is counted, sent to \
-              the graphics card, and has no normal.""")
+              A face of fewer than three points, or whose points coincide or lie on a line, shows \
+              nothing, but is counted, sent to the graphics card, and has no normal. Faces are \
+              counted from 0.""")
           .bad(triangle("0 1 1 -1 0 1 2 -1", "0 0 0, 1 0 0, 0 1 0"))
           .good(GOOD)
           .see("X3D 4.0, 11.2.4");

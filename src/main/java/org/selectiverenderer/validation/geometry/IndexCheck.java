@@ -49,6 +49,9 @@ final class IndexCheck implements NodeCheck {
     int[] indices = node.ints(field);
     for (int value : indices) {
       if (count >= 0 && value >= count) {
+        if (Vertices.filledLater(node, findings)) {
+          return;
+        }
         findings.addAt(
             GeometryRules.INDEX_OUT_OF_RANGE, node, field, field, index.what, value, count);
         return;

@@ -1,9 +1,11 @@
 package org.selectiverenderer.validation.geometry;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.FieldType;
 import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.ParsedNode;
 
 /** What geometry nodes refer to by index: points, normals, colours, texture coordinates. */
 final class Vertices {
@@ -35,5 +37,19 @@ final class Vertices {
             ? floats.length
             : value instanceof double[] doubles ? doubles.length : 0;
     return length / definition.type().components();
+  }
+
+  /** Whether what a geometry node shows may come while the scene runs. */
+  static boolean filledLater(ParsedNode geometry, GeometryFindings findings) {
+    if (findings.filledLater(geometry)) {
+      return true;
+    }
+    for (String field : List.of("coord", "normal", "color", "texCoord")) {
+      NodeView data = in(geometry, field);
+      if (data != null && findings.filledLater(data)) {
+        return true;
+      }
+    }
+    return false;
   }
 }

@@ -13,6 +13,9 @@ import org.selectiverenderer.x3d.NodeType;
 
 /** Which nodes stand in which fields of a node, and at the top of the scene. */
 final class ContainmentCheck implements ScopeCheck {
+  /** What the top of a scene may hold (X3D 4.0, 4.3.2). */
+  private static final Set<String> TOP = Set.of("X3DChildNode", "LayerSet", "X3DMetadataObject");
+
   @Override
   public void check(DocumentElement parent, Scopes scopes, Findings findings) {
     if (parent.name().equals("Scene")) {
@@ -24,10 +27,12 @@ final class ContainmentCheck implements ScopeCheck {
       return;
     }
     Set<String> filled = new HashSet<>();
+    boolean old =
+        parent.document().root().flatMap(root -> root.text("version")).orElse("").startsWith("3.");
     for (DocumentElement child : parent.children()) {
       NodeType childType = scopes.isNode(child) ? scopes.type(child).orElse(null) : null;
       if (childType != null) {
-        child(type, child, childType, filled, findings);
+        child(type, child, childType, filled, old, findings);
       }
     }
   }
@@ -35,7 +40,7 @@ final class ContainmentCheck implements ScopeCheck {
   private static void top(DocumentElement child, Scopes scopes, Findings findings) {
     scopes
         .type(child)
-        .filter(type -> !type.is("X3DChildNode") && !type.is("LayerSet"))
+        .filter(type -> TOP.stream().noneMatch(type::is))
         .ifPresent(type -> findings.add(ContainmentRules.TOP, child, type));
   }
 
@@ -44,6 +49,7 @@ final class ContainmentCheck implements ScopeCheck {
       DocumentElement child,
       NodeType type,
       Set<String> filled,
+      boolean old,
       Findings findings) {
     @Nullable String asked = child.text("containerField").map(String::strip).orElse(null);
     Optional<FieldDefinition> wanted = Containment.wanted(parent, type, asked);
@@ -63,7 +69,9 @@ final class ContainmentCheck implements ScopeCheck {
       String name = asked == null ? Containment.usual(parent, type) : asked;
       String suggestion = "; it is taken as its " + field.name();
       findings.add(ContainmentRules.CONTAINER_FIELD, child, type, name, parent, suggestion);
-    } else if (asked != null && Containment.isOld(parent, asked)) {
+    } else if (asked != null
+        && Containment.renamed(parent, asked).isPresent()
+        && (!old || parent.is("Switch") || parent.is("LOD"))) {
       findings.add(FieldRules.OLD_SPELLING, child, asked, field.name());
     }
     if (!filled.add(field.name()) && !field.type().multiple()) {

@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation.language;
 
+import java.util.Set;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
@@ -7,11 +8,26 @@ import org.selectiverenderer.x3d.DocumentElement;
 
 /** Elements that X3D does not know. */
 final class ElementCheck implements FileCheck {
+  /**
+   * The nodes of X3D 4.1. EnvironmentLight stands in a table of 4.0 (17.5), but nothing defines it
+   * there.
+   */
+  private static final Set<String> OF_X3D_4_1 =
+      Set.of(
+          "EnvironmentLight",
+          "FontLibrary",
+          "HAnimPose",
+          "InlineGeometry",
+          "RenderedTexture",
+          "Tangent");
+
   @Override
   public void check(FileView file, Findings findings) {
     for (DocumentElement element : file.document().elements()) {
       String name = element.name();
-      if (!file.knows(element)) {
+      if (OF_X3D_4_1.contains(name)) {
+        findings.add(HeadRules.YOUNGER, element, name);
+      } else if (!file.knows(element) && name.indexOf(':') < 0) {
         String suggestion =
             file.catalogue()
                 .suggestion(name)

@@ -38,7 +38,11 @@ final class FieldCheck implements FileCheck {
       } else if (!GENERAL.contains(name)) {
         List<String> names = type.fields().stream().map(FieldDefinition::name).toList();
         findings.add(
-            FieldRules.UNKNOWN_ATTRIBUTE, attribute, type, name, Suggestion.of(name, names));
+            FieldRules.UNKNOWN_ATTRIBUTE,
+            attribute,
+            type,
+            "field " + name,
+            Suggestion.of(name, names));
       }
     } else if (field.type().isNode()) {
       findings.add(FieldRules.NODE_AS_ATTRIBUTE, attribute, name, type);

@@ -13,7 +13,7 @@ final class FieldRules {
           .see("X3D 4.0 XML encoding, clause 6");
 
   static final Rule UNKNOWN_ATTRIBUTE =
-      Rule.error("SR102", "{node} has no field {field}{suggestion}")
+      Rule.error("SR102", "{element} has no {attribute}{suggestion}")
           .because(
               """
               A browser leaves out an attribute that it does not know, so that the field keeps its \
@@ -71,7 +71,7 @@ final class FieldRules {
           .see("X3D 4.0 XML encoding, 4.3.5");
 
   static final Rule OLD_SPELLING =
-      Rule.warning("SR109", "{old} is a spelling of VRML or X3D 3.0; X3D 4.0 calls it {now}")
+      Rule.warning("SR109", "{old} is a spelling of VRML or X3D 3; X3D 4.0 calls it {now}")
           .because("Some browsers still read it, others do not.")
           .bad("<Switch whichChoice='0'><Group containerField='choice'/></Switch>")
           .good("<Switch whichChoice='0'><Group/></Switch>")

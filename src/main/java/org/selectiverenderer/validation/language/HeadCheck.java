@@ -39,6 +39,9 @@ final class HeadCheck implements FileCheck {
 
   private static void version(DocumentElement root, Findings findings) {
     DocumentAttribute version = root.attribute("version").orElse(null);
+    if (version == null && !Statements.lacks(root, "version")) {
+      return;
+    }
     if (version == null) {
       findings.add(HeadRules.VERSION, root, "X3D needs a version, such as 4.0");
     } else if (!VERSIONS.contains(version.text().strip())) {
@@ -49,6 +52,9 @@ final class HeadCheck implements FileCheck {
 
   private static void profile(DocumentElement root, Findings findings) {
     DocumentAttribute profile = root.attribute("profile").orElse(null);
+    if (profile == null && !Statements.lacks(root, "profile")) {
+      return;
+    }
     if (profile == null) {
       findings.add(HeadRules.PROFILE, root, "X3D needs a profile, such as Immersive");
     } else if (Profile.of(profile.text()).isEmpty()) {
@@ -83,22 +89,24 @@ final class HeadCheck implements FileCheck {
   }
 
   private static void component(FileView file, DocumentElement element, Findings findings) {
-    if (!needs(element, findings, "name")) {
+    if (!needs(element, findings, "name", "level")) {
       return;
     }
     Set<String> known = new TreeSet<>(Profile.COMPONENTS_WITHOUT_NODES);
     file.catalogue().all().stream().map(NodeType::component).forEach(known::add);
     DocumentAttribute name = element.attribute("name").orElseThrow();
-    if (!known.contains(name.text().strip())) {
+    if (!known.contains(Profile.component(name.text().strip()))) {
       findings.add(
           HeadRules.COMPONENT,
           name,
           "there is no component '" + name.text() + "'" + Suggestion.of(name.text(), known));
     }
     DocumentAttribute level = element.attribute("level").orElse(null);
-    if (level != null && !level.text().strip().matches("[1-9]")) {
+    if (level != null && !level.text().strip().matches("[1-5]")) {
       findings.add(
-          HeadRules.COMPONENT, level, "a level is a number from 1, not '" + level.text() + "'");
+          HeadRules.COMPONENT,
+          level,
+          "a level is a number from 1 to 5, not '" + level.text() + "'");
     }
   }
 
@@ -120,7 +128,9 @@ final class HeadCheck implements FileCheck {
   private static boolean needs(DocumentElement element, Findings findings, String... attributes) {
     for (String attribute : attributes) {
       if (element.attribute(attribute).isEmpty()) {
-        findings.add(HeadRules.INCOMPLETE, element, element.name(), attribute);
+        if (Statements.lacks(element, attribute)) {
+          findings.add(HeadRules.INCOMPLETE, element, element.name(), attribute);
+        }
         return false;
       }
     }

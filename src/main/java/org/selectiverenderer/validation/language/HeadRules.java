@@ -100,8 +100,15 @@ final class HeadRules {
                   + "  <head><meta name='title' content='Office'/></head>\n  <Scene/>\n</X3D>")
           .see("X3D 4.0, 7.2.5");
 
+  static final Rule YOUNGER =
+      Rule.warning("SR128", "{node} is a node of X3D 4.1, which this program leaves out")
+          .because("This program knows the nodes of X3D 4.0, the last edition that is a standard.")
+          .bad("<EnvironmentLight/>")
+          .good("<DirectionalLight/>")
+          .see("X3D 4.0, 17.5, where EnvironmentLight is named, but not defined; draft of X3D 4.1");
+
   static final List<Rule> ALL =
-      List.of(VERSION, PROFILE, COMPONENT, NEEDS_COMPONENT, NEWER, ORDER, INCOMPLETE);
+      List.of(VERSION, PROFILE, COMPONENT, NEEDS_COMPONENT, NEWER, ORDER, INCOMPLETE, YOUNGER);
 
   private HeadRules() {}
 }

@@ -17,7 +17,8 @@ public final class LanguageRules {
                 HeadRules.ALL,
                 NameRules.ALL,
                 RouteRules.ALL,
-                PrototypeRules.ALL)
+                PrototypeRules.ALL,
+                SequenceRules.ALL)
             .flatMap(List::stream)
             .toList();
     return new RuleGroup(
@@ -26,6 +27,8 @@ public final class LanguageRules {
         List.of(
             new ElementCheck(),
             new FieldCheck(),
+            new StatementCheck(),
+            new SequenceCheck(),
             new RangeCheck(),
             new HeadCheck(),
             new ProfileCheck(),

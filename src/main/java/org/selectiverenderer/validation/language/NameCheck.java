@@ -47,7 +47,7 @@ final class NameCheck implements ScopeCheck {
     }
     Optional<String> bad =
         name.codePoints()
-            .filter(c -> c <= ' ' || c == 127 || "\"#',.[\\]{}".indexOf(c) >= 0)
+            .filter(c -> c <= ' ' || c == 127 || "\"#',[\\]{}".indexOf(c) >= 0)
             .mapToObj(c -> c <= ' ' ? "white space" : "'" + Character.toString(c) + "'")
             .findFirst();
     return bad.map(character -> "it has " + character).orElse("");
@@ -91,11 +91,12 @@ final class NameCheck implements ScopeCheck {
 
   private static boolean holds(DocumentElement outer, DocumentElement inner) {
     for (Optional<DocumentElement> at = inner.parent(); at.isPresent(); at = at.get().parent()) {
+      String name = at.get().name();
+      if (name.equals("Script") || name.equals("fieldValue")) {
+        return false; // A script may know what it stands in, and so may a prototype's own.
+      }
       if (at.get() == outer) {
         return true;
-      }
-      if (at.get().name().equals("Script")) {
-        return false; // A script may know what it stands in.
       }
     }
     return false;
@@ -105,7 +106,9 @@ final class NameCheck implements ScopeCheck {
     boolean export = element.name().equals("EXPORT");
     for (String needed : export ? List.of("localDEF") : List.of("inlineDEF", "importedDEF")) {
       if (element.attribute(needed).isEmpty()) {
-        findings.add(NameRules.LINK, element, element.name() + " needs " + needed);
+        if (Statements.lacks(element, needed)) {
+          findings.add(NameRules.LINK, element, element.name() + " needs " + needed);
+        }
         return;
       }
     }

@@ -44,7 +44,8 @@ final class NameRules {
           .because("Programs that convert the scene, or check it as XML, stumble over such names.")
           .bad("<Group DEF='my desk'/>")
           .good("<Group DEF='my_desk'/>")
-          .see("X3D 4.0 XML encoding, 4.3.7; Classic VRML encoding, 5.2 (Id)");
+          .see(
+              "X3D 4.0 XML encoding, 4.3.7; XML 1.0, 2.3 (Nmtoken); Classic VRML encoding, 5.2 (Id)");
 
   static final Rule MORE_THAN_USE =
       Rule.warning("SR136", "an element with USE has {what}, which {means}")

@@ -62,4 +62,9 @@ enum Profile {
   int level(String component) {
     return this == Full ? Integer.MAX_VALUE : levels.getOrDefault(component, 0);
   }
+
+  /** The name that X3D 4.0 has for a component. */
+  static String component(String name) {
+    return name.equals("H-Anim") ? "HAnim" : name; // X3D 3 had both.
+  }
 }

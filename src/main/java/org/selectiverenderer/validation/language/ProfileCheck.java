@@ -21,7 +21,10 @@ final class ProfileCheck implements FileCheck {
     if (profile == null) {
       return;
     }
-    Map<String, Integer> declared = new HashMap<>(file.scene().components());
+    Map<String, Integer> declared = new HashMap<>();
+    file.scene()
+        .components()
+        .forEach((name, level) -> declared.merge(Profile.component(name), level, Math::max));
     for (DocumentElement element : file.document().elements()) {
       NodeType type = file.catalogue().find(element.name()).orElse(null);
       if (type != null) {

@@ -2,6 +2,7 @@ package org.selectiverenderer.validation.language;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.DocumentAttribute;
 import org.selectiverenderer.x3d.DocumentElement;
@@ -82,21 +83,58 @@ final class PrototypeCheck implements ScopeCheck {
     String name = element.text("name").orElse("").strip();
     String type = element.text("type").orElse("");
     String access = element.text("accessType").orElse("");
+    for (String needed : List.of("name", "type", "accessType")) {
+      if (element.attribute(needed).isEmpty() && !Statements.lacks(element, needed)) {
+        return;
+      }
+    }
     if (name.isEmpty()) {
       findings.add(PrototypeRules.FIELD, element, "a field needs a name");
     } else if (Interface.type(type).isEmpty()) {
       Suggestion suggestion =
           Suggestion.of(type, List.of(FieldType.values()).stream().map(Enum::name).toList());
-      findings.add(
-          PrototypeRules.FIELD, element, "'" + type + "' is no type of a field" + suggestion);
+      String fault =
+          type.isBlank()
+              ? "a field needs a type"
+              : "'" + type + "' is no type of a field" + suggestion;
+      report(element, "type", fault, findings);
     } else if (Interface.access(access).isEmpty()) {
-      Suggestion suggestion =
-          Suggestion.of(
-              access, List.of(FieldAccess.values()).stream().map(FieldAccess::spelling).toList());
-      findings.add(PrototypeRules.FIELD, element, "'" + access + "' is no accessType" + suggestion);
+      report(element, "accessType", accessFault(access.strip()), findings);
     } else {
       value(element, Interface.type(type).orElseThrow(), findings);
     }
+  }
+
+  /** At an attribute; at the element where it is missing. */
+  private static void report(
+      DocumentElement element, String attribute, String fault, Findings findings) {
+    DocumentAttribute at = element.attribute(attribute).orElse(null);
+    if (at == null) {
+      findings.add(PrototypeRules.FIELD, element, fault);
+    } else {
+      findings.add(PrototypeRules.FIELD, at, fault);
+    }
+  }
+
+  private static String accessFault(String access) {
+    if (access.isEmpty()) {
+      return "a field needs an accessType";
+    }
+    // VRML 97's words, which are nothing like those of X3D.
+    String now =
+        switch (access) {
+          case "field" -> "initializeOnly";
+          case "exposedField" -> "inputOutput";
+          case "eventIn" -> "inputOnly";
+          case "eventOut" -> "outputOnly";
+          default -> "";
+        };
+    Object hint =
+        now.isEmpty()
+            ? Suggestion.of(
+                access, Stream.of(FieldAccess.values()).map(FieldAccess::spelling).toList())
+            : ", but VRML's word for " + now;
+    return "'" + access + "' is no accessType" + hint;
   }
 
   private static void value(DocumentElement element, FieldType type, Findings findings) {

@@ -12,6 +12,7 @@ import org.selectiverenderer.x3d.DocumentAttribute;
 import org.selectiverenderer.x3d.DocumentElement;
 import org.selectiverenderer.x3d.FieldDefinition;
 import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.Problem.Severity;
 
 /** Values that are of their type, but beyond what the standard allows. */
 final class RangeCheck implements FileCheck {
@@ -40,6 +41,8 @@ final class RangeCheck implements FileCheck {
   private static final Set<String> CLOSED =
       Set.of("BiquadFilter", "PeriodicWave", "ProjectionVolumeStyle", "TextureCoordinateGenerator");
 
+  private static final String BOX_SIZE = "must be at least 0, or -1 -1 -1 for unknown";
+
   @Override
   public void check(FileView file, Findings findings) {
     for (DocumentElement element : file.document().elements()) {
@@ -58,14 +61,30 @@ final class RangeCheck implements FileCheck {
 
   private static void check(DocumentAttribute attribute, FieldDefinition field, Findings findings) {
     boolean bounded = !field.min().isEmpty() || !field.max().isEmpty();
-    if (bounded && !ANY_LENGTH.contains(field.name())) {
+    if (field.name().equals("bboxSize")) {
+      if (attribute.value(field.type()) instanceof float[] size && !isBoxSize(size)) {
+        String shown = size[0] + " " + size[1] + " " + size[2];
+        findings.add(FieldRules.RANGE, attribute, "bboxSize", shown, BOX_SIZE);
+      }
+    } else if (bounded && !ANY_LENGTH.contains(field.name())) {
       Object value = attribute.value(field.type());
-      if (value != null) {
+      // What is no value of the type is SR103's; what stands for it is not the author's number.
+      if (value != null && !flawed(attribute, field.type())) {
         range(attribute, field, value, findings);
       }
     } else if (!field.values().isEmpty() && field.type().kind() == FieldType.Kind.STRING) {
       words(attribute, field, findings);
     }
+  }
+
+  private static boolean flawed(DocumentAttribute attribute, FieldType type) {
+    return attribute.flaws(type).stream().anyMatch(flaw -> flaw.severity() == Severity.ERROR);
+  }
+
+  /** Sides of a box, or the sign that they are to be computed (X3D 4.0, 10.2.2). */
+  private static boolean isBoxSize(float[] size) {
+    return size[0] >= 0 && size[1] >= 0 && size[2] >= 0
+        || size[0] == -1 && size[1] == -1 && size[2] == -1;
   }
 
   private static void range(
@@ -125,7 +144,7 @@ final class RangeCheck implements FileCheck {
             : value instanceof String string ? List.of(string) : List.of();
     boolean open = OPEN.contains(field.name()) && !CLOSED.contains(attribute.element().name());
     for (String word : given) {
-      if (!known.contains(word)) {
+      if (!known.contains(word) && !word.isEmpty()) {
         // In an open list only a slip of letter case is surely one.
         boolean slip = known.stream().anyMatch(word::equalsIgnoreCase);
         if (!open || slip) {

@@ -25,18 +25,10 @@ final class RouteCheck implements ScopeCheck {
     }
     for (String attribute : NEEDED) {
       if (element.text(attribute).orElse("").isBlank()) {
-        findings.add(RouteRules.INCOMPLETE, element, attribute);
+        if (element.attribute(attribute).isPresent() || Statements.lacks(element, attribute)) {
+          findings.add(RouteRules.INCOMPLETE, element, attribute);
+        }
         return;
-      }
-    }
-    for (DocumentAttribute attribute : element.attributes()) {
-      if (!attribute.name().isEmpty() && !NEEDED.contains(attribute.name())) {
-        findings.add(
-            FieldRules.UNKNOWN_ATTRIBUTE,
-            attribute,
-            "ROUTE",
-            attribute.name(),
-            Suggestion.of(attribute.name(), NEEDED));
       }
     }
     Interface.Field from = end(element, "from", false, scopes, findings);

@@ -26,6 +26,8 @@ final class Scopes {
     final @Nullable Scope enclosing;
     final Map<String, List<DocumentElement>> names = new LinkedHashMap<>();
     final Map<String, List<Prototype>> prototypes = new HashMap<>();
+
+    /** Names of nodes that are not known here: of inlined files, and of unknown elements. */
     final Set<String> imported = new TreeSet<>();
 
     Scope(@Nullable Scope enclosing) {
@@ -72,8 +74,16 @@ final class Scopes {
                           .computeIfAbsent(name.strip(), key -> new ArrayList<>(1))
                           .add(new Prototype(element)));
       case "IMPORT" ->
-          element.text("AS").or(() -> element.text("importedDEF")).ifPresent(scope.imported::add);
+          element
+              .text("AS")
+              .or(() -> element.text("importedDEF"))
+              .or(() -> element.text("exportedDEF"))
+              .ifPresent(scope.imported::add);
       default -> {
+        if (!file.knows(element)) {
+          // It has been told of; what it defines is no further slip.
+          element.text("DEF").ifPresent(scope.imported::add);
+        }
         if (isNode(element) && element.attribute("USE").isEmpty()) {
           element
               .text("DEF")

@@ -10,13 +10,16 @@ import org.selectiverenderer.x3d.Spelling;
 record Suggestion(String name, Collection<String> candidates) {
   private static final int LONGEST = 100;
 
+  /** Thousands of slips among thousands of names are no author's. */
+  private static final int MOST_CANDIDATES = 2000;
+
   static Suggestion of(String name, Collection<String> candidates) {
     return new Suggestion(name, candidates);
   }
 
   @Override
   public String toString() {
-    return name.length() > LONGEST
+    return name.length() > LONGEST || candidates.size() > MOST_CANDIDATES
         ? ""
         : Spelling.nearest(name, candidates).map(near -> "; did you mean " + near + "?").orElse("");
   }

@@ -28,6 +28,9 @@ final class GithubReport {
           .append(data(finding.message()))
           .append('\n');
     }
+    if (report.dropped() > 0) {
+      text.append("::warning::").append(Words.dropped(report)).append('\n');
+    }
     return text.toString();
   }
 

@@ -34,6 +34,9 @@ final class JsonReport {
     json.writeNumberField("errors", report.count(Severity.ERROR));
     json.writeNumberField("warnings", report.count(Severity.WARNING));
     json.writeNumberField("infos", report.count(Severity.INFO));
+    if (report.dropped() > 0) {
+      json.writeNumberField("dropped", report.dropped());
+    }
     json.writeEndObject();
     json.writeEndObject();
   }

@@ -36,6 +36,9 @@ final class JunitReport {
         "<testsuites>\n  <testsuite name=\"validate\" tests=\"%d\" failures=\"%d\">\n"
             .formatted(byFile.size(), failed));
     byFile.forEach((file, findings) -> test(xml, file, findings, failOn));
+    if (report.dropped() > 0) {
+      xml.append("    <system-err>").append(Words.dropped(report)).append("</system-err>\n");
+    }
     return xml.append("  </testsuite>\n</testsuites>\n").toString();
   }
 

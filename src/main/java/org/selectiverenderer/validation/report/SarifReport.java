@@ -2,8 +2,8 @@ package org.selectiverenderer.validation.report;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.net.URI;
-import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
 import java.util.List;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Fingerprints;
@@ -51,6 +51,9 @@ final class SarifReport {
     json.writeEndArray();
     json.writeEndObject();
     json.writeEndObject();
+    if (report.dropped() > 0) {
+      invocation(json);
+    }
     json.writeStringField("columnKind", "utf16CodeUnits");
     json.writeArrayFieldStart("results");
     List<String> fingerprints = Fingerprints.of(report.findings());
@@ -61,6 +64,20 @@ final class SarifReport {
     json.writeEndObject();
     json.writeEndArray();
     json.writeEndObject();
+  }
+
+  private void invocation(JsonGenerator json) throws IOException {
+    json.writeArrayFieldStart("invocations");
+    json.writeStartObject();
+    json.writeBooleanField("executionSuccessful", true);
+    json.writeArrayFieldStart("toolExecutionNotifications");
+    json.writeStartObject();
+    json.writeStringField("level", "warning");
+    text(json, "message", Words.dropped(report));
+    json.writeEndObject();
+    json.writeEndArray();
+    json.writeEndObject();
+    json.writeEndArray();
   }
 
   private static void write(JsonGenerator json, Rule rule) throws IOException {
@@ -122,11 +139,20 @@ final class SarifReport {
     return severity == Severity.INFO ? "note" : Words.of(severity);
   }
 
+  /**
+   * A relative reference (RFC 3986, 4.2). A colon is escaped, since {@code a:b.x3d} would be a
+   * scheme; letters of other scripts are as the name has them, composed or not.
+   */
   private static String uri(String file) {
-    try {
-      return new URI(null, null, file, null).toASCIIString();
-    } catch (URISyntaxException e) {
-      throw new IllegalStateException("a relative path is a path of a URI", e);
+    StringBuilder uri = new StringBuilder();
+    for (byte b : file.getBytes(StandardCharsets.UTF_8)) {
+      char c = (char) (b & 0xff);
+      if (c < 128 && (Character.isLetterOrDigit(c) || "/-._~!$&'()*+,;=@".indexOf(c) >= 0)) {
+        uri.append(c);
+      } else {
+        uri.append('%').append(HexFormat.of().withUpperCase().toHexDigits(b));
+      }
     }
+    return uri.toString();
   }
 }

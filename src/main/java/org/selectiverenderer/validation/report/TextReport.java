@@ -1,5 +1,7 @@
 package org.selectiverenderer.validation.report;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
@@ -8,12 +10,18 @@ import org.selectiverenderer.x3d.Problem.Severity;
 
 /**
  * For people, as compilers write it: a line for each finding that editors and terminals link, the
- * line of the file, a caret at the place; and a sum.
+ * line of the file, a caret at the place; and a sum. Of one rule in one file {@value #LISTED} are
+ * listed: whoever has more mends a few and runs again.
  */
 final class TextReport {
+  private static final int LISTED = 50;
+
   private static final String END = "\u001b[0m";
   private static final String BOLD = "\u001b[1m";
   private static final String GREEN = "\u001b[1;32m";
+
+  /** Findings of one rule in one file. */
+  private record Many(String file, String rule) {}
 
   private final boolean colours;
 
@@ -24,7 +32,12 @@ final class TextReport {
   String of(Report report) {
     StringBuilder text = new StringBuilder();
     SourceExcerpts excerpts = new SourceExcerpts(report.files());
+    Map<Many, Integer> counts = new LinkedHashMap<>();
     for (Finding finding : report.findings()) {
+      Many many = new Many(finding.location().file(), finding.rule().id());
+      if (counts.merge(many, 1, Integer::sum) > LISTED) {
+        continue;
+      }
       text.append(in(BOLD, finding.location() + ":"))
           .append(' ')
           .append(in(colour(finding.severity()), Words.of(finding.severity()) + ":"))
@@ -42,6 +55,17 @@ final class TextReport {
                   .append(found.before())
                   .append(in(GREEN, "^"))
                   .append('\n'));
+    }
+    counts.forEach(
+        (many, count) -> {
+          if (count > LISTED) {
+            text.append(in(BOLD, many.file + ":"))
+                .append(" %d more of %s are not listed".formatted(count - LISTED, many.rule))
+                .append(" (--format json lists all)\n");
+          }
+        });
+    if (report.dropped() > 0) {
+      text.append(Words.dropped(report)).append('\n');
     }
     return text.append(sum(report)).append('\n').toString();
   }

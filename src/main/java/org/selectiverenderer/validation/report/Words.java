@@ -1,6 +1,8 @@
 package org.selectiverenderer.validation.report;
 
 import java.util.Locale;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.x3d.Problem.Severity;
 
 /** Words that several formats use. */
@@ -15,5 +17,11 @@ final class Words {
   /** A number of things. */
   static String count(int number, String what) {
     return number + " " + what + (number == 1 ? "" : "s");
+  }
+
+  /** Says that a report is not complete. */
+  static String dropped(Report report) {
+    return "%d findings beyond %d of a rule and a file are not reported"
+        .formatted(report.dropped(), Findings.LIMIT);
   }
 }

@@ -21,7 +21,7 @@ final class TextCheck implements FileCheck {
       if (!element.text().isEmpty() && !script && file.knows(element)) {
         String text = element.text().strip();
         String shown = text.length() > SHOWN ? text.substring(0, SHOWN) + "..." : text;
-        findings.add(XmlRules.TEXT, element, "'" + shown + "'");
+        findings.addWithin(XmlRules.TEXT, element, element.textLocation(), "'" + shown + "'");
       }
     }
   }

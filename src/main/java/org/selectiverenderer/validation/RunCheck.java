@@ -1,0 +1,15 @@
+package org.selectiverenderer.validation;
+
+import java.util.List;
+
+/** Looks at all scenes of a run, after they have been checked one by one. Without state. */
+public interface RunCheck {
+  void check(List<SceneView> scenes, Settings settings, Findings findings);
+
+  /**
+   * The settings of a run.
+   *
+   * @param file as reports name the file that they were read from
+   */
+  record Settings(ValidationSettings values, String file) {}
+}

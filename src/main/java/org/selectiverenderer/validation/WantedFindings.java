@@ -1,0 +1,18 @@
+package org.selectiverenderer.validation;
+
+import java.util.Map;
+import java.util.function.BiPredicate;
+import org.selectiverenderer.x3d.Location;
+
+/** Leaves out what the user does not want to hear of: by the settings, and by comments in files. */
+record WantedFindings(ValidationSettings settings, Map<String, Suppressions> suppressions)
+    implements BiPredicate<Rule, Location> {
+  @Override
+  public boolean test(Rule rule, Location place) {
+    if (settings.ignores(rule.id())) {
+      return false;
+    }
+    Suppressions ofFile = suppressions.get(place.file());
+    return ofFile == null || !ofFile.cover(rule, place);
+  }
+}

@@ -1,0 +1,38 @@
+package org.selectiverenderer.validation.budget;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.polygon.statistics.SceneModel;
+import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.OutlinedFile;
+import org.selectiverenderer.validation.RunCheck;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.x3d.Location;
+
+/** Budgets that are for none of the scenes, so that nothing is held against them. */
+final class UnusedBudgetCheck implements RunCheck {
+  @Override
+  public void check(List<SceneView> scenes, Settings settings, Findings findings) {
+    List<Budget> unused = new ArrayList<>(settings.values().budgets());
+    for (SceneView scene : scenes) {
+      if (unused.isEmpty()) {
+        return;
+      }
+      SceneModel model = OutlinedFile.model(scene);
+      // A slip is told of in the scene that has what is meant.
+      unused.removeIf(budget -> !(Fit.of(budget, model) instanceof Fit.None));
+    }
+    for (Budget budget : unused) {
+      String where = budget.scope().isEmpty() ? "the whole scene" : "the group " + budget.scope();
+      String when =
+          budget.schemas().isEmpty() ? "" : " with " + String.join(" and ", budget.schemas());
+      findings.add(
+          BudgetRules.UNUSED_BUDGET,
+          Location.of(settings.file()),
+          "",
+          budget.polygons(),
+          where + when);
+    }
+  }
+}

@@ -1,0 +1,33 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.List;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentAttribute;
+import org.selectiverenderer.x3d.DocumentElement;
+
+/** Attributes that a statement, such as the root, ROUTE or field, does not have. */
+final class StatementCheck implements FileCheck {
+  @Override
+  public void check(FileView file, Findings findings) {
+    for (DocumentElement element : file.document().elements()) {
+      List<String> names = Statements.attributes(element).orElse(null);
+      if (names == null) {
+        continue;
+      }
+      for (DocumentAttribute attribute : element.attributes()) {
+        if (element.name().equals("IMPORT") && attribute.name().equals("exportedDEF")) {
+          findings.add(FieldRules.OLD_SPELLING, attribute, "exportedDEF", "importedDEF");
+        } else if (Statements.unknown(attribute)) {
+          findings.add(
+              FieldRules.UNKNOWN_ATTRIBUTE,
+              attribute,
+              element.name(),
+              "attribute " + attribute.name(),
+              Suggestion.of(attribute.name(), names));
+        }
+      }
+    }
+  }
+}
