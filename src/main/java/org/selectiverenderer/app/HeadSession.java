@@ -66,6 +66,11 @@ final class HeadSession implements AutoCloseable {
     return new HeadSession(settings, listener, stepped, log);
   }
 
+  /** With a live tracker that is open already. */
+  static HeadSession with(HeadTracker tracker, RunSettings settings, RunListener listener) {
+    return new HeadSession(settings, listener, tracker, null);
+  }
+
   /** How many seconds a replay lasts; empty for a live tracker. */
   OptionalDouble replayed() {
     ReplayLog replay = log;

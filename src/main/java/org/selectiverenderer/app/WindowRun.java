@@ -42,18 +42,22 @@ public final class WindowRun implements WorldHost {
   private long pathFrame;
   private boolean overlay;
   private boolean unlogged;
+  private boolean pictured;
+  private boolean settled;
+  private boolean standing;
   private boolean finished;
 
   /**
-   * Opens the tracker and begins to read the scene.
+   * Begins to read the scene.
    *
+   * @param head closed with the run
    * @param guide who leads the run; empty for the user
    */
-  WindowRun(RunSettings settings, RunListener listener, Optional<RunGuide> guide)
-      throws IOException {
+  WindowRun(
+      RunSettings settings, RunListener listener, HeadSession head, Optional<RunGuide> guide) {
     this.settings = settings;
     this.guide = guide;
-    head = HeadSession.open(settings, listener);
+    this.head = head;
     controls = new Controls(settings.mouse());
     windowInput = new WindowInput(controls);
     opening = new SceneOpening(settings, listener);
@@ -68,7 +72,8 @@ public final class WindowRun implements WorldHost {
    */
   public static RunResult run(RunSettings settings, RunListener listener)
       throws IOException, InterruptedException {
-    WindowRun run = new WindowRun(settings, listener, Optional.empty());
+    WindowRun run =
+        new WindowRun(settings, listener, HeadSession.open(settings, listener), Optional.empty());
     WorldWindow window = new WorldWindow(WindowStage.of(settings, listener::printed), run);
     try {
       window.run();
@@ -130,12 +135,24 @@ public final class WindowRun implements WorldHost {
     long now = System.nanoTime();
     if (begun == 0) {
       begun = now;
-    } else if (guide.isPresent() && guide.get().paused()) {
-      begun += now - last;
+    } else {
+      standing = held();
+      begun += standing ? now - last : 0;
     }
     last = now;
     advance(seconds());
     return Optional.of(walk.world());
+  }
+
+  /**
+   * Whether time stood still since the last frame: while the guide pauses, and while the first
+   * frame was drawn, which takes long, as all goes to the graphics card then. A picture that is to
+   * come slowly would else come at once.
+   */
+  private boolean held() {
+    boolean coming = !settled;
+    settled = true;
+    return guide.isPresent() && (guide.get().paused() || coming);
   }
 
   private void command(NavigationCommand command) {
@@ -183,7 +200,7 @@ public final class WindowRun implements WorldHost {
   private void advance(double elapsed) {
     settings.duration().ifPresent(seconds -> finished |= elapsed >= seconds);
     guide.ifPresent(leader -> finished |= leader.over(elapsed));
-    if (guide.isPresent() && guide.get().paused() && walk.frames() > 0) {
+    if (standing) {
       return;
     }
     FrameSchedule recorded = frames;
@@ -246,7 +263,8 @@ public final class WindowRun implements WorldHost {
   @Override
   public void drawn(Drawn drawn) {
     overlayText.frame(drawn);
-    if (walk.frames() <= 1) {
+    if (!pictured) {
+      pictured = true;
       keeper.firstFrame(walk.polygons(), drawn);
     } else {
       keeper.frame(walk.polygons(), drawn);

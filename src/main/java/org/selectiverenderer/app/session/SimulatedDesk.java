@@ -19,7 +19,7 @@ public final class SimulatedDesk implements SessionDesk {
   }
 
   @Override
-  public Optional<String> form(Session session) {
+  public Optional<String> form(Session session, OperatorControls controls) {
     return Optional.of("simulated");
   }
 

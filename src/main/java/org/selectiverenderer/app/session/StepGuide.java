@@ -93,6 +93,11 @@ final class StepGuide implements RunGuide {
     return Math.max(coming, going);
   }
 
+  @Override
+  public boolean closing() {
+    return !controls.askAbort();
+  }
+
   /** Seconds of the exposure that are over at a time of the run. */
   double exposed(double seconds) {
     return Math.max(0, Math.min(seconds, ending) - fade);

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -16,13 +15,14 @@ import org.selectiverenderer.x3d.Problem;
 
 /**
  * Writes a head log while a session runs. Samples are handed over without waiting; a thread of its
- * own, {@code head-log}, writes them four times a second, so that whatever ends the program takes
- * at most the last quarter of a second with it, and has the disk keep them once a second, so that a
- * power cut takes little more. A disk that is full ends the log with a message, not the session.
+ * own, {@code head-log}, writes them five times a second, so that whatever ends the program takes
+ * at most the last fifth of a second with it, and has the disk keep them at every third time, so
+ * that a power cut takes less than a second. A disk that is full ends the log with a message, not
+ * the session.
  */
 public final class HeadLogWriter implements AutoCloseable {
-  private static final long PAUSE = 250_000_000;
-  private static final int PER_FORCE = 4;
+  private static final long PAUSE = 200_000_000;
+  private static final int PER_FORCE = 3;
 
   private final Path file;
   private final FileChannel channel;
@@ -47,17 +47,16 @@ public final class HeadLogWriter implements AutoCloseable {
    */
   public static HeadLogWriter open(
       Path file, HeadLogDescription description, Consumer<Problem> problem) throws IOException {
-    Files.writeString(
-        HeadLogDescription.beside(file), description.json() + "\n", StandardCharsets.UTF_8);
-    FileChannel channel =
-        FileChannel.open(
-            file,
-            StandardOpenOption.CREATE,
-            StandardOpenOption.WRITE,
-            StandardOpenOption.TRUNCATE_EXISTING);
+    try (FileChannel channel = create(HeadLogDescription.beside(file))) {
+      write(channel, description.json() + "\n");
+      channel.force(true);
+    }
+    FileChannel channel = create(file);
     HeadLogWriter writer = new HeadLogWriter(file, channel, problem);
     try {
-      writer.write(Column.headers() + "\n");
+      write(channel, Column.headers() + "\n");
+      channel.force(true);
+      KeptFile.forceFolder(file.toAbsolutePath().getParent());
     } catch (IOException e) {
       channel.close();
       throw e;
@@ -108,11 +107,19 @@ public final class HeadLogWriter implements AutoCloseable {
       lines.append(Column.line(sample)).append('\n');
     }
     if (!lines.isEmpty()) {
-      write(lines.toString());
+      write(channel, lines.toString());
     }
   }
 
-  private void write(String text) throws IOException {
+  private static FileChannel create(Path file) throws IOException {
+    return FileChannel.open(
+        file,
+        StandardOpenOption.CREATE,
+        StandardOpenOption.WRITE,
+        StandardOpenOption.TRUNCATE_EXISTING);
+  }
+
+  private static void write(FileChannel channel, String text) throws IOException {
     ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
     while (bytes.hasRemaining()) {
       channel.write(bytes);

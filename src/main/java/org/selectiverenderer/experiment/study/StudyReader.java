@@ -78,6 +78,15 @@ public final class StudyReader {
           "a block of %d participants cannot hold each of %d conditions as often"
               .formatted(block, groups));
     }
+    Assignment assignment =
+        keys.choice(
+            "assignment", List.of(Assignment.values()), Assignment::spelling, Assignment.BLOCKED);
+    if (assignment == Assignment.LATIN_SQUARE && block != groups) {
+      keys.fault(
+          "block",
+          "a Latin square of %d conditions has blocks of %d, not of %d"
+              .formatted(groups, groups, block));
+    }
     Study study =
         new Study(
             file,
@@ -85,6 +94,7 @@ public final class StudyReader {
             scene,
             conditions,
             participants,
+            assignment,
             block,
             keys.whole("seed", 0, 1L << 53, 0),
             practice(keys),

@@ -15,7 +15,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
@@ -25,7 +24,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
-import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Item;
@@ -35,20 +33,18 @@ import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
  * A screen of questions about one area. Keys answer the row that is marked; when it is complete,
- * the next one that is not is marked. The window cannot be closed: it ends when all is answered and
- * the participant goes on, or when it is called off.
+ * the next one that is not is marked. The window ends when all is answered and the participant goes
+ * on, or with the session; closing it has the experimenter asked.
  */
 public final class QuestionnaireWindow {
   private final Screen screen;
   private final Wording wording;
-  private final BooleanSupplier calledOff;
   private final Consumer<Boolean> done;
   private final List<QuestionRow> rows = new ArrayList<>();
   private final JFrame frame = new JFrame();
   private final JLabel left = new JLabel();
   private final JButton next = new JButton();
   private final KeyEventDispatcher keys = this::key;
-  private final Timer watch;
   private int current;
 
   private QuestionnaireWindow(
@@ -56,11 +52,10 @@ public final class QuestionnaireWindow {
       Wording wording,
       Map<String, Answer> known,
       BiConsumer<Item, Answer> taker,
-      BooleanSupplier calledOff,
+      SessionEnd sessionEnd,
       Consumer<Boolean> done) {
     this.screen = screen;
     this.wording = wording;
-    this.calledOff = calledOff;
     this.done = done;
     JPanel list = new JPanel();
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
@@ -88,22 +83,14 @@ public final class QuestionnaireWindow {
       list.add(row.panel());
     }
     lay(list);
-    watch =
-        new Timer(
-            200,
-            event -> {
-              if (calledOff.getAsBoolean()) {
-                end(false);
-              }
-            });
-    watch.start();
+    sessionEnd.watch(frame, () -> end(false));
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
     mark(firstOpen(0));
     count();
   }
 
   /**
-   * Asks, and waits until all is answered or it is called off.
+   * Asks, and waits until all is answered or the session ends.
    *
    * @param known answers given before, by object
    * @param taker hears every answer and every change of one, on Swing's thread
@@ -114,7 +101,7 @@ public final class QuestionnaireWindow {
       Wording wording,
       Map<String, Answer> known,
       BiConsumer<Item, Answer> taker,
-      BooleanSupplier calledOff) {
+      SessionEnd sessionEnd) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
         done ->
@@ -123,7 +110,7 @@ public final class QuestionnaireWindow {
                     wording,
                     known,
                     taker,
-                    calledOff,
+                    sessionEnd,
                     complete -> {
                       through.set(complete);
                       done.run();
@@ -233,7 +220,6 @@ public final class QuestionnaireWindow {
   }
 
   private void end(boolean complete) {
-    watch.stop();
     KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
     next.setEnabled(false);
     done.accept(complete);

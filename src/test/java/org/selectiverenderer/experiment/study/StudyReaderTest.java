@@ -84,7 +84,7 @@ class StudyReaderTest {
     assertThat(problems("{\n  // a comment\n  \"sceen\": 1, " + text.strip().substring(1)))
         .singleElement()
         .asString()
-        .startsWith("3:3: a study has no \"sceen\" (it has $schema, areas, block,")
+        .startsWith("3:3: a study has no \"sceen\" (it has $schema, areas, assignment, block,")
         .endsWith("the study is not used");
   }
 
@@ -104,6 +104,8 @@ class StudyReaderTest {
       value = {
         "54, | 2, | 2 participants are fewer than the 3 groups",
         "\"block\": 6 | \"block\": 4 | a block of 4 participants cannot hold each of 3 conditions",
+        "\"blocked\" | \"latin-square\" | a Latin square of 3 conditions has blocks of 3, not of 6",
+        "\"blocked\" | \"alternating\" | 'alternating' is none of blocked, latin-square",
         "\"high-low\", | \"low\", | 'low' is no condition",
         "\"high-low\", | \"high\", | the condition high is named twice",
         "\"KitchenView\" | \"CellarView\" | no Viewpoint with the DEF 'CellarView'",
