@@ -1,8 +1,6 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -88,7 +86,7 @@ final class ExperimentCollectCommand extends CliCommand {
 
   private static void write(@Nullable Path file, String text) throws IOException {
     if (file != null) {
-      Files.writeString(file, text, StandardCharsets.UTF_8);
+      OutputFile.write(file, text);
     }
   }
 }

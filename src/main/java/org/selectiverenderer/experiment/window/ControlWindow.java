@@ -59,6 +59,7 @@ public final class ControlWindow implements AutoCloseable {
 
   private JPanel writing() {
     note.setName("note");
+    note.getAccessibleContext().setAccessibleName("Note to keep");
     JButton keep = new JButton("Note");
     keep.setName("keep");
     keep.addActionListener(event -> keepNote());

@@ -51,6 +51,7 @@ public final class FormWindow {
     fields.add(bands);
     consent.setText("<html><body style='width:380px'>" + wording.of("form.consent"));
     consent.setName("consent");
+    consent.getAccessibleContext().setAccessibleName(wording.of("form.consent"));
     consent.setAlignmentX(0);
     consent.addActionListener(event -> check());
     fields.add(consent);

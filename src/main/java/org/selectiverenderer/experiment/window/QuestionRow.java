@@ -103,6 +103,7 @@ final class QuestionRow {
     for (String key : keys) {
       boolean number = key.length() == 1;
       JToggleButton button = new JToggleButton(number ? key : wording.of(key));
+      button.getAccessibleContext().setAccessibleName(wording.name(item) + ": " + button.getText());
       button.setName(item.object() + ":" + key);
       button.setActionCommand(key);
       button.setFocusable(false); // The window has the keys.
