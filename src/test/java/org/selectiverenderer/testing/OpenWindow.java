@@ -1,6 +1,8 @@
 package org.selectiverenderer.testing;
 
+import java.awt.AWTException;
 import java.awt.EventQueue;
+import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.WindowEvent;
 import java.util.Arrays;
@@ -10,12 +12,15 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import javax.swing.JButton;
+import javax.swing.JDialog;
 import javax.swing.JFrame;
 import org.selectiverenderer.enricher.driving.Hands;
 
 /** Windows that code under test opens by itself, and waits for on a thread of its own. */
 public final class OpenWindow {
   private static final int PATIENCE = 60;
+  private static final int SETTLING = 400;
 
   private OpenWindow() {}
 
@@ -38,6 +43,7 @@ public final class OpenWindow {
   /** Waits for the window of that name, without which it would be somebody else's. */
   public static JFrame named(Hands hands, String name) {
     hands.await("the window " + name, () -> shown(name).isPresent());
+    settle();
     return Hands.onEdt(() -> shown(name).orElseThrow());
   }
 
@@ -45,6 +51,32 @@ public final class OpenWindow {
     return Arrays.stream(Window.getWindows())
         .filter(window -> window.isShowing() && name.equals(window.getName()))
         .map(JFrame.class::cast)
+        .findFirst();
+  }
+
+  /** Lets a window that is shown come to where it will stay: a click would miss it before. */
+  private static void settle() {
+    try {
+      new Robot().delay(SETTLING);
+    } catch (AWTException e) {
+      throw new AssertionError(e);
+    }
+    Hands.onEdt(() -> true);
+  }
+
+  /** Waits for a dialogue, answers it by a button, and waits until it has gone. */
+  public static void answerDialog(Hands hands, String button) {
+    hands.await("the dialogue", () -> dialog().isPresent());
+    settle();
+    JDialog open = Hands.onEdt(() -> dialog().orElseThrow());
+    hands.click(Hands.named(open, button, JButton.class));
+    hands.await("the dialogue to go", () -> !open.isShowing());
+  }
+
+  private static Optional<JDialog> dialog() {
+    return Arrays.stream(Window.getWindows())
+        .filter(window -> window instanceof JDialog && window.isShowing())
+        .map(JDialog.class::cast)
         .findFirst();
   }
 

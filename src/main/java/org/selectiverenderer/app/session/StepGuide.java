@@ -50,6 +50,7 @@ final class StepGuide implements RunGuide {
 
   @Override
   public void opened(Walkthrough walk) {
+    controls.takeGoOn(); // Asked for before there was anything to go on from.
     walk.world().viewpoints().stream()
         .filter(node -> viewpoint.equals(node.name()))
         .findFirst()

@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.GridLayout;
+import java.awt.GridBagLayout;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
@@ -124,18 +124,16 @@ public final class QuestionnaireWindow {
     String area = wording.area(screen.area());
     JLabel title = new JLabel(PaperPage.fill(wording.of(kind + ".title"), area));
     title.setFont(title.getFont().deriveFont(24f));
-    JTextArea text = new JTextArea(PaperPage.fill(wording.of(kind + ".text"), area));
-    text.setEditable(false);
-    text.setFocusable(false);
-    text.setLineWrap(true);
-    text.setWrapStyleWord(true);
-    text.setOpaque(false);
+    JTextArea text = text(PaperPage.fill(wording.of(kind + ".text"), area));
     text.setFont(title.getFont().deriveFont(15f));
     JPanel head = new JPanel(new BorderLayout(0, 8));
     head.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
     head.add(title, BorderLayout.NORTH);
     head.add(text, BorderLayout.CENTER);
-    JScrollPane scroll = new JScrollPane(list);
+    JPanel top = new JPanel(new BorderLayout());
+    top.setBackground(QuestionRow.PLAIN);
+    top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
+    JScrollPane scroll = new JScrollPane(top);
     scroll.setColumnHeaderView(QuestionRow.heading(screen.kind(), wording));
     scroll.getVerticalScrollBar().setUnitIncrement(24);
     next.setText(wording.of("next"));
@@ -144,11 +142,16 @@ public final class QuestionnaireWindow {
     next.addActionListener(event -> goOn());
     JPanel foot = new JPanel(new BorderLayout(16, 0));
     foot.setBorder(BorderFactory.createEmptyBorder(12, 16, 16, 16));
-    JPanel told = new JPanel(new GridLayout(2, 1));
-    told.add(left);
-    told.add(new JLabel(PaperPage.fill(wording.of("keys"), wording.of("keys." + kind))));
+    JTextArea hint = text(PaperPage.fill(wording.of("keys"), wording.of("keys." + kind)));
+    hint.setFont(left.getFont());
+    hint.setRows(2);
+    JPanel told = new JPanel(new BorderLayout());
+    told.add(left, BorderLayout.NORTH);
+    told.add(hint, BorderLayout.CENTER);
     foot.add(told, BorderLayout.CENTER);
-    foot.add(next, BorderLayout.EAST);
+    JPanel button = new JPanel(new GridBagLayout());
+    button.add(next);
+    foot.add(button, BorderLayout.EAST);
     frame.setTitle(title.getText());
     frame.setName("questionnaire");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -158,6 +161,18 @@ public final class QuestionnaireWindow {
     Dimension most = Toolkit.getDefaultToolkit().getScreenSize();
     frame.setSize(Math.min(960, most.width), Math.min(1000, most.height));
     frame.setLocationRelativeTo(null);
+  }
+
+  /** Words that go on in the next line where the window is too narrow for them. */
+  private static JTextArea text(String words) {
+    JTextArea text = new JTextArea(words);
+    text.setEditable(false);
+    text.setFocusable(false);
+    text.setLineWrap(true);
+    text.setWrapStyleWord(true);
+    text.setOpaque(false);
+    text.setBorder(BorderFactory.createEmptyBorder());
+    return text;
   }
 
   private boolean key(KeyEvent event) {

@@ -21,7 +21,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
-import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JRadioButton;
@@ -93,7 +92,7 @@ class SessionWindowsTest {
     hands.click(Hands.named(form, "28-32", JRadioButton.class));
     assertThat(Hands.onEdt(begin::isEnabled)).isFalse();
     hands.click(Hands.named(form, wording.of("form.consent"), JCheckBox.class));
-    assertThat(Hands.onEdt(begin::isEnabled)).isTrue();
+    hands.await("Begin", begin::isEnabled);
     pictures(form, "session-form");
     hands.click(begin);
     assertThat(OpenWindow.answer(asked)).contains("28-32");
@@ -178,6 +177,7 @@ class SessionWindowsTest {
     hands.click(Hands.named(window, name + ": Yes", JToggleButton.class));
     hands.click(Hands.named(window, name + ": 3", JToggleButton.class));
     hands.click(Hands.named(window, name + ": No", JToggleButton.class));
+    hands.await("three answers", () -> heard.size() == 3);
     assertThat(heard).containsExactly(last + " yes0", last + " yes3", last + " no3");
     assertThat(Hands.onEdt(Hands.named(window, "Continue", JButton.class)::isEnabled)).isFalse();
     OpenWindow.close(window);
@@ -201,6 +201,7 @@ class SessionWindowsTest {
     hands.press(KeyEvent.VK_7);
     hands.press(KeyEvent.VK_DOWN);
     hands.press(KeyEvent.VK_1);
+    hands.await("two answers", () -> heard.size() == 2);
     pictures(window, "session-expectancy");
     assertThat(heard)
         .containsExactly(
@@ -229,7 +230,7 @@ class SessionWindowsTest {
         hands.type("7");
         hands.press(KeyEvent.VK_ENTER);
         hands.click(Hands.named(window, "Pause", JToggleButton.class));
-        assertThat(controls.paused()).isTrue();
+        hands.await("the pause", controls::paused);
         JLabel status =
             Hands.onEdt(
                 () ->
@@ -239,17 +240,17 @@ class SessionWindowsTest {
         hands.await("the status", () -> status.getText().startsWith("exposure-kitchen: 12 s left"));
         pictures(window, "session-controls");
         hands.click(Hands.named(window, "Continue", JToggleButton.class));
-        assertThat(controls.paused()).isFalse();
+        hands.await("the end of the pause", () -> !controls.paused());
         hands.click(Hands.named(window, "Go on", JButton.class));
-        assertThat(controls.takeGoOn()).isTrue();
+        hands.await("going on", controls::takeGoOn);
         hands.click(Hands.named(window, "Abort ...", JButton.class));
-        assertThat(answering("Go on with it")).isFalse();
+        OpenWindow.answerDialog(hands, "Go on with it");
         assertThat(controls.aborted()).isFalse();
         OpenWindow.close(window);
-        assertThat(answering("Go on with it")).isFalse();
+        OpenWindow.answerDialog(hands, "Go on with it");
         assertThat(controls.askAbort()).isTrue();
         assertThat(controls.askAbort()).as("asked once").isTrue();
-        assertThat(answering("End the session")).isFalse();
+        OpenWindow.answerDialog(hands, "End the session");
         hands.await("the end", controls::aborted);
       } finally {
         opened.close();
@@ -260,22 +261,6 @@ class SessionWindowsTest {
     assertThat(events.lines().map(line -> line.replaceAll(".*\"event\":\"([^\"]*)\".*", "$1")))
         .containsExactly("session-began", "note", "paused", "continued", "go-on", "aborted");
     assertThat(events).containsPattern("\"time\":\"\\d{4}-.*\"event\":\"note\",\"text\":\"7\"");
-  }
-
-  /** Answers the question; returns whether it is still there. */
-  private boolean answering(String answer) {
-    hands.await("the question", () -> question().isPresent());
-    JDialog dialog = Hands.onEdt(() -> question().orElseThrow());
-    hands.click(Hands.named(dialog, answer, JButton.class));
-    hands.await("the question to go", () -> !dialog.isShowing());
-    return dialog.isShowing();
-  }
-
-  private static Optional<JDialog> question() {
-    return Arrays.stream(Window.getWindows())
-        .filter(window -> window instanceof JDialog && window.isShowing())
-        .map(JDialog.class::cast)
-        .findFirst();
   }
 
   @Test
