@@ -43,8 +43,6 @@ public final class WindowRun implements WorldHost {
   private boolean overlay;
   private boolean unlogged;
   private boolean pictured;
-  private boolean settled;
-  private boolean standing;
   private boolean finished;
 
   /**
@@ -135,24 +133,12 @@ public final class WindowRun implements WorldHost {
     long now = System.nanoTime();
     if (begun == 0) {
       begun = now;
-    } else {
-      standing = held();
-      begun += standing ? now - last : 0;
+    } else if (guide.isPresent() && guide.get().paused()) {
+      begun += now - last;
     }
     last = now;
     advance(seconds());
     return Optional.of(walk.world());
-  }
-
-  /**
-   * Whether time stood still since the last frame: while the guide pauses, and while the first
-   * frame was drawn, which takes long, as all goes to the graphics card then. A picture that is to
-   * come slowly would else come at once.
-   */
-  private boolean held() {
-    boolean coming = !settled;
-    settled = true;
-    return guide.isPresent() && (guide.get().paused() || coming);
   }
 
   private void command(NavigationCommand command) {
@@ -200,7 +186,7 @@ public final class WindowRun implements WorldHost {
   private void advance(double elapsed) {
     settings.duration().ifPresent(seconds -> finished |= elapsed >= seconds);
     guide.ifPresent(leader -> finished |= leader.over(elapsed));
-    if (standing) {
+    if (guide.isPresent() && guide.get().paused() && walk.frames() > 0) {
       return;
     }
     FrameSchedule recorded = frames;

@@ -1,6 +1,7 @@
 package org.selectiverenderer.testing;
 
 import java.awt.AWTException;
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.Robot;
 import java.awt.Window;
@@ -12,6 +13,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
@@ -21,6 +23,8 @@ import org.selectiverenderer.enricher.driving.Hands;
 public final class OpenWindow {
   private static final int PATIENCE = 60;
   private static final int SETTLING = 400;
+  private static final int CLICKS = 6;
+  private static final int WAITS = 8;
 
   private OpenWindow() {}
 
@@ -64,13 +68,31 @@ public final class OpenWindow {
     Hands.onEdt(() -> true);
   }
 
+  /**
+   * Clicks until it has had its effect: a window that has just come on a busy machine may miss the
+   * first click.
+   */
+  public static void click(Hands hands, Component component, BooleanSupplier effect) {
+    for (int i = 0; i < CLICKS && !Hands.onEdt(effect::getAsBoolean); i++) {
+      hands.click(component);
+      for (int wait = 0; wait < WAITS && !Hands.onEdt(effect::getAsBoolean); wait++) {
+        settle();
+      }
+    }
+    hands.await("the effect of a click", effect);
+  }
+
+  /** Whether a dialogue is open. */
+  public static boolean asking() {
+    return dialog().isPresent();
+  }
+
   /** Waits for a dialogue, answers it by a button, and waits until it has gone. */
   public static void answerDialog(Hands hands, String button) {
     hands.await("the dialogue", () -> dialog().isPresent());
     settle();
     JDialog open = Hands.onEdt(() -> dialog().orElseThrow());
-    hands.click(Hands.named(open, button, JButton.class));
-    hands.await("the dialogue to go", () -> !open.isShowing());
+    click(hands, Hands.named(open, button, JButton.class), () -> !open.isShowing());
   }
 
   private static Optional<JDialog> dialog() {

@@ -47,6 +47,15 @@ public final class HeadLogWriter implements AutoCloseable {
    */
   public static HeadLogWriter open(
       Path file, HeadLogDescription description, Consumer<Problem> problem) throws IOException {
+    try {
+      return begin(file, description, problem);
+    } catch (IOException e) {
+      throw KeptFile.named(file, e);
+    }
+  }
+
+  private static HeadLogWriter begin(
+      Path file, HeadLogDescription description, Consumer<Problem> problem) throws IOException {
     try (FileChannel channel = create(HeadLogDescription.beside(file))) {
       write(channel, description.json() + "\n");
       channel.force(true);

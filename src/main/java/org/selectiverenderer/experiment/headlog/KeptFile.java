@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -29,9 +30,15 @@ public final class KeptFile {
       same(file, bytes);
       return;
     }
-    Path half = Files.createTempFile(file.getParent(), file.getFileName().toString(), ".part");
+    // Not a temporary file of Java's, which nobody but its owner may read.
+    Path half = file.resolveSibling(file.getFileName() + ".part");
     try {
-      try (FileChannel channel = FileChannel.open(half, StandardOpenOption.WRITE)) {
+      try (FileChannel channel =
+          FileChannel.open(
+              half,
+              StandardOpenOption.CREATE,
+              StandardOpenOption.TRUNCATE_EXISTING,
+              StandardOpenOption.WRITE)) {
         ByteBuffer left = ByteBuffer.wrap(bytes);
         while (left.hasRemaining()) {
           channel.write(left);
@@ -43,9 +50,16 @@ public final class KeptFile {
       forceFolder(file.getParent());
     } catch (FileAlreadyExistsException e) {
       same(file, bytes);
+    } catch (IOException e) {
+      throw named(file, e);
     } finally {
       Files.deleteIfExists(half);
     }
+  }
+
+  /** A full disk does not say for which file. */
+  static IOException named(Path file, IOException e) {
+    return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
   }
 
   private static void same(Path file, byte[] bytes) throws IOException {

@@ -72,13 +72,16 @@ public final class ControlWindow implements AutoCloseable {
   }
 
   private JPanel buttons() {
+    // No tool tips: in the corner of the screen they would lie over the buttons and take the click.
     JButton go = new JButton("Go on");
     go.setName("go");
-    go.setToolTipText("ends the practice");
+    go.getAccessibleContext().setAccessibleDescription("ends the practice");
     go.addActionListener(event -> controls.goOn());
     JToggleButton pause = new JToggleButton("Pause");
     pause.setName("pause");
-    pause.setToolTipText("stops the clock and makes the participant's picture black");
+    pause
+        .getAccessibleContext()
+        .setAccessibleDescription("stops the clock and makes the participant's picture black");
     pause.addActionListener(
         event -> {
           controls.pause(pause.isSelected());
@@ -119,7 +122,9 @@ public final class ControlWindow implements AutoCloseable {
       return;
     }
     asking = true;
-    frame.setExtendedState(Frame.NORMAL);
+    if (frame.getExtendedState() == Frame.ICONIFIED) {
+      frame.setExtendedState(Frame.NORMAL);
+    }
     frame.toFront();
     Object[] answers = {"End the session", "Go on with it"};
     int answer =

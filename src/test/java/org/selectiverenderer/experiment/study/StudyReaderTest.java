@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -138,6 +140,18 @@ class StudyReaderTest {
         .asString()
         .contains("Duplicate field 'name'");
     assertThat(problems("[]")).anyMatch(line -> line.contains("a study is to be an object"));
+  }
+
+  @Test
+  void anotherEncodingIsAnErrorWithTheFilesName() throws IOException {
+    for (Charset charset : List.of(StandardCharsets.UTF_16, Charset.forName("windows-1253"))) {
+      Files.writeString(file, text.replace("memory", "μνήμη"), charset);
+      Problems problems = new Problems();
+      assertThat(StudyReader.read(file, problems)).isEmpty();
+      assertThat(problems.list())
+          .singleElement()
+          .hasToString(file + ":1:1: the file is not UTF-8 text; the study is not used");
+    }
   }
 
   @Test

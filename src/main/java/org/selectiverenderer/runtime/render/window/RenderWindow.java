@@ -54,7 +54,8 @@ public final class RenderWindow {
   }
 
   private void closeAsked() {
-    if (source.closing()) {
+    // NEWT says the same when the program closes them.
+    if (!stopping && source.closing()) {
       close();
     }
   }
