@@ -48,7 +48,9 @@ public final class OpenWindow {
   public static JFrame named(Hands hands, String name) {
     hands.await("the window " + name, () -> shown(name).isPresent());
     settle();
-    return Hands.onEdt(() -> shown(name).orElseThrow());
+    JFrame frame = Hands.onEdt(() -> shown(name).orElseThrow());
+    move(frame, frame.getX(), frame.getY() + (frame.getY() > 0 ? -1 : 1));
+    return frame;
   }
 
   private static Optional<JFrame> shown(String name) {
@@ -56,6 +58,19 @@ public final class OpenWindow {
         .filter(window -> window.isShowing() && name.equals(window.getName()))
         .map(JFrame.class::cast)
         .findFirst();
+  }
+
+  /**
+   * Moves a window. Without a window manager AWT may believe a new window to be elsewhere, and
+   * would click there; once moved it knows.
+   */
+  public static void move(JFrame frame, int x, int y) {
+    Hands.onEdt(
+        () -> {
+          frame.setLocation(x, y);
+          return true;
+        });
+    settle();
   }
 
   /** Lets a window that is shown come to where it will stay: a click would miss it before. */

@@ -124,6 +124,7 @@ class AttendedSessionTest {
     FutureTask<SessionRunner.Outcome> first = OpenWindow.asking(() -> run(1));
     OpenWindow.named(hands, "form");
     controls = OpenWindow.named(hands, "controls");
+    OpenWindow.move(controls, 640, 700); // Not over the picture.
     abort();
     assertThat(OpenWindow.answer(first)).isEqualTo(SessionRunner.Outcome.ABORTED);
     assertThat(events(1)).doesNotContain("refused").endsWith("aborted");
@@ -201,6 +202,7 @@ class AttendedSessionTest {
   private void fillInTheForm() {
     JFrame form = OpenWindow.named(hands, "form");
     controls = OpenWindow.named(hands, "controls");
+    OpenWindow.move(controls, 640, 700); // Not over the picture.
     Wording wording = material.wording();
     JRadioButton age = Hands.named(form, "18-22", JRadioButton.class);
     OpenWindow.click(hands, age, age::isSelected);
