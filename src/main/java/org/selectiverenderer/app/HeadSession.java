@@ -54,9 +54,7 @@ final class HeadSession implements AutoCloseable {
    * @throws IOException when the log cannot be written or is there already
    */
   static HeadSession open(RunSettings settings, RunListener listener) throws IOException {
-    HeadSettings head = settings.head();
-    HeadLogFiles files =
-        head.log().isEmpty() ? null : HeadLogFiles.claim(head.log().get(), head.replaceLog());
+    HeadLogFiles files = claimed(settings.head());
     try {
       return open(settings, listener, files);
     } catch (IOException | RuntimeException e) {
@@ -87,6 +85,20 @@ final class HeadSession implements AutoCloseable {
             .orElseThrow(() -> new TrackerException("the log " + replay.file() + " has faults"));
     HeadTracker stepped = new SteppedReplay(replay, log, head.options());
     return new HeadSession(settings, listener, stepped, log, files);
+  }
+
+  /**
+   * With a live tracker that is open already.
+   *
+   * @throws IOException when the log cannot be written or is there already
+   */
+  static HeadSession with(HeadTracker tracker, RunSettings settings, RunListener listener)
+      throws IOException {
+    return new HeadSession(settings, listener, tracker, null, claimed(settings.head()));
+  }
+
+  private static @Nullable HeadLogFiles claimed(HeadSettings head) throws IOException {
+    return head.log().isEmpty() ? null : HeadLogFiles.claim(head.log().get(), head.replaceLog());
   }
 
   /** How many seconds a replay lasts; empty for a live tracker. */

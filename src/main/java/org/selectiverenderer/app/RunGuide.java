@@ -32,6 +32,13 @@ public interface RunGuide {
   /** How dark the picture is made: 0 not at all, 1 black. */
   double darkness(double seconds);
 
+  /**
+   * Somebody closes a window of the run. Called by the window system's thread, unlike the others.
+   *
+   * @return whether it closes; else it stays until the run is {@link #over}
+   */
+  boolean closing();
+
   /** What the operator is told besides; the participant is not. */
   List<String> operatorLines(double seconds);
 }

@@ -15,8 +15,9 @@ import org.selectiverenderer.runtime.render.window.InputEvent;
 
 /**
  * Several runs one after the other in the same windows, which stay open and are black in between: a
- * participant in a display never sees a desktop. Each run is a {@link WindowRun}, so what is shown
- * and logged is what {@code run} shows and logs; each has the scene to itself from its beginning.
+ * participant in a display never sees a desktop. The head tracker stays open, too. Each run is a
+ * {@link WindowRun}, so what is shown and logged is what {@code run} shows and logs; each has the
+ * scene to itself from its beginning.
  */
 public final class WindowChain implements WorldHost {
   /** Where the runs come from. All calls come from the render thread. */
@@ -37,8 +38,9 @@ public final class WindowChain implements WorldHost {
   }
 
   private final Runs runs;
+  private final ChainTracker tracker = new ChainTracker();
   private @Nullable WorldWindow window;
-  private @Nullable GuidedRun guided;
+  private volatile @Nullable GuidedRun guided;
   private @Nullable WindowRun current;
   private @Nullable IOException failure;
   private boolean finished;
@@ -61,12 +63,13 @@ public final class WindowChain implements WorldHost {
     if (first.isEmpty()) {
       return;
     }
-    chain.begin(first.get());
-    WorldWindow window = new WorldWindow(WindowStage.of(first.get().settings(), message), chain);
-    chain.window = window;
     try {
+      chain.begin(first.get());
+      WorldWindow window = new WorldWindow(WindowStage.of(first.get().settings(), message), chain);
+      chain.window = window;
       window.run();
     } finally {
+      chain.tracker.close();
       chain.close();
     }
     if (chain.failure != null) {
@@ -78,7 +81,9 @@ public final class WindowChain implements WorldHost {
     guided = run;
     // What is not as asked for is said once, by the windows; the log is to know it each time.
     RunSettings fitted = WindowStage.fitted(run.settings(), text -> {});
-    current = new WindowRun(fitted, run.listener(), Optional.of(run.guide()));
+    HeadSession head =
+        HeadSession.with(tracker.lend(fitted.head(), run.listener()), fitted, run.listener());
+    current = new WindowRun(fitted, run.listener(), head, Optional.of(run.guide()));
   }
 
   private void close() throws IOException {
@@ -129,6 +134,12 @@ public final class WindowChain implements WorldHost {
     if (current != null) {
       current.input(event);
     }
+  }
+
+  @Override
+  public boolean closing() {
+    GuidedRun run = guided;
+    return run == null || run.guide().closing();
   }
 
   @Override

@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.navigation.PathMotion;
 import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.OperatorPage;
+import org.selectiverenderer.runtime.render.Stage;
 import org.selectiverenderer.runtime.render.WorldHost;
 import org.selectiverenderer.runtime.render.WorldWindow;
 import org.selectiverenderer.runtime.render.context.GlInfo;
@@ -43,20 +44,22 @@ public final class WindowRun implements WorldHost {
   private long pathFrame;
   private boolean overlay;
   private boolean unlogged;
+  private boolean pictured;
   private boolean finished;
   private boolean opened;
   private @Nullable RunStop stop;
 
   /**
-   * Opens the tracker and begins to read the scene.
+   * Begins to read the scene.
    *
+   * @param head closed with the run
    * @param guide who leads the run; empty for the user
    */
-  WindowRun(RunSettings settings, RunListener listener, Optional<RunGuide> guide)
-      throws IOException {
+  WindowRun(
+      RunSettings settings, RunListener listener, HeadSession head, Optional<RunGuide> guide) {
     this.settings = settings;
     this.guide = guide;
-    head = HeadSession.open(settings, listener);
+    this.head = head;
     controls = new Controls(settings.mouse());
     windowInput = new WindowInput(controls);
     opening = new SceneOpening(settings, listener);
@@ -85,10 +88,13 @@ public final class WindowRun implements WorldHost {
       throws IOException, InterruptedException {
     RunSettings fitted = WindowStage.fitted(settings, listener::printed);
     fitted.describe(listener);
-    WindowRun run = new WindowRun(fitted, listener, Optional.empty());
+    Stage stage = WindowStage.of(fitted, listener::printed);
+    // From here on the tracker is open and the log's files are taken.
+    HeadSession head = HeadSession.open(fitted, listener);
+    WindowRun run = new WindowRun(fitted, listener, head, Optional.empty());
     run.stop = stop;
-    WorldWindow window = new WorldWindow(WindowStage.of(fitted, listener::printed), run);
     try {
+      WorldWindow window = new WorldWindow(stage, run);
       window.run();
       return run.result(window);
     } finally {
@@ -279,7 +285,8 @@ public final class WindowRun implements WorldHost {
   @Override
   public void drawn(Drawn drawn) {
     overlayText.frame(drawn);
-    if (walk.frames() <= 1) {
+    if (!pictured) {
+      pictured = true;
       keeper.firstFrame(walk.polygons(), drawn);
     } else {
       keeper.frame(walk.polygons(), drawn);

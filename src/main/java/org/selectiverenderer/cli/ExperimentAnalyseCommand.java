@@ -9,6 +9,7 @@ import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.data.Roster;
 import org.selectiverenderer.statistics.report.StudyReport;
+import org.selectiverenderer.statistics.study.Findings;
 import org.selectiverenderer.statistics.study.Study;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.Command;
@@ -78,6 +79,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     Study study = Study.of(found.get(), scoring.scoring(), options);
+    Findings.tell(study, problems);
     output.write(
         switch (format) {
           case text -> StudyReport.text(study);

@@ -14,6 +14,7 @@ import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.data.Observations;
 import org.selectiverenderer.statistics.data.ObservationsReader;
 import org.selectiverenderer.statistics.report.AnovaReport;
+import org.selectiverenderer.statistics.study.Findings;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.Command;
@@ -105,10 +106,13 @@ final class ExperimentAnovaCommand extends CliCommand {
     }
     Optional<String> obstacle = read.get().design().obstacle();
     if (obstacle.isPresent()) {
-      problems.error(Location.of(data.toString()), obstacle.get() + "; nothing is analysed");
+      problems.error(new Location(data.toString(), 1, 1), obstacle.get() + "; nothing is analysed");
       return ExitStatus.PROBLEMS;
     }
     Anova anova = Anova.of(read.get().design(), options);
+    Findings.reasons(anova)
+        .forEach(
+            reason -> problems.warning(new Location(data.toString(), 1, 1), "no F: " + reason));
     List<Exclusion> exclusions = read.get().exclusions();
     output.write(
         switch (format) {

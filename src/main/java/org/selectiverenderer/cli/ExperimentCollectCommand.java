@@ -1,10 +1,9 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.experiment.session.CollectedAnswers;
 import org.selectiverenderer.experiment.session.StudyMaterial;
@@ -16,8 +15,8 @@ import picocli.CommandLine.Option;
 @Command(
     name = "collect",
     description = {
-      "Puts the answers of all sessions of a study into one file: those about memory for experiment"
-          + " analyse, ratings for enrich --ratings.",
+      "Puts the answers of a study, one session of each participant, into one file: those about"
+          + " memory for experiment analyse, ratings for enrich --ratings. Says what it leaves out.",
       "Without an option it prints the answers about memory."
     },
     footer = {
@@ -44,10 +43,11 @@ final class ExperimentCollectCommand extends CliCommand {
 
   @Option(
       names = "--session",
-      defaultValue = "1",
       paramLabel = "N",
-      description = "which session of each participant counts (default: ${DEFAULT-VALUE})")
-  private int number = 1;
+      description =
+          "which session of each participant counts (default: the first whose questions are all"
+              + " answered, else the first with answers)")
+  private @Nullable Integer number;
 
   ExperimentCollectCommand(Console console) {
     super(console);
@@ -55,6 +55,9 @@ final class ExperimentCollectCommand extends CliCommand {
 
   @Override
   ExitStatus run() throws IOException {
+    if (number != null && number < 1) {
+      throw CommandFailure.usage("--session is a number from 1");
+    }
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
     OutputFile.check("--bands", bands, ".csv");
@@ -63,19 +66,27 @@ final class ExperimentCollectCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    CollectedAnswers answers = CollectedAnswers.of(material.get(), number, problems);
+    CollectedAnswers answers =
+        CollectedAnswers.of(
+            material.get(),
+            number == null ? OptionalInt.empty() : OptionalInt.of(number),
+            problems);
     if (responses == null && ratings == null && bands == null) {
       console().out().print(answers.responses());
     }
     write(responses, answers.responses());
     write(ratings, answers.ratings());
     write(bands, answers.bands());
+    console()
+        .message(
+            "collected: %d answers of %d participants"
+                .formatted(answers.answers(), answers.participants()));
     return ExitStatus.of(problems);
   }
 
   private static void write(@Nullable Path file, String text) throws IOException {
     if (file != null) {
-      Files.writeString(file, text, StandardCharsets.UTF_8);
+      OutputFile.write(file, text);
     }
   }
 }

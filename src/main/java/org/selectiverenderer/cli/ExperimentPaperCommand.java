@@ -1,8 +1,6 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -71,12 +69,12 @@ final class ExperimentPaperCommand extends CliCommand {
     List<Screen> screens = material.get().screens(participant);
     String page = PaperPage.html(screens, material.get().wording(), participant);
     if (output != null) {
-      Files.writeString(output, page, StandardCharsets.UTF_8);
+      OutputFile.write(output, page);
     } else {
       console().out().print(page);
     }
     if (csv != null) {
-      Files.writeString(csv, table(screens), StandardCharsets.UTF_8);
+      OutputFile.write(csv, table(screens));
     }
     return ExitStatus.of(problems);
   }

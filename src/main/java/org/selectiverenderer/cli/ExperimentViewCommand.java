@@ -1,8 +1,6 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -86,7 +84,7 @@ final class ExperimentViewCommand extends CliCommand {
                 ? AnalysisFormats.json(analysis) + "\n"
                 : AnalysisFormats.text(analysis));
     if (plot != null) {
-      Files.writeString(plot, HeadLogPlot.svg(analysis), StandardCharsets.UTF_8);
+      OutputFile.write(plot, HeadLogPlot.svg(analysis));
     }
     if (bids != null) {
       console().message("BIDS motion data: " + Bids.write(read.get(), bids, subject));

@@ -1,5 +1,8 @@
 package org.selectiverenderer.cli;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -12,6 +15,21 @@ import org.selectiverenderer.polygon.versions.FileTransaction;
  */
 final class OutputFile {
   private OutputFile() {}
+
+  /**
+   * Writes a text, over whatever was there.
+   *
+   * @throws IOException with the file's name, which a full disk does not tell
+   */
+  static void write(Path file, String text) throws IOException {
+    try {
+      Files.writeString(file, text, StandardCharsets.UTF_8);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IOException(file + ": " + e.getMessage(), e);
+    }
+  }
 
   /**
    * @param option by which the user named the file; null when there is none

@@ -1,8 +1,6 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -24,7 +22,7 @@ final class ReportOutput {
       console.out().print(text);
       console.out().flush();
     } else {
-      Files.writeString(output, text, StandardCharsets.UTF_8);
+      OutputFile.write(output, text);
     }
   }
 }

@@ -2,6 +2,7 @@ package org.selectiverenderer.csv;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -48,6 +49,9 @@ public final class CsvTable {
    */
   public static Optional<CsvTable> read(Path path, CsvFaults faults) throws IOException {
     String file = path.toString();
+    if (Files.isDirectory(path)) {
+      throw new FileSystemException(file, null, "is a folder, not a file");
+    }
     return Utf8Text.decode(file, Files.readAllBytes(path), faults)
         .flatMap(text -> parse(file, text, faults));
   }
@@ -64,8 +68,8 @@ public final class CsvTable {
   }
 
   private boolean fill(String text) {
+    long line = 1;
     try (CSVParser parser = CSVParser.parse(text, FORMAT)) {
-      long line = 1;
       for (CSVRecord cells : parser) {
         int at = lineOf(line, parser.getCurrentLineNumber());
         line = parser.getCurrentLineNumber() + 1;
@@ -78,9 +82,21 @@ public final class CsvTable {
       }
       return true;
     } catch (IOException | UncheckedIOException e) {
-      faults.fault(Location.of(file), "the file is no CSV (a quotation mark is never closed)");
+      faults.fault(openQuote(line), "the file is no CSV (a quotation mark is never closed)");
       return false;
     }
+  }
+
+  /** The last quotation mark that opens a cell in a line and is not closed in it. */
+  private Location openQuote(long from) {
+    int line = lineOf(from, lines.length);
+    int open = -1;
+    for (int at = 0; at < lines[line - 1].length(); at++) {
+      if (lines[line - 1].charAt(at) == '"') {
+        open = open < 0 ? at : -1;
+      }
+    }
+    return new Location(file, line, Math.max(0, open) + 1);
   }
 
   /** The line on which a record begins: the first that is not empty after the one before. */
@@ -151,7 +167,7 @@ public final class CsvTable {
   public boolean require(List<String> wanted, String needed) {
     List<String> missing = wanted.stream().filter(name -> !has(name)).toList();
     if (header.isEmpty()) {
-      faults.fault(Location.of(file), "the file is empty: " + needed + " is needed");
+      faults.fault(new Location(file, 1, 1), "the file is empty: " + needed + " is needed");
       return false;
     }
     if (!missing.isEmpty()) {

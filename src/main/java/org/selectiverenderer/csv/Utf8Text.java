@@ -19,6 +19,14 @@ final class Utf8Text {
       faults.fault(new Location(file, 1, 1), "the file is not UTF-8 text but UTF-16");
       return Optional.empty();
     }
+    for (byte each : bytes) {
+      if (each == 0) {
+        faults.fault(
+            new Location(file, 1, 1),
+            "the file is not UTF-8 text (it has bytes 0: it is UTF-16 or no text at all)");
+        return Optional.empty();
+      }
+    }
     ByteBuffer in = ByteBuffer.wrap(bytes);
     CharBuffer out = CharBuffer.allocate(bytes.length + 1);
     CoderResult result = StandardCharsets.UTF_8.newDecoder().decode(in, out, true);

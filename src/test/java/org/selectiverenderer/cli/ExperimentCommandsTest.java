@@ -1,12 +1,15 @@
 package org.selectiverenderer.cli;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -137,6 +140,65 @@ class ExperimentCommandsTest {
         .isZero();
     assertThat(text(out)).contains("20 simulated studies of 12 participants", "condition");
     assertThat(text(err)).contains("simulate: 12 participants: 20 of 20 studies");
+  }
+
+  private int analyse(String answers, Charset charset) throws IOException {
+    Path file = folder.resolve("r.csv");
+    Files.writeString(file, answers, charset);
+    err.reset();
+    return execute("experiment", "analyse", file.toString());
+  }
+
+  private String simulated(int participants) {
+    execute("experiment", "simulate", "--participants", Integer.toString(participants));
+    return text(out);
+  }
+
+  @Test
+  void whatCannotBeTestedIsSaidWithItsPlaceAndIsStatusOne() throws IOException {
+    String good = simulated(12);
+    assertThat(analyse(good.replaceAll("(?m)^.*,(high-low|selective),.*\\R", ""), UTF_8)).isOne();
+    assertThat(text(err))
+        .startsWith(folder.resolve("r.csv") + ":2:1: there is one condition only, high; ");
+    assertThat(text(out)).doesNotContain("NaN");
+    assertThat(analyse(simulated(3), UTF_8)).isOne();
+    assertThat(text(err).lines())
+        .hasSize(6)
+        .allMatch(line -> line.contains("leave no degrees of freedom for the error"));
+    String perfect =
+        good.replaceAll("(?m),yes,(yes|no),\\d$", ",yes,yes,5")
+            .replaceAll("(?m),no,(yes|no),\\d$", ",no,no,5");
+    assertThat(analyse(perfect, UTF_8)).isOne();
+    assertThat(text(err).lines())
+        .hasSize(6)
+        .allMatch(
+            line -> line.matches(".*r\\.csv:\\d+:1: no F of d′, log β, c about .*variance.*"));
+    assertThat(text(out)).doesNotContain("NaN");
+  }
+
+  @Test
+  void otherEncodingsAreToldByLineAndColumn() throws IOException {
+    String greek = simulated(3).replace(",lounge,", ",σαλόνι,");
+    assertThat(analyse(greek, StandardCharsets.UTF_16LE)).isOne();
+    assertThat(text(err)).contains("r.csv:1:1: ", "UTF-16").hasLineCount(1);
+    assertThat(analyse(greek, Charset.forName("windows-1253"))).isOne();
+    assertThat(text(err))
+        .containsPattern("r\\.csv:\\d+:\\d+: the file is not UTF-8")
+        .hasLineCount(1);
+    assertThat(analyse("a,\"b\",\"c\n1,2\n", UTF_8)).isOne();
+    assertThat(text(err)).contains("r.csv:1:7: the file is no CSV").hasLineCount(1);
+  }
+
+  @Test
+  void aFullDiskAndAFolderAreNamed() throws IOException {
+    assumeTrue(Files.exists(Path.of("/dev/full")));
+    Files.writeString(folder.resolve("r.csv"), simulated(12));
+    String answers = folder.resolve("r.csv").toString();
+    assertThat(execute("experiment", "analyse", answers, "--output", "/dev/full")).isEqualTo(2);
+    assertThat(text(err)).contains("/dev/full: No space left").hasLineCount(1);
+    err.reset();
+    assertThat(execute("experiment", "analyse", folder.toString())).isEqualTo(2);
+    assertThat(text(err)).contains(folder + ": is a folder").hasLineCount(1);
   }
 
   private int anova(String... options) {

@@ -109,7 +109,11 @@ class KilledSessionTest {
     Path responses = folder.resolve("responses.csv");
     done("collect", study.toString(), "--responses", responses.toString());
     assertThat(responses).hasSameTextualContentAs(session.resolve("responses.csv"));
-    done("analyse", responses.toString(), "--format", "json");
+    // One participant is one condition, which is said.
+    assertThat(start("analyse", responses.toString()).waitFor()).isOne();
+    assertThat(Files.readString(log))
+        .contains("there is one condition only, ", "Area: kitchen")
+        .doesNotContain("NaN");
     done("status", study.toString());
     assertThat(Files.readString(log))
         .contains("finished   nothing (simulated, exposure shortened)");

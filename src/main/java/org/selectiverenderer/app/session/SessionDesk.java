@@ -11,8 +11,13 @@ public interface SessionDesk extends AutoCloseable {
   /** Gives the experimenter the controls. */
   void open(OperatorControls controls);
 
-  /** Asks for age and consent: the age band; empty when the participant does not take part. */
-  Optional<String> form(Session session) throws IOException;
+  /**
+   * Asks for age and consent.
+   *
+   * @return the age band; empty when the participant does not take part, or the experimenter has
+   *     ended the session
+   */
+  Optional<String> form(Session session, OperatorControls controls) throws IOException;
 
   /**
    * Asks the questions of a step until all are answered, each answer told to the session.

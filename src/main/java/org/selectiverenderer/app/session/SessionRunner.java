@@ -56,7 +56,8 @@ public final class SessionRunner {
       SessionStep step = left.get(0);
       controls.status(step.id());
       if (step instanceof SessionStep.Form) {
-        if (!form(step)) {
+        form(step);
+        if (session.refused()) {
           return Outcome.REFUSED;
         }
       } else if (step instanceof SessionStep.Questions questions) {
@@ -80,15 +81,14 @@ public final class SessionRunner {
     }
   }
 
-  private boolean form(SessionStep step) throws IOException {
+  private void form(SessionStep step) throws IOException {
     session.began(step, false);
-    Optional<String> age = desk.form(session);
-    if (age.isEmpty()) {
+    Optional<String> age = desk.form(session, controls);
+    if (age.isPresent()) {
+      session.assign(age.get());
+      session.finished(step, Map.of());
+    } else if (!controls.aborted()) {
       session.refuse();
-      return false;
     }
-    session.assign(age.get());
-    session.finished(step, Map.of());
-    return true;
   }
 }

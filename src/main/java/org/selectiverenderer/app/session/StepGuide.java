@@ -27,7 +27,9 @@ final class StepGuide implements RunGuide {
   private final OptionalDouble exposure;
   private final double fade;
   private final OperatorControls controls;
+  private double begun;
   private double ending = Double.POSITIVE_INFINITY;
+  private int frames;
   private boolean exposed;
 
   /**
@@ -45,11 +47,11 @@ final class StepGuide implements RunGuide {
     this.exposure = exposure;
     this.controls = controls;
     fade = session.material().study().fade();
-    exposure.ifPresent(seconds -> ending = fade + seconds);
   }
 
   @Override
   public void opened(Walkthrough walk) {
+    controls.takeGoOn(); // Asked for before there was anything to go on from.
     walk.world().viewpoints().stream()
         .filter(node -> viewpoint.equals(node.name()))
         .findFirst()
@@ -72,7 +74,13 @@ final class StepGuide implements RunGuide {
 
   @Override
   public boolean over(double seconds) {
-    if (!exposed && seconds >= fade) {
+    // The first frame takes long, as all goes to the graphics card then: were it part of the fade,
+    // the picture would come at once.
+    if (++frames <= 2) {
+      begun = seconds;
+      ending = begun + fade + exposure.orElse(Double.POSITIVE_INFINITY);
+    }
+    if (!exposed && frames > 1 && seconds >= begun + fade) {
       exposed = true;
       session.journal().tell("shown", Map.of("step", step.id(), "t", rounded(seconds)));
     }
@@ -88,14 +96,19 @@ final class StepGuide implements RunGuide {
     if (controls.paused()) {
       return 1;
     }
-    double coming = fade > 0 ? 1 - seconds / fade : 0;
+    double coming = frames <= 1 ? 1 : fade > 0 ? 1 - (seconds - begun) / fade : 0;
     double going = seconds < ending ? 0 : fade > 0 ? (seconds - ending) / fade : 1;
     return Math.max(coming, going);
   }
 
+  @Override
+  public boolean closing() {
+    return !controls.askAbort();
+  }
+
   /** Seconds of the exposure that are over at a time of the run. */
   double exposed(double seconds) {
-    return Math.max(0, Math.min(seconds, ending) - fade);
+    return Math.max(0, Math.min(seconds, ending) - begun - fade);
   }
 
   private String left(double seconds) {

@@ -12,6 +12,7 @@ import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.window.ControlWindow;
 import org.selectiverenderer.experiment.window.FormWindow;
 import org.selectiverenderer.experiment.window.QuestionnaireWindow;
+import org.selectiverenderer.experiment.window.SessionEnd;
 import org.selectiverenderer.experiment.window.ThanksWindow;
 
 /** Participant and experimenter sit before windows. */
@@ -30,8 +31,11 @@ public final class WindowDesk implements SessionDesk {
   }
 
   @Override
-  public Optional<String> form(Session session) {
-    return FormWindow.ask(session.folder().participant(), wording);
+  public Optional<String> form(Session session, OperatorControls controls) {
+    return FormWindow.ask(
+        session.folder().participant(),
+        wording,
+        new SessionEnd(controls::aborted, controls::askAbort));
   }
 
   @Override
@@ -50,7 +54,7 @@ public final class WindowDesk implements SessionDesk {
                 failure.set(e);
               }
             },
-            () -> controls.aborted() || failure.get() != null);
+            new SessionEnd(() -> controls.aborted() || failure.get() != null, controls::askAbort));
     IOException failed = failure.get();
     if (failed != null) {
       throw failed;

@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.joml.Quaterniond;
 
@@ -35,6 +37,9 @@ public final class Bids {
           new Channel("head_ORNT_w", "quat_w", "ORNT", "n/a", r -> r.turn.w),
           new Channel("latency", "n/a", "LATENCY", "s", r -> r.sample.t() - r.started));
 
+  /** How the name of the data file ends. */
+  public static final String DATA = "_motion.tsv";
+
   private Bids() {}
 
   /**
@@ -46,30 +51,30 @@ public final class Bids {
    * @throws IOException if a file cannot be written
    */
   public static Path write(HeadLog log, Path folder, String subject) throws IOException {
-    return write(log, folder, "sub-" + subject + "_task-viewing_tracksys-head", "viewing");
+    String stem = "sub-" + subject + "_task-viewing_tracksys-head";
+    Files.createDirectories(folder);
+    for (Map.Entry<String, String> file : files(log, stem, "viewing").entrySet()) {
+      Files.writeString(folder.resolve(file.getKey()), file.getValue(), StandardCharsets.UTF_8);
+    }
+    return folder.resolve(stem + DATA);
   }
 
   /**
-   * Writes the four files under a name of one's own.
+   * The four files under a name of one's own, by their names. The data come last: where they are,
+   * the others are.
    *
    * @param stem the files' names up to their suffix, BIDS entities in their order
    * @param task label of the task, as in the stem
-   * @return the data file
-   * @throws IOException if a file cannot be written
    */
-  public static Path write(HeadLog log, Path folder, String stem, String task) throws IOException {
-    Files.createDirectories(folder);
-    Path data = folder.resolve(stem + "_motion.tsv");
-    Files.writeString(data, motion(log), StandardCharsets.UTF_8);
+  public static Map<String, String> files(HeadLog log, String stem, String task) {
+    Map<String, String> files = new LinkedHashMap<>();
     // Channels are of the recording, not of the task's run: the tracking system stays in their
     // name.
-    Files.writeString(
-        folder.resolve(stem + "_channels.tsv"), channels(log), StandardCharsets.UTF_8);
-    Files.writeString(
-        folder.resolve(stem + "_motion.json"), sidecar(log, task) + "\n", StandardCharsets.UTF_8);
-    Files.writeString(
-        folder.resolve(stem + "_channels.json"), frames() + "\n", StandardCharsets.UTF_8);
-    return data;
+    files.put(stem + "_channels.tsv", channels(log));
+    files.put(stem + "_channels.json", frames() + "\n");
+    files.put(stem + "_motion.json", sidecar(log, task) + "\n");
+    files.put(stem + DATA, motion(log));
+    return files;
   }
 
   private static String motion(HeadLog log) {

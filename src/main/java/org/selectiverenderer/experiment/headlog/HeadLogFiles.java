@@ -108,7 +108,9 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     begun = true;
     csv.write(Column.headers() + "\n");
     json.write(description.json() + "\n");
-    json.channel().force(false);
+    json.channel().force(true);
+    csv.channel().force(true);
+    KeptFile.forceFolder(csv.file().toAbsolutePath().getParent());
     return this;
   }
 

@@ -14,9 +14,10 @@ import org.selectiverenderer.x3d.Problem;
 
 /**
  * Writes a head log while a session runs. Samples are handed over without waiting; a thread of its
- * own, {@code head-log}, writes them four times a second, so that whatever ends the program takes
- * at most the last quarter of a second with it, and has the disk keep them once a second, so that a
- * power cut takes little more. A disk that is full ends the log with a message, not the session.
+ * own, {@code head-log}, writes them five times a second, so that whatever ends the program takes
+ * at most the last fifth of a second with it, and has the disk keep them at every third time, so
+ * that a power cut takes less than a second. A disk that is full ends the log with a message, not
+ * the session.
  *
  * <p>So many samples may wait, minutes of them; while a disk is slower than that new ones are left
  * out, which is counted and told, and drawing goes on.
@@ -25,8 +26,8 @@ public final class HeadLogWriter implements AutoCloseable {
   /** Samples that may wait: at 60 frames per second those of nine minutes, about 8 MB. */
   static final int MOST_WAITING = 1 << 15;
 
-  private static final long PAUSE = 250_000_000;
-  private static final int PER_FORCE = 4;
+  private static final long PAUSE = 200_000_000;
+  private static final int PER_FORCE = 3;
 
   /** Where the lines of a log go. */
   interface Lines {
@@ -86,7 +87,7 @@ public final class HeadLogWriter implements AutoCloseable {
       return start(files.csv(), files.begin(description), MOST_WAITING, problem);
     } catch (IOException e) {
       files.close();
-      throw e;
+      throw KeptFile.named(files.csv(), e);
     }
   }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.Reader;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,6 +42,11 @@ public final class Wording {
     if (Files.isRegularFile(own)) {
       try (Reader reader = Files.newBufferedReader(own, StandardCharsets.UTF_8)) {
         words.load(reader);
+      } catch (CharacterCodingException e) {
+        problems.error(
+            new Location(own.toString(), 1, 1),
+            "the file is not UTF-8 text; the study is not used");
+        return Optional.empty();
       }
       return Optional.of(new Wording(language, words));
     }

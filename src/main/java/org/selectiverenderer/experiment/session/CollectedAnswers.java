@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
@@ -18,84 +19,125 @@ import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /**
- * The answers of all of a study's sessions, from their journals. Screens that were finished count,
- * of sessions that were not, too; what does not count, or counts and is not what it seems, is said.
+ * The answers of a study, one session of each participant, from their journals. Screens that were
+ * finished count, of sessions that were not, too; every answer that does not count, and every
+ * session that is not what it seems, is a problem with its file's name.
  *
  * @param responses as {@code experiment analyse} reads them
  * @param ratings as {@code enrich --ratings} reads them
  * @param bands means of the ratings with their bands, for people
+ * @param participants of whom there are answers
+ * @param answers that are in the tables
  */
-public record CollectedAnswers(String responses, String ratings, String bands) {
+public record CollectedAnswers(
+    String responses, String ratings, String bands, int participants, int answers) {
 
   private record Rated(String area, String schema, String object) {}
+
+  /** Gathers what the record holds. */
+  private static final class Gathering {
+    private final StudyMaterial material;
+    private final Problems problems;
+    private final StringBuilder responses = new StringBuilder(AnswersCsv.responsesHeader());
+    private final StringBuilder ratings = new StringBuilder(AnswersCsv.RATINGS);
+    private final Map<Rated, List<Integer>> all = new LinkedHashMap<>();
+    private int participants;
+    private int answers;
+
+    Gathering(StudyMaterial material, Problems problems) {
+      this.material = material;
+      this.problems = problems;
+    }
+
+    void session(SessionFolder folder, SessionHistory history) {
+      Location place = Location.of(folder.journal().toString());
+      if (history.refused()) {
+        problems.info(place, "the participant does not take part");
+        return;
+      }
+      if (history.unattended()) {
+        problems.info(place, "the participant of this session was simulated; the answers are kept");
+      } else if (history.shortened()) {
+        problems.info(place, "exposures of this session were shortened; the answers are kept");
+      }
+      int before = answers;
+      List<String> known = new ArrayList<>();
+      for (SessionStep step : material.steps()) {
+        known.add(step.id());
+        if (step instanceof SessionStep.Questions questions) {
+          screen(folder, history, questions, place);
+        }
+      }
+      for (String step : history.answeredSteps()) {
+        if (!known.contains(step)) {
+          problems.warning(
+              place, "the study no longer has " + step + "; the answers to it are left out");
+        }
+      }
+      participants += answers > before ? 1 : 0;
+    }
+
+    private void screen(
+        SessionFolder folder, SessionHistory history, SessionStep.Questions step, Location place) {
+      Map<String, Answer> given = history.answers(step);
+      if (!history.finished(step)) {
+        problems.warning(
+            place,
+            "the questions of %s were not finished; %s left out"
+                .formatted(
+                    step.id(),
+                    given.size() == 1 ? "the 1 answer is" : given.size() + " answers are"));
+        return;
+      }
+      Screen screen = material.screen(step, folder.participant());
+      String condition = history.condition().map(Condition::spelling).orElse("");
+      (screen.withConfidence() ? responses : ratings)
+          .append(AnswersCsv.lines(screen, folder.participant(), condition, given));
+      Map<String, Answer> left = new LinkedHashMap<>(given);
+      for (Item item : screen.items()) {
+        Optional<Answer> answer = Optional.ofNullable(left.remove(item.object()));
+        answers += answer.isPresent() ? 1 : 0;
+        if (!screen.withConfidence()) {
+          answer.ifPresent(
+              rating ->
+                  all.computeIfAbsent(
+                          new Rated(item.area(), item.schema(), item.object()),
+                          key -> new ArrayList<>())
+                      .add(Integer.parseInt(rating.value())));
+        }
+      }
+      if (!left.isEmpty()) {
+        problems.warning(
+            place,
+            "the study no longer asks about %s in %s; these answers are left out"
+                .formatted(String.join(", ", left.keySet().stream().sorted().toList()), step.id()));
+      }
+    }
+  }
 
   /**
    * Collects them.
    *
-   * @param number of the sessions that count: two of a participant would answer everything twice
+   * @param session the number of the session that counts; empty for each participant's first whose
+   *     questions are all answered, or the first with answers where there is none
    * @throws IOException if a journal cannot be read
    */
-  public static CollectedAnswers of(StudyMaterial material, int number, Problems problems)
+  public static CollectedAnswers of(StudyMaterial material, OptionalInt session, Problems problems)
       throws IOException {
-    StringBuilder responses = new StringBuilder(AnswersCsv.responsesHeader());
-    StringBuilder ratings = new StringBuilder(AnswersCsv.RATINGS);
-    Map<Rated, List<Integer>> all = new LinkedHashMap<>();
-    for (SessionFolder folder : SessionFolder.all(material.study())) {
-      SessionHistory history = SessionHistory.read(folder.journal());
-      Location place = Location.of(folder.journal().toString());
-      if (folder.number() != number) {
-        problems.info(place, "this is not session " + number + "; its answers are left out");
-        continue;
-      }
-      tell(history, place, problems);
-      for (SessionStep step : material.steps()) {
-        if (step instanceof SessionStep.Questions questions) {
-          add(material, folder, history, questions, responses, ratings, all, problems);
-        }
+    Gathering gathering = new Gathering(material, problems);
+    for (ParticipantSessions sessions : ParticipantSessions.all(material)) {
+      Optional<SessionFolder> chosen = sessions.chosen(session);
+      sessions.tellOthers(chosen, session, problems);
+      if (chosen.isPresent()) {
+        gathering.session(chosen.get(), sessions.history(chosen.get()));
       }
     }
-    return new CollectedAnswers(responses.toString(), ratings.toString(), bands(all));
-  }
-
-  private static void tell(SessionHistory history, Location place, Problems problems) {
-    if (history.unattended()) {
-      problems.info(place, "the participant of this session was simulated; the answers are kept");
-    } else if (history.shortened()) {
-      problems.info(place, "exposures of this session were shortened; the answers are kept");
-    }
-  }
-
-  private static void add(
-      StudyMaterial material,
-      SessionFolder folder,
-      SessionHistory history,
-      SessionStep.Questions step,
-      StringBuilder responses,
-      StringBuilder ratings,
-      Map<Rated, List<Integer>> all,
-      Problems problems) {
-    if (!history.finished(step)) {
-      problems.warning(
-          Location.of(folder.journal().toString()),
-          "the questions of %s were not finished; their answers are left out".formatted(step.id()));
-      return;
-    }
-    Screen screen = material.screen(step, folder.participant());
-    Map<String, Answer> answers = history.answers(step);
-    String condition = history.condition().map(Condition::spelling).orElse("");
-    (screen.withConfidence() ? responses : ratings)
-        .append(AnswersCsv.lines(screen, folder.participant(), condition, answers));
-    if (!screen.withConfidence()) {
-      for (Item item : screen.items()) {
-        Optional.ofNullable(answers.get(item.object()))
-            .ifPresent(
-                answer ->
-                    all.computeIfAbsent(
-                            new Rated(item.area(), item.schema(), item.object()),
-                            key -> new ArrayList<>())
-                        .add(Integer.parseInt(answer.value())));
-      }
-    }
+    return new CollectedAnswers(
+        gathering.responses.toString(),
+        gathering.ratings.toString(),
+        bands(gathering.all),
+        gathering.participants,
+        gathering.answers);
   }
 
   private static String bands(Map<Rated, List<Integer>> all) {

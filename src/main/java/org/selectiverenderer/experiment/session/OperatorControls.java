@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.session;
 
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What the experimenter asks for while a session runs. Set by the control window, read by whoever
@@ -12,6 +13,7 @@ public final class OperatorControls {
   private volatile boolean aborted;
   private volatile boolean going;
   private volatile String status = "";
+  private volatile Optional<Runnable> question = Optional.empty();
 
   public OperatorControls(SessionJournal journal) {
     this.journal = journal;
@@ -27,6 +29,25 @@ public final class OperatorControls {
   public void pause(boolean on) {
     paused = on;
     journal.tell(on ? "paused" : "continued", Map.of());
+  }
+
+  /**
+   * Has somebody who can ask the experimenter whether the session is to end.
+   *
+   * @param ask asks; called by any thread, returns at once
+   */
+  public void questioner(Runnable ask) {
+    question = Optional.of(ask);
+  }
+
+  /**
+   * Somebody closes a window: the experimenter is asked whether the session is to end.
+   *
+   * @return whether there is somebody who asks
+   */
+  public boolean askAbort() {
+    question.ifPresent(Runnable::run);
+    return question.isPresent();
   }
 
   /** Ends the session. */

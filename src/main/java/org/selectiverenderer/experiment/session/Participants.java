@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.headlog.KeptFile;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
@@ -99,6 +100,7 @@ public final class Participants {
         channel.write(bytes);
       }
       channel.force(true);
+      KeptFile.forceFolder(study.folder());
       return assigned;
     }
   }

@@ -6,13 +6,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * Which condition whose turn brings: blocked randomisation. Places come in blocks that hold every
- * condition equally often, in an order drawn from the study's seed and the block's number; so the
- * same study has the same schedule always, and after each block the groups are balanced.
+ * Which condition whose turn brings. Places come in blocks that hold every condition equally often;
+ * orders are drawn from the study's seed and the block's number, so the same study has the same
+ * schedule always, and after each block the groups are balanced.
+ *
+ * <p>Permuted blocks: Zelen 1974, "The randomization and stratification of patients to clinical
+ * trials". Latin squares drawn by permuting the rows, columns and letters of the cyclic one: Fisher
+ * and Yates 1938, "Statistical Tables", introduction; Cochran and Cox 1957, "Experimental Designs",
+ * 4.3.
  */
 final class Schedule {
   private final Study study;
@@ -23,14 +29,42 @@ final class Schedule {
 
   /** The condition of a place, counted from 1. */
   Condition condition(int place) {
+    int number = (place - 1) / study.block();
+    int within = (place - 1) % study.block();
+    return switch (study.assignment()) {
+      case BLOCKED -> block(number).get(within);
+      case LATIN_SQUARE -> square(number / study.block(), number % study.block(), within);
+    };
+  }
+
+  private List<Condition> block(int number) {
     List<Condition> block = new ArrayList<>();
     while (block.size() < study.block()) {
       block.addAll(study.conditions());
     }
-    int number = (place - 1) / study.block();
+    Collections.shuffle(block, random(number));
+    return block;
+  }
+
+  /** A square has as many rows, which are blocks, and columns as there are conditions. */
+  private Condition square(int number, int row, int column) {
+    int size = study.conditions().size();
+    Random random = random(number);
+    List<Integer> rows = order(size, random);
+    List<Integer> columns = order(size, random);
+    List<Integer> letters = order(size, random);
+    return study.conditions().get(letters.get((rows.get(row) + columns.get(column)) % size));
+  }
+
+  private static List<Integer> order(int size, Random random) {
+    List<Integer> order = new ArrayList<>(IntStream.range(0, size).boxed().toList());
+    Collections.shuffle(order, random);
+    return order;
+  }
+
+  private Random random(int number) {
     // The first draws of Random hardly differ for seeds close to each other.
-    Collections.shuffle(block, new Random((study.seed() + 31L * number) * 0x9E3779B97F4A7C15L));
-    return block.get((place - 1) % study.block());
+    return new Random((study.seed() + 31L * number) * 0x9E3779B97F4A7C15L);
   }
 
   /**

@@ -9,15 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.control.Condition;
-import org.selectiverenderer.experiment.headlog.Bids;
-import org.selectiverenderer.experiment.headlog.HeadLog;
-import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import org.selectiverenderer.experiment.headlog.KeptFile;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
 import org.selectiverenderer.experiment.questionnaire.Item;
 import org.selectiverenderer.experiment.questionnaire.Screen;
 import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
 
 /**
@@ -30,6 +27,7 @@ public final class Session implements AutoCloseable {
   private final SessionFolder folder;
   private final SessionOptions options;
   private final SessionJournal journal;
+  private final MotionFiles motion;
   private SessionHistory history;
 
   private Session(
@@ -43,6 +41,7 @@ public final class Session implements AutoCloseable {
     this.options = options;
     this.journal = journal;
     this.history = history;
+    motion = new MotionFiles(folder, journal);
   }
 
   /**
@@ -63,6 +62,11 @@ public final class Session implements AutoCloseable {
     }
     Files.createDirectories(folder.path().resolve("head"));
     SessionJournal journal = SessionJournal.open(folder.journal(), true);
+    for (Path made = folder.path();
+        !made.equals(folder.study().getParent());
+        made = made.getParent()) {
+      KeptFile.forceFolder(made);
+    }
     Session session = new Session(material, folder, options, journal, SessionHistory.none());
     String sum = Checksums.of(material.study().file());
     Map<String, Object> began = new LinkedHashMap<>();
@@ -147,9 +151,7 @@ public final class Session implements AutoCloseable {
           "the study has changed since this session began; it goes on with the study as it is now,"
               + " and its events say so");
     }
-    for (String headLog : history.headLogs()) {
-      writeMotion(headLog);
-    }
+    history.headLogs().forEach(motion::write);
   }
 
   /** The steps that are still to be done, in order. */
@@ -178,9 +180,18 @@ public final class Session implements AutoCloseable {
     return history.condition();
   }
 
-  /** The head log that the next run of a step writes; it is not there yet. */
-  public Path headLog(SessionStep step) {
-    return folder.headLog(step, history.runs(step) + 1);
+  /**
+   * The head log that the next run of a step writes.
+   *
+   * @throws IOException if it is there, whoever made it: it would be written over
+   */
+  public Path headLog(SessionStep step) throws IOException {
+    Path log = folder.headLog(step, history.runs(step) + 1);
+    if (Files.exists(log)) {
+      throw new IOException(
+          log + " is there already; nothing is written over. Move it away, then --resume");
+    }
+    return log;
   }
 
   /**
@@ -206,7 +217,7 @@ public final class Session implements AutoCloseable {
    */
   public void finished(SessionStep step, Map<String, ?> more) throws IOException {
     if (step instanceof SessionStep.Practice || step instanceof SessionStep.Exposure) {
-      writeMotion(SessionFolder.headName(step, history.runs(step)));
+      motion.write(SessionFolder.headName(step, history.runs(step)));
     }
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("step", step.id());
@@ -231,6 +242,11 @@ public final class Session implements AutoCloseable {
   /** The participant does not take part. */
   public void refuse() throws IOException {
     keep("refused", Map.of());
+  }
+
+  /** Whether the participant does not take part. */
+  public boolean refused() {
+    return history.refused();
   }
 
   /** The experimenter ends it before its end. */
@@ -260,8 +276,9 @@ public final class Session implements AutoCloseable {
     journal.keep("answer", event);
   }
 
-  /** All steps are done: writes the answers as tables. */
+  /** All steps are done: writes the answers as tables, and waits for the motion data. */
   public void end() throws IOException {
+    motion.close();
     String condition = condition().map(Condition::spelling).orElse("");
     StringBuilder responses = new StringBuilder();
     StringBuilder ratings = new StringBuilder();
@@ -287,32 +304,15 @@ public final class Session implements AutoCloseable {
     history = SessionHistory.read(folder.journal());
   }
 
-  /** A head log as BIDS motion data, once; also of a run that a crash cut off. */
-  private void writeMotion(String headName) throws IOException {
-    Path log = folder.path().resolve("head").resolve(headName + ".csv");
-    String stem = folder.motionStem(headName);
-    Path motion = folder.path().resolve("motion");
-    if (!Files.isRegularFile(log) || Files.exists(motion.resolve(stem + "_motion.tsv"))) {
-      return;
-    }
-    Problems problems = new Problems();
-    Optional<HeadLog> read = HeadLogReader.read(log, problems);
-    if (read.isPresent()) {
-      Bids.write(read.get(), motion, stem, SessionFolder.task(headName));
-    }
-    if (problems.any()) {
-      journal.tell(
-          "head-log",
-          Map.of(
-              "file",
-              headName,
-              "problems",
-              problems.list().stream().map(Problem::message).toList()));
-    }
-  }
-
+  /**
+   * Waits for what is still being written and lets go of the journal.
+   *
+   * @throws IOException if something could not be written
+   */
   @Override
   public void close() throws IOException {
-    journal.close();
+    try (journal) {
+      motion.close();
+    }
   }
 }

@@ -1,17 +1,13 @@
 package org.selectiverenderer.experiment.session;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.selectiverenderer.experiment.headlog.KeptFile;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
@@ -109,22 +105,6 @@ public record SessionFolder(Path study, String participant, int number) {
    * @throws IOException if it is there with another text, or cannot be written
    */
   void writeOnce(String name, String text) throws IOException {
-    Path file = path().resolve(name);
-    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-    if (Files.exists(file)) {
-      if (!Arrays.equals(Files.readAllBytes(file), bytes)) {
-        throw new IOException(file + " is there with other content; nothing is written over");
-      }
-      return;
-    }
-    Path half = Files.createTempFile(path(), name, ".part");
-    try (FileChannel channel = FileChannel.open(half, StandardOpenOption.WRITE)) {
-      ByteBuffer left = ByteBuffer.wrap(bytes);
-      while (left.hasRemaining()) {
-        channel.write(left);
-      }
-      channel.force(true);
-    }
-    Files.move(half, file);
+    KeptFile.write(path().resolve(name), text);
   }
 }

@@ -120,6 +120,16 @@ public final class SessionHistory {
     return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
   }
 
+  /** Steps with answers, by their ids. */
+  Set<String> answeredSteps() {
+    return Set.copyOf(answers.keySet());
+  }
+
+  /** Answers in all, each object's last. */
+  int answerCount() {
+    return answers.values().stream().mapToInt(Map::size).sum();
+  }
+
   /** Names of all head logs that were begun. */
   public List<String> headLogs() {
     return List.copyOf(headLogs);

@@ -15,6 +15,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param scene that is explored; empty for a study of questionnaires alone
  * @param conditions one for each group
  * @param participants that are planned for, in all groups together
+ * @param assignment how participants come to their conditions
  * @param block participants in a block of the assignment; in each all conditions are as frequent
  * @param seed of the assignment and of the order of questions
  * @param fade seconds in which the picture of an area comes and goes, beside its exposure
@@ -26,6 +27,7 @@ public record Study(
     Optional<Path> scene,
     List<Condition> conditions,
     int participants,
+    Assignment assignment,
     int block,
     long seed,
     Optional<Practice> practice,

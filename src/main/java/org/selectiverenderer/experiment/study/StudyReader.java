@@ -2,6 +2,7 @@ package org.selectiverenderer.experiment.study;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +18,7 @@ import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /**
@@ -48,8 +50,15 @@ public final class StudyReader {
    * @throws IOException if it cannot be read at all
    */
   public static Optional<Study> read(Path file, Problems problems) throws IOException {
-    String text = Files.readString(file, StandardCharsets.UTF_8);
     Problems own = new Problems(problems::add);
+    String text;
+    try {
+      text = Files.readString(file, StandardCharsets.UTF_8);
+    } catch (CharacterCodingException e) {
+      own.error(
+          new Location(file.toString(), 1, 1), "the file is not UTF-8 text; the study is not used");
+      return Optional.empty();
+    }
     Optional<Study> study =
         JsonPart.parse(file.toString(), text, own)
             .map(root -> new StudyReader(file, own).study(root));
@@ -78,6 +87,15 @@ public final class StudyReader {
           "a block of %d participants cannot hold each of %d conditions as often"
               .formatted(block, groups));
     }
+    Assignment assignment =
+        keys.choice(
+            "assignment", List.of(Assignment.values()), Assignment::spelling, Assignment.BLOCKED);
+    if (assignment == Assignment.LATIN_SQUARE && block != groups) {
+      keys.fault(
+          "block",
+          "a Latin square of %d conditions has blocks of %d, not of %d"
+              .formatted(groups, groups, block));
+    }
     Study study =
         new Study(
             file,
@@ -85,6 +103,7 @@ public final class StudyReader {
             scene,
             conditions,
             participants,
+            assignment,
             block,
             keys.whole("seed", 0, 1L << 53, 0),
             practice(keys),

@@ -1,7 +1,9 @@
 package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
+import java.awt.EventQueue;
 import java.awt.FlowLayout;
+import java.awt.Frame;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.time.LocalTime;
@@ -28,6 +30,7 @@ public final class ControlWindow implements AutoCloseable {
   private final JTextArea notes = new JTextArea(8, 40);
   private final JTextField note = new JTextField();
   private final Timer refresh;
+  private boolean asking;
 
   private ControlWindow(OperatorControls controls) {
     this.controls = controls;
@@ -37,6 +40,8 @@ public final class ControlWindow implements AutoCloseable {
     notes.setEditable(false);
     frame.setName("controls");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+    frame.addWindowListener(new ClosingAsks(this::abort));
+    controls.questioner(() -> EventQueue.invokeLater(this::abort));
     frame.add(status, BorderLayout.NORTH);
     frame.add(new JScrollPane(notes), BorderLayout.CENTER);
     JPanel below = new JPanel(new BorderLayout());
@@ -54,6 +59,7 @@ public final class ControlWindow implements AutoCloseable {
 
   private JPanel writing() {
     note.setName("note");
+    note.getAccessibleContext().setAccessibleName("Note to keep");
     JButton keep = new JButton("Note");
     keep.setName("keep");
     keep.addActionListener(event -> keepNote());
@@ -66,13 +72,16 @@ public final class ControlWindow implements AutoCloseable {
   }
 
   private JPanel buttons() {
+    // No tool tips: in the corner of the screen they would lie over the buttons and take the click.
     JButton go = new JButton("Go on");
     go.setName("go");
-    go.setToolTipText("ends the practice");
+    go.getAccessibleContext().setAccessibleDescription("ends the practice");
     go.addActionListener(event -> controls.goOn());
     JToggleButton pause = new JToggleButton("Pause");
     pause.setName("pause");
-    pause.setToolTipText("stops the clock and makes the participant's picture black");
+    pause
+        .getAccessibleContext()
+        .setAccessibleDescription("stops the clock and makes the participant's picture black");
     pause.addActionListener(
         event -> {
           controls.pause(pause.isSelected());
@@ -107,14 +116,29 @@ public final class ControlWindow implements AutoCloseable {
     }
   }
 
+  /** Asks once, however often windows are closed meanwhile. */
   private void abort() {
+    if (asking) {
+      return;
+    }
+    asking = true;
+    if (frame.getExtendedState() == Frame.ICONIFIED) {
+      frame.setExtendedState(Frame.NORMAL);
+    }
+    frame.toFront();
+    Object[] answers = {"End the session", "Go on with it"};
     int answer =
-        JOptionPane.showConfirmDialog(
+        JOptionPane.showOptionDialog(
             frame,
             "End this session? What is finished is kept, and --resume goes on.",
             "Abort",
-            JOptionPane.YES_NO_OPTION);
-    if (answer == JOptionPane.YES_OPTION) {
+            JOptionPane.DEFAULT_OPTION,
+            JOptionPane.WARNING_MESSAGE,
+            null,
+            answers,
+            answers[1]);
+    asking = false;
+    if (answer == 0) {
       controls.abort();
     }
   }

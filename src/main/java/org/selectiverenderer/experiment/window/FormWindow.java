@@ -28,7 +28,8 @@ public final class FormWindow {
   private final JCheckBox consent = new JCheckBox();
   private final JButton begin = new JButton();
 
-  private FormWindow(String participant, Wording wording, Consumer<Optional<String>> answer) {
+  private FormWindow(
+      String participant, Wording wording, SessionEnd end, Consumer<Optional<String>> answer) {
     JPanel fields = new JPanel();
     fields.setLayout(new BoxLayout(fields, BoxLayout.Y_AXIS));
     fields.setBorder(BorderFactory.createEmptyBorder(16, 16, 16, 16));
@@ -50,6 +51,7 @@ public final class FormWindow {
     fields.add(bands);
     consent.setText("<html><body style='width:380px'>" + wording.of("form.consent"));
     consent.setName("consent");
+    consent.getAccessibleContext().setAccessibleName(wording.of("form.consent"));
     consent.setAlignmentX(0);
     consent.addActionListener(event -> check());
     fields.add(consent);
@@ -67,6 +69,7 @@ public final class FormWindow {
     frame.setName("form");
     frame.setTitle(wording.of("form.title"));
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+    end.watch(frame, () -> answer.accept(Optional.empty()));
     frame.add(fields, BorderLayout.CENTER);
     frame.add(buttons, BorderLayout.SOUTH);
     frame.getRootPane().setDefaultButton(begin);
@@ -75,17 +78,18 @@ public final class FormWindow {
   }
 
   /**
-   * Asks, and waits for the answer.
+   * Asks, and waits for the answer, or until the session ends.
    *
-   * @return the age band; empty when the participant does not take part
+   * @return the age band; empty when the participant does not take part, or the session has ended
    */
-  public static Optional<String> ask(String participant, Wording wording) {
+  public static Optional<String> ask(String participant, Wording wording, SessionEnd end) {
     List<Optional<String>> answers = new CopyOnWriteArrayList<>();
     Waiting.on(
         done ->
             new FormWindow(
                     participant,
                     wording,
+                    end,
                     answer -> {
                       answers.add(answer);
                       done.run();

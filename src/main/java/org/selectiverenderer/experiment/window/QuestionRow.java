@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.window;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
@@ -22,8 +23,11 @@ import org.selectiverenderer.experiment.study.QuestionKind;
 /** One object of a questionnaire and its choices, as a row. */
 final class QuestionRow {
   private static final Color CURRENT = new Color(0xe3eefc);
-  private static final Color PLAIN = Color.WHITE;
+  static final Color PLAIN = Color.WHITE;
   private static final int NAME_WIDTH = 260;
+
+  /** An answer must be seen from the chair: the look and feel's own grey is hardly seen. */
+  private static final String CHOSEN = "selectedBackground:#1f66b5; selectedForeground:#ffffff";
 
   private final QuestionKind kind;
   private final Item item;
@@ -48,7 +52,7 @@ final class QuestionRow {
     this.listener = listener;
     answer = known;
     panel.setLayout(new BoxLayout(panel, BoxLayout.X_AXIS));
-    panel.setBorder(BorderFactory.createEmptyBorder(3, 12, 3, 12));
+    panel.setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
     JLabel name = new JLabel(wording.name(item));
     name.setFont(name.getFont().deriveFont(16f));
     name.setPreferredSize(new Dimension(NAME_WIDTH, 30));
@@ -68,7 +72,7 @@ final class QuestionRow {
     } else {
       panel.add(new JLabel(wording.of("expectancy.least") + " "));
       panel.add(choices(values, List.of("1", "2", "3", "4", "5", "6"), wording, this::value));
-      panel.add(new JLabel(" " + wording.of("expectancy.most")));
+      panel.add(new JLabel(" " + wording.of("expectancy.most") + "  "));
     }
     panel.add(Box.createHorizontalGlue());
     show();
@@ -103,9 +107,11 @@ final class QuestionRow {
     for (String key : keys) {
       boolean number = key.length() == 1;
       JToggleButton button = new JToggleButton(number ? key : wording.of(key));
+      button.getAccessibleContext().setAccessibleName(wording.name(item) + ": " + button.getText());
       button.setName(item.object() + ":" + key);
       button.setActionCommand(key);
       button.setFocusable(false); // The window has the keys.
+      button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
       button.setPreferredSize(new Dimension(number ? 44 : 64, 30));
       if (number && kind == QuestionKind.RECOGNITION) {
         button.setToolTipText(wording.of("recognition.confidence." + key));

@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.GridLayout;
+import java.awt.GridBagLayout;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
@@ -15,7 +15,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
@@ -25,7 +24,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
-import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Item;
@@ -35,20 +33,18 @@ import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
  * A screen of questions about one area. Keys answer the row that is marked; when it is complete,
- * the next one that is not is marked. The window cannot be closed: it ends when all is answered and
- * the participant goes on, or when it is called off.
+ * the next one that is not is marked. The window ends when all is answered and the participant goes
+ * on, or with the session; closing it has the experimenter asked.
  */
 public final class QuestionnaireWindow {
   private final Screen screen;
   private final Wording wording;
-  private final BooleanSupplier calledOff;
   private final Consumer<Boolean> done;
   private final List<QuestionRow> rows = new ArrayList<>();
   private final JFrame frame = new JFrame();
   private final JLabel left = new JLabel();
   private final JButton next = new JButton();
   private final KeyEventDispatcher keys = this::key;
-  private final Timer watch;
   private int current;
 
   private QuestionnaireWindow(
@@ -56,11 +52,10 @@ public final class QuestionnaireWindow {
       Wording wording,
       Map<String, Answer> known,
       BiConsumer<Item, Answer> taker,
-      BooleanSupplier calledOff,
+      SessionEnd sessionEnd,
       Consumer<Boolean> done) {
     this.screen = screen;
     this.wording = wording;
-    this.calledOff = calledOff;
     this.done = done;
     JPanel list = new JPanel();
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
@@ -88,22 +83,14 @@ public final class QuestionnaireWindow {
       list.add(row.panel());
     }
     lay(list);
-    watch =
-        new Timer(
-            200,
-            event -> {
-              if (calledOff.getAsBoolean()) {
-                end(false);
-              }
-            });
-    watch.start();
+    sessionEnd.watch(frame, () -> end(false));
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
     mark(firstOpen(0));
     count();
   }
 
   /**
-   * Asks, and waits until all is answered or it is called off.
+   * Asks, and waits until all is answered or the session ends.
    *
    * @param known answers given before, by object
    * @param taker hears every answer and every change of one, on Swing's thread
@@ -114,7 +101,7 @@ public final class QuestionnaireWindow {
       Wording wording,
       Map<String, Answer> known,
       BiConsumer<Item, Answer> taker,
-      BooleanSupplier calledOff) {
+      SessionEnd sessionEnd) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
         done ->
@@ -123,7 +110,7 @@ public final class QuestionnaireWindow {
                     wording,
                     known,
                     taker,
-                    calledOff,
+                    sessionEnd,
                     complete -> {
                       through.set(complete);
                       done.run();
@@ -137,18 +124,16 @@ public final class QuestionnaireWindow {
     String area = wording.area(screen.area());
     JLabel title = new JLabel(PaperPage.fill(wording.of(kind + ".title"), area));
     title.setFont(title.getFont().deriveFont(24f));
-    JTextArea text = new JTextArea(PaperPage.fill(wording.of(kind + ".text"), area));
-    text.setEditable(false);
-    text.setFocusable(false);
-    text.setLineWrap(true);
-    text.setWrapStyleWord(true);
-    text.setOpaque(false);
+    JTextArea text = text(PaperPage.fill(wording.of(kind + ".text"), area));
     text.setFont(title.getFont().deriveFont(15f));
     JPanel head = new JPanel(new BorderLayout(0, 8));
     head.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
     head.add(title, BorderLayout.NORTH);
     head.add(text, BorderLayout.CENTER);
-    JScrollPane scroll = new JScrollPane(list);
+    JPanel top = new JPanel(new BorderLayout());
+    top.setBackground(QuestionRow.PLAIN);
+    top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
+    JScrollPane scroll = new JScrollPane(top);
     scroll.setColumnHeaderView(QuestionRow.heading(screen.kind(), wording));
     scroll.getVerticalScrollBar().setUnitIncrement(24);
     next.setText(wording.of("next"));
@@ -157,11 +142,16 @@ public final class QuestionnaireWindow {
     next.addActionListener(event -> goOn());
     JPanel foot = new JPanel(new BorderLayout(16, 0));
     foot.setBorder(BorderFactory.createEmptyBorder(12, 16, 16, 16));
-    JPanel told = new JPanel(new GridLayout(2, 1));
-    told.add(left);
-    told.add(new JLabel(PaperPage.fill(wording.of("keys"), wording.of("keys." + kind))));
+    JTextArea hint = text(PaperPage.fill(wording.of("keys"), wording.of("keys." + kind)));
+    hint.setFont(left.getFont());
+    hint.setRows(2);
+    JPanel told = new JPanel(new BorderLayout());
+    told.add(left, BorderLayout.NORTH);
+    told.add(hint, BorderLayout.CENTER);
     foot.add(told, BorderLayout.CENTER);
-    foot.add(next, BorderLayout.EAST);
+    JPanel button = new JPanel(new GridBagLayout());
+    button.add(next);
+    foot.add(button, BorderLayout.EAST);
     frame.setTitle(title.getText());
     frame.setName("questionnaire");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -171,6 +161,18 @@ public final class QuestionnaireWindow {
     Dimension most = Toolkit.getDefaultToolkit().getScreenSize();
     frame.setSize(Math.min(960, most.width), Math.min(1000, most.height));
     frame.setLocationRelativeTo(null);
+  }
+
+  /** Words that go on in the next line where the window is too narrow for them. */
+  private static JTextArea text(String words) {
+    JTextArea text = new JTextArea(words);
+    text.setEditable(false);
+    text.setFocusable(false);
+    text.setLineWrap(true);
+    text.setWrapStyleWord(true);
+    text.setOpaque(false);
+    text.setBorder(BorderFactory.createEmptyBorder());
+    return text;
   }
 
   private boolean key(KeyEvent event) {
@@ -233,7 +235,6 @@ public final class QuestionnaireWindow {
   }
 
   private void end(boolean complete) {
-    watch.stop();
     KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
     next.setEnabled(false);
     done.accept(complete);

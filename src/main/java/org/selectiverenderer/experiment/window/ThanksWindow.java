@@ -21,6 +21,7 @@ public final class ThanksWindow {
     JFrame frame = new JFrame(wording.of("thanks.title"));
     frame.setName("thanks");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+    frame.addWindowListener(new ClosingAsks(done));
     JLabel text = new JLabel(wording.of("thanks.text"));
     text.setFont(text.getFont().deriveFont(18f));
     text.setBorder(BorderFactory.createEmptyBorder(32, 32, 32, 32));

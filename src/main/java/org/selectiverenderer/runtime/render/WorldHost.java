@@ -16,6 +16,15 @@ public interface WorldHost {
   /** Whether the window is to be closed instead of showing another frame. */
   boolean finished();
 
+  /**
+   * The user closes a window. Called by the window system's thread, unlike the others.
+   *
+   * @return whether it closes; else it stays until the host is {@link #finished}
+   */
+  default boolean closing() {
+    return true;
+  }
+
   /** The lines of the overlay; none for no overlay. */
   List<String> overlay();
 

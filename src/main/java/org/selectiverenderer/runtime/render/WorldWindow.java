@@ -106,6 +106,11 @@ public final class WorldWindow {
     }
 
     @Override
+    public boolean closing() {
+      return host.closing();
+    }
+
+    @Override
     public void draw(GL3 gl, FrameSize frame) {
       size = frame;
       if (world.isEmpty()) {

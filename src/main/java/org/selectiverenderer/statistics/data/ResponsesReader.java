@@ -67,7 +67,7 @@ public final class ResponsesReader {
     }
     List<Response> usable = withoutDoubles(ofOneCondition(known(responses)));
     if (usable.isEmpty()) {
-      exclusions.fault(Location.of(table.file()), "there is no usable answer");
+      exclusions.fault(new Location(table.file(), 1, 1), "there is no usable answer");
       return Optional.empty();
     }
     missing(usable, rows);

@@ -4,7 +4,7 @@
  *
  * <p>In: {@link org.selectiverenderer.statistics.data.Responses} and options. Out: {@link
  * org.selectiverenderer.statistics.study.Study}. Uses the other packages of {@code statistics} but
- * {@code report}.
+ * {@code report}, and {@code x3d} for places and problems.
  */
 @NullMarked
 package org.selectiverenderer.statistics.study;

@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.control.Condition;
@@ -43,6 +44,34 @@ class ScheduleTest {
       orders.add(places);
     }
     assertThat(orders).as("blocks differ").hasSizeGreaterThan(5);
+  }
+
+  @Test
+  void aLatinSquareHasEachConditionAtEachPlaceOfABlockOnce() throws IOException {
+    Path file = StudyTemplate.write(folder, Path.of("scenes/apartment.x3d"));
+    Files.writeString(
+        file,
+        Files.readString(file)
+            .replace("\"blocked\"", "\"latin-square\"")
+            .replace("\"block\": 6", "\"block\": 4")
+            .replace("\"selective\"]", "\"selective\", \"random\"]"));
+    Study study = StudyReader.read(file, new Problems()).orElseThrow();
+    Schedule schedule = new Schedule(study);
+    Set<List<Condition>> squares = new HashSet<>();
+    for (int square = 0; square < 5; square++) {
+      List<Condition> places = new ArrayList<>();
+      for (int place = 1; place <= 16; place++) {
+        places.add(schedule.condition(16 * square + place));
+      }
+      for (int i = 0; i < 4; i++) {
+        int column = i;
+        assertThat(places.subList(4 * i, 4 * i + 4)).doesNotHaveDuplicates();
+        assertThat(IntStream.range(0, 4).mapToObj(row -> places.get(4 * row + column)).toList())
+            .doesNotHaveDuplicates();
+      }
+      squares.add(places);
+    }
+    assertThat(squares).as("squares differ").hasSize(5);
   }
 
   @Test

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -100,7 +101,7 @@ class SessionTest {
       session.end();
     }
     Problems problems = new Problems();
-    CollectedAnswers collected = CollectedAnswers.of(material(), 1, problems);
+    CollectedAnswers collected = CollectedAnswers.of(material(), OptionalInt.empty(), problems);
     assertThat(collected.responses())
         .isEqualTo(Files.readString(folder.resolve("sub-001/ses-01/responses.csv")));
     Responses responses =
@@ -115,18 +116,78 @@ class SessionTest {
     assertThat(problems.list()).isEmpty();
   }
 
+  private List<String> collecting(OptionalInt session, int lines) throws IOException {
+    Problems problems = new Problems();
+    assertThat(CollectedAnswers.of(material(), session, problems).responses()).hasLineCount(lines);
+    return problems.list().stream()
+        .filter(problem -> !problem.message().startsWith("the questions of"))
+        .map(Problem::toString)
+        .toList();
+  }
+
   @Test
-  void answersOfASecondSessionAreNotMixedWithThoseOfTheFirst() throws IOException {
-    try (Session session = Session.begin(material(), "001", 2, OPTIONS)) {
+  void ofTwoSessionsTheFirstCompleteOneCountsAndTheOtherIsSaidToBeLeftOut() throws IOException {
+    try (Session session = begin("001")) {
       form(session);
       answerAll(session, "yes", 4);
     }
-    Problems problems = new Problems();
-    assertThat(CollectedAnswers.of(material(), 1, problems).responses()).hasLineCount(1);
-    assertThat(problems.list())
-        .extracting(Problem::message)
-        .containsExactly("this is not session 1; its answers are left out");
-    assertThat(CollectedAnswers.of(material(), 2, problems).responses()).hasLineCount(3);
+    assertThat(collecting(OptionalInt.empty(), 3)).isEmpty();
+    try (Session session = Session.begin(material(), "001", 2, OPTIONS)) {
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "yes", 4);
+      answerAll(session, "2", 0);
+    }
+    assertThat(collecting(OptionalInt.empty(), 4))
+        .singleElement()
+        .asString()
+        .contains("ses-01/events.jsonl: ")
+        .endsWith(
+            "2 answers of session 1 of the participant 001 are left out, as session 2 counts;"
+                + " --session 1 takes them");
+    assertThat(collecting(OptionalInt.of(1), 3))
+        .singleElement()
+        .asString()
+        .contains("5 answers of session 2 of the participant 001 are left out");
+    assertThat(collecting(OptionalInt.of(3), 1))
+        .anyMatch(line -> line.contains("the participant 001 has no session 3"))
+        .hasSize(3);
+  }
+
+  @Test
+  void answersThatTheStudyNoLongerAsksForAreSaidToBeLeftOut() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "no", 1);
+    }
+    Path items = folder.resolve("r.csv");
+    Files.writeString(items, "area,object,consistency,present,en\nhall,coat,consistent,yes,Coat\n");
+    assertThat(collecting(OptionalInt.empty(), 2))
+        .anyMatch(line -> line.contains("no longer asks about boat in recognition-hall"))
+        .anyMatch(line -> line.contains("the study no longer has recognition-bath"))
+        .hasSize(2);
+  }
+
+  @Test
+  void aParticipantWithAConditionAndNoSessionIsSaidToBeMissing() throws IOException {
+    new Participants(material().study()).assign("009", Optional.empty(), "18-22", false);
+    assertThat(collecting(OptionalInt.empty(), 1))
+        .singleElement()
+        .asString()
+        .contains("participants.tsv: ", "the participant 009 has no session;");
+  }
+
+  @Test
+  void aHeadLogThatIsThereIsNotWrittenOver() throws IOException {
+    try (Session session = begin("001")) {
+      SessionStep step = session.remaining().get(0);
+      Path log = session.headLog(step);
+      Files.writeString(log, "something");
+      assertThatThrownBy(() -> session.headLog(step))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("nothing is written over");
+    }
   }
 
   @Test
@@ -235,7 +296,8 @@ class SessionTest {
         .containsExactlyInAnyOrder(0, 1);
     assertThat(status.text()).contains("0 of 4 participants planned have a finished session");
     Problems problems = new Problems();
-    assertThat(CollectedAnswers.of(material(), 1, problems).responses()).hasLineCount(3);
+    assertThat(CollectedAnswers.of(material(), OptionalInt.empty(), problems).responses())
+        .hasLineCount(3);
     assertThat(problems.list()).isNotEmpty();
     assertThat(SessionFolder.nextId(material().study())).isEqualTo("003");
   }

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -84,7 +86,7 @@ class StudyReaderTest {
     assertThat(problems("{\n  // a comment\n  \"sceen\": 1, " + text.strip().substring(1)))
         .singleElement()
         .asString()
-        .startsWith("3:3: a study has no \"sceen\" (it has $schema, areas, block,")
+        .startsWith("3:3: a study has no \"sceen\" (it has $schema, areas, assignment, block,")
         .endsWith("the study is not used");
   }
 
@@ -104,6 +106,8 @@ class StudyReaderTest {
       value = {
         "54, | 2, | 2 participants are fewer than the 3 groups",
         "\"block\": 6 | \"block\": 4 | a block of 4 participants cannot hold each of 3 conditions",
+        "\"blocked\" | \"latin-square\" | a Latin square of 3 conditions has blocks of 3, not of 6",
+        "\"blocked\" | \"alternating\" | 'alternating' is none of blocked, latin-square",
         "\"high-low\", | \"low\", | 'low' is no condition",
         "\"high-low\", | \"high\", | the condition high is named twice",
         "\"KitchenView\" | \"CellarView\" | no Viewpoint with the DEF 'CellarView'",
@@ -136,6 +140,18 @@ class StudyReaderTest {
         .asString()
         .contains("Duplicate field 'name'");
     assertThat(problems("[]")).anyMatch(line -> line.contains("a study is to be an object"));
+  }
+
+  @Test
+  void anotherEncodingIsAnErrorWithTheFilesName() throws IOException {
+    for (Charset charset : List.of(StandardCharsets.UTF_16, Charset.forName("windows-1253"))) {
+      Files.writeString(file, text.replace("memory", "μνήμη"), charset);
+      Problems problems = new Problems();
+      assertThat(StudyReader.read(file, problems)).isEmpty();
+      assertThat(problems.list())
+          .singleElement()
+          .hasToString(file + ":1:1: the file is not UTF-8 text; the study is not used");
+    }
   }
 
   @Test

@@ -161,7 +161,7 @@ class ResponsesReaderTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .isEqualTo("r.csv: there is no usable answer; nothing is analysed");
+        .isEqualTo("r.csv:1:1: there is no usable answer; nothing is analysed");
   }
 
   private Responses parse(String text) {

@@ -14,6 +14,15 @@ public interface FrameSource {
    */
   boolean step();
 
+  /**
+   * The user closes a window. Called by the window system's thread.
+   *
+   * @return whether it closes; else the source ends by {@link #step} once it wants to
+   */
+  default boolean closing() {
+    return true;
+  }
+
   /** Draws a frame into the frame buffer that is bound. */
   void draw(GL3 gl, FrameSize size);
 

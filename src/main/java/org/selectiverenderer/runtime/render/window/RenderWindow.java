@@ -43,7 +43,7 @@ public final class RenderWindow {
   /**
    * A window with others beside it, whose input is heard too.
    *
-   * @param sides opened after it and closed with it; closing one closes all
+   * @param sides opened after it and closed with it; closing one closes all, if the source lets it
    */
   public RenderWindow(
       WindowOptions options, FrameSource source, InputListener listener, List<SideWindow> sides) {
@@ -51,6 +51,13 @@ public final class RenderWindow {
     this.sides = List.copyOf(sides);
     this.source = source;
     this.listener = listener;
+  }
+
+  private void closeAsked() {
+    // NEWT says the same when the program closes them.
+    if (!stopping && source.closing()) {
+      close();
+    }
   }
 
   /** Ends the loop after the present frame; any thread. */
@@ -95,7 +102,7 @@ public final class RenderWindow {
       List<OpenSide> open = new ArrayList<>();
       try {
         for (SideWindow side : sides) {
-          open.add(new OpenSide(side, queue, () -> closing.set(true)));
+          open.add(new OpenSide(side, queue, this::closeAsked));
         }
         frames(window, open);
       } finally {
@@ -141,8 +148,7 @@ public final class RenderWindow {
 
   private GLWindow open(GLCapabilities wanted) {
     fullScreenWanted.set(options.fullScreen());
-    GLWindow window =
-        NativeWindows.open(options, wanted, queue, () -> closing.set(true), new Drawing());
+    GLWindow window = NativeWindows.open(options, wanted, queue, this::closeAsked, new Drawing());
     window.addKeyListener(
         new KeyAdapter() {
           @Override

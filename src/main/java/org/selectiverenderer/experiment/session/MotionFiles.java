@@ -1,0 +1,101 @@
+package org.selectiverenderer.experiment.session;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.experiment.headlog.Bids;
+import org.selectiverenderer.experiment.headlog.HeadLog;
+import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import org.selectiverenderer.experiment.headlog.KeptFile;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * Turns a session's head logs into BIDS motion data, each once, on a thread of its own, {@code
+ * motion-data}: a long log must not keep the next area's picture waiting. The head logs are the
+ * originals; what is lost here by a crash is made again of them.
+ */
+final class MotionFiles implements AutoCloseable {
+  private final SessionFolder folder;
+  private final SessionJournal journal;
+  private final ExecutorService writer =
+      Executors.newSingleThreadExecutor(
+          work -> {
+            Thread thread = new Thread(work, "motion-data");
+            thread.setDaemon(true);
+            return thread;
+          });
+  private volatile @Nullable IOException failure;
+
+  MotionFiles(SessionFolder folder, SessionJournal journal) {
+    this.folder = folder;
+    this.journal = journal;
+  }
+
+  /** Writes those of a head log soon, unless they are there; also of one that a crash cut off. */
+  void write(String headName) {
+    writer.execute(
+        () -> {
+          try {
+            writeNow(headName);
+          } catch (IOException e) {
+            failure = e;
+          }
+        });
+  }
+
+  private void writeNow(String headName) throws IOException {
+    Path log = folder.path().resolve("head").resolve(headName + ".csv");
+    Path motion = folder.path().resolve("motion");
+    String stem = folder.motionStem(headName);
+    if (!Files.isRegularFile(log) || Files.exists(motion.resolve(stem + Bids.DATA))) {
+      return;
+    }
+    Problems problems = new Problems();
+    Optional<HeadLog> read = HeadLogReader.read(log, problems);
+    if (read.isPresent()) {
+      Files.createDirectories(motion);
+      for (Map.Entry<String, String> file :
+          Bids.files(read.get(), stem, SessionFolder.task(headName)).entrySet()) {
+        KeptFile.write(motion.resolve(file.getKey()), file.getValue());
+      }
+    }
+    List<String> said = problems.list().stream().map(Problem::message).toList();
+    if (!said.isEmpty()) {
+      journal.tell("head-log", Map.of("file", headName, "problems", said));
+    }
+  }
+
+  /**
+   * Waits until all is written.
+   *
+   * @throws IOException if something could not be
+   */
+  @Override
+  public void close() throws IOException {
+    writer.shutdown();
+    try {
+      while (!writer.awaitTermination(1, TimeUnit.MINUTES)) {
+        // A slow disk is waited for.
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    IOException failed = failure;
+    if (failed != null) {
+      throw new IOException(
+          folder.path().resolve("motion")
+              + ": BIDS motion data could not be written ("
+              + failed.getMessage()
+              + "); the head logs are kept",
+          failed);
+    }
+  }
+}

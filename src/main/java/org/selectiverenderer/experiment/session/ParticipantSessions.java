@@ -1,0 +1,93 @@
+package org.selectiverenderer.experiment.session;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+
+/** All sessions of one participant, and which of them counts. */
+final class ParticipantSessions {
+  private final StudyMaterial material;
+  private final String participant;
+  private final Map<SessionFolder, SessionHistory> sessions = new LinkedHashMap<>();
+
+  private ParticipantSessions(StudyMaterial material, String participant) {
+    this.material = material;
+    this.participant = participant;
+  }
+
+  /** Of all participants who have a folder or a condition, in order. */
+  static List<ParticipantSessions> all(StudyMaterial material) throws IOException {
+    Map<String, ParticipantSessions> all = new LinkedHashMap<>();
+    for (SessionFolder folder : SessionFolder.all(material.study())) {
+      all.computeIfAbsent(folder.participant(), id -> new ParticipantSessions(material, id))
+          .sessions
+          .put(folder, SessionHistory.read(folder.journal()));
+    }
+    for (Participants.Assigned assigned : new Participants(material.study()).all()) {
+      all.computeIfAbsent(assigned.participant(), id -> new ParticipantSessions(material, id));
+    }
+    return new ArrayList<>(all.values());
+  }
+
+  SessionHistory history(SessionFolder folder) {
+    return sessions.get(folder);
+  }
+
+  /** The session that counts; empty where there is none. */
+  Optional<SessionFolder> chosen(OptionalInt number) {
+    if (number.isPresent()) {
+      return sessions.keySet().stream()
+          .filter(folder -> folder.number() == number.getAsInt())
+          .findFirst();
+    }
+    return sessions.keySet().stream()
+        .filter(this::answered)
+        .findFirst()
+        .or(() -> sessions.keySet().stream().filter(this::begun).findFirst())
+        .or(() -> sessions.keySet().stream().findFirst());
+  }
+
+  private boolean answered(SessionFolder folder) {
+    return material.steps().stream()
+        .filter(SessionStep.Questions.class::isInstance)
+        .allMatch(history(folder)::finished);
+  }
+
+  private boolean begun(SessionFolder folder) {
+    return !history(folder).answeredSteps().isEmpty();
+  }
+
+  /** Says of the sessions that do not count what is left out. */
+  void tellOthers(Optional<SessionFolder> chosen, OptionalInt number, Problems problems) {
+    if (chosen.isEmpty()) {
+      problems.warning(
+          Location.of(material.study().folder().resolve("participants.tsv").toString()),
+          "the participant %s has no session%s; no answers of theirs are in the tables"
+              .formatted(participant, number.isPresent() ? " " + number.getAsInt() : ""));
+    }
+    sessions.forEach(
+        (folder, history) -> {
+          int answers = history.answerCount();
+          if (chosen.isPresent() && folder.equals(chosen.get()) || answers == 0) {
+            return;
+          }
+          problems.warning(
+              Location.of(folder.journal().toString()),
+              "%s of session %d of the participant %s left out, as %s; --session %d takes them"
+                  .formatted(
+                      answers == 1 ? "1 answer" : answers + " answers",
+                      folder.number(),
+                      participant + (answers == 1 ? " is" : " are"),
+                      chosen
+                          .map(counts -> "session " + counts.number() + " counts")
+                          .orElse("--session asks for another"),
+                      folder.number()));
+        });
+  }
+}

@@ -1,0 +1,18 @@
+package org.selectiverenderer.experiment.window;
+
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+
+/** Closing a window does something else instead. */
+final class ClosingAsks extends WindowAdapter {
+  private final Runnable instead;
+
+  ClosingAsks(Runnable instead) {
+    this.instead = instead;
+  }
+
+  @Override
+  public void windowClosing(WindowEvent event) {
+    instead.run();
+  }
+}

@@ -1,0 +1,125 @@
+package org.selectiverenderer.testing;
+
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.Robot;
+import java.awt.Window;
+import java.awt.event.WindowEvent;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import org.selectiverenderer.enricher.driving.Hands;
+
+/** Windows that code under test opens by itself, and waits for on a thread of its own. */
+public final class OpenWindow {
+  private static final int PATIENCE = 60;
+  private static final int SETTLING = 400;
+  private static final int CLICKS = 6;
+  private static final int WAITS = 8;
+
+  private OpenWindow() {}
+
+  /** Starts what opens windows and waits for their answers. */
+  public static <T> FutureTask<T> asking(Callable<T> ask) {
+    FutureTask<T> task = new FutureTask<>(ask);
+    new Thread(task, "asking").start();
+    return task;
+  }
+
+  /** What it came to. */
+  public static <T> T answer(FutureTask<T> asked) {
+    try {
+      return asked.get(PATIENCE, TimeUnit.SECONDS);
+    } catch (InterruptedException | ExecutionException | TimeoutException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** Waits for the window of that name, without which it would be somebody else's. */
+  public static JFrame named(Hands hands, String name) {
+    hands.await("the window " + name, () -> shown(name).isPresent());
+    settle();
+    JFrame frame = Hands.onEdt(() -> shown(name).orElseThrow());
+    move(frame, frame.getX(), frame.getY() + (frame.getY() > 0 ? -1 : 1));
+    return frame;
+  }
+
+  private static Optional<JFrame> shown(String name) {
+    return Arrays.stream(Window.getWindows())
+        .filter(window -> window.isShowing() && name.equals(window.getName()))
+        .map(JFrame.class::cast)
+        .findFirst();
+  }
+
+  /**
+   * Moves a window. Without a window manager AWT may believe a new window to be elsewhere, and
+   * would click there; once moved it knows.
+   */
+  public static void move(JFrame frame, int x, int y) {
+    Hands.onEdt(
+        () -> {
+          frame.setLocation(x, y);
+          return true;
+        });
+    settle();
+  }
+
+  /** Lets a window that is shown come to where it will stay: a click would miss it before. */
+  private static void settle() {
+    try {
+      new Robot().delay(SETTLING);
+    } catch (AWTException e) {
+      throw new AssertionError(e);
+    }
+    Hands.onEdt(() -> true);
+  }
+
+  /**
+   * Clicks until it has had its effect: a window that has just come on a busy machine may miss the
+   * first click.
+   */
+  public static void click(Hands hands, Component component, BooleanSupplier effect) {
+    for (int i = 0; i < CLICKS && !Hands.onEdt(effect::getAsBoolean); i++) {
+      hands.click(component);
+      for (int wait = 0; wait < WAITS && !Hands.onEdt(effect::getAsBoolean); wait++) {
+        settle();
+      }
+    }
+    hands.await("the effect of a click", effect);
+  }
+
+  /** Whether a dialogue is open. */
+  public static boolean asking() {
+    return dialog().isPresent();
+  }
+
+  /** Waits for a dialogue, answers it by a button, and waits until it has gone. */
+  public static void answerDialog(Hands hands, String button) {
+    hands.await("the dialogue", () -> dialog().isPresent());
+    settle();
+    JDialog open = Hands.onEdt(() -> dialog().orElseThrow());
+    click(hands, Hands.named(open, button, JButton.class), () -> !open.isShowing());
+  }
+
+  private static Optional<JDialog> dialog() {
+    return Arrays.stream(Window.getWindows())
+        .filter(window -> window instanceof JDialog && window.isShowing())
+        .map(JDialog.class::cast)
+        .findFirst();
+  }
+
+  /** Does what the close button of its frame does. */
+  public static void close(Window window) {
+    EventQueue.invokeLater(
+        () -> window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING)));
+  }
+}
