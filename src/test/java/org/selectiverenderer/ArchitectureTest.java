@@ -46,6 +46,8 @@ class ArchitectureTest {
           "bench",
           "cli",
           "control",
+          "chart",
+          "csv",
           "document",
           "enricher",
           "experiment",
@@ -90,6 +92,20 @@ class ArchitectureTest {
   @ArchTest
   static final ArchRule polygonStatisticsUseFilesAndTheVocabularyOnly =
       onlyUsesOfOurs("polygon.statistics", "polygon.statistics", "x3d", "schema");
+
+  @ArchTest static final ArchRule tablesUseTheLanguageOnly = onlyUsesOfOurs("csv", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule chartsAreDrawnWithFontsOnly =
+      onlyUsesOfOurs("chart", "chart", "x3d.geometry.text");
+
+  @ArchTest
+  static final ArchRule statisticsUseTablesAndChartsOnly =
+      onlyUsesOfOurs("statistics", "statistics", "chart", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule theValidatorUsesFilesTheVocabularyAndCountsOnly =
+      onlyUsesOfOurs("validation", "validation", "polygon.statistics", "schema", "x3d");
 
   @ArchTest
   static final ArchRule thePolygonCountProcessUsesTheLanguageOnly =
@@ -137,10 +153,10 @@ class ArchitectureTest {
           .resideInAPackage(of("app"));
 
   @ArchTest
-  static final ArchRule openGlLivesInTheRendererAndTheHeadMountedDisplay =
+  static final ArchRule openGlLivesInTheRenderer =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("runtime.render"), of("hmd"))
+          .resideOutsideOfPackage(of("runtime.render"))
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("com.jogamp..", "jogamp..");
@@ -151,7 +167,10 @@ class ArchitectureTest {
           .that()
           .resideInAnyPackage(
               of("validation"),
+              of("chart"),
+              of("csv"),
               of("statistics"),
+              of("tracker"),
               of("polygon"),
               of("modelling"),
               of("apartment"),
@@ -200,6 +219,22 @@ class ArchitectureTest {
                       target(
                           nameMatching(
                               "a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
+
+  @ArchTest
+  static final ArchRule tablesUseTheLanguagesProblemsOnly = onlyUsesOfOurs("csv", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule trackersKnowNothingOfScenes =
+      onlyUsesOfOurs("tracker", "tracker", "csv", "x3d");
+
+  @ArchTest
+  static final ArchRule serialPortsAreOpenedInOnePlace =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(of("tracker.serial"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("com.fazecast..");
 
   @ArchTest
   static final ArchRule thePackagesHaveNoCycles =

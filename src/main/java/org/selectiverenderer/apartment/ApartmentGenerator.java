@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -14,12 +16,29 @@ import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.ObjectFile;
 import org.selectiverenderer.modelling.Model;
+import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.polygon.versions.FileTransaction;
 
-/** Writes the apartment: the same bytes every time. Nothing is written before all of it is made. */
+/**
+ * Writes the apartment: the same bytes every time, all files or none. Files that are there already
+ * and differ are somebody's work, and replaced only if that is wanted.
+ */
 public final class ApartmentGenerator {
+  /** Files that a message names before it counts the others. */
+  private static final int NAMED = 5;
+
   private final PolygonCounts counts = PolygonCounts.load();
   private final Map<String, Supplier<Model>> recipes = Recipes.all();
   private final ObjectFiles files = new ObjectFiles(recipes, counts);
+
+  /**
+   * What has been written.
+   *
+   * @param polygons file name to polygons, if objects were asked for
+   * @param files how many there are, those included that were the same before
+   * @param left see {@link FileTransaction#commit}
+   */
+  public record Written(Map<String, Integer> polygons, int files, List<Path> left) {}
 
   /** The objects that there are recipes for. */
   public Set<String> objects() {
@@ -30,39 +49,64 @@ public final class ApartmentGenerator {
    * Writes the files of some objects into {@code inlineNodes}.
    *
    * @param folder where {@code inlineNodes} is or will be
-   * @return file name to polygons
+   * @param replace whether files that differ are replaced
+   * @return what has been written
+   * @throws IOException if a file cannot be written or differs, with one line that names it
    * @throws IllegalArgumentException if there is no such object, or its polygons cannot be had
    */
-  public Map<String, Integer> writeObjects(Path folder, Collection<String> names)
+  public Written writeObjects(Path folder, Collection<String> names, boolean replace)
       throws IOException {
     List<MadeObject> made = files.of(names);
     Map<String, Integer> polygons = new TreeMap<>();
+    Map<String, String> texts = new TreeMap<>();
     for (MadeObject object : made) {
       for (ObjectFile file : object.files()) {
-        write(folder.resolve("inlineNodes").resolve(file.name()), file.text());
+        texts.put("inlineNodes/" + file.name(), file.text());
         polygons.put(file.name(), file.polygons());
       }
     }
-    return polygons;
+    return new Written(polygons, texts.size(), write(folder, texts, replace));
   }
 
   /**
    * Writes the scenes, their objects and the recorded walk.
    *
    * @param folder where {@code scenes} and {@code inlineNodes} are or will be
-   * @return the number of files
+   * @param replace whether files that differ are replaced
+   * @return what has been written
+   * @throws IOException if a file cannot be written or differs, with one line that names it
    * @throws IllegalArgumentException if the recipes do not fit the plan or the polygon counts
    */
-  public int writeAll(Path folder) throws IOException {
+  public Written writeAll(Path folder, boolean replace) throws IOException {
     Map<String, String> texts = Apartment.make(files, counts).texts();
-    for (Map.Entry<String, String> file : texts.entrySet()) {
-      write(folder.resolve(file.getKey()), file.getValue());
-    }
-    return texts.size();
+    return new Written(Map.of(), texts.size(), write(folder, texts, replace));
   }
 
-  private static void write(Path file, String text) throws IOException {
-    Files.createDirectories(file.toAbsolutePath().getParent());
-    Files.write(file, text.getBytes(StandardCharsets.UTF_8));
+  private static List<Path> write(Path folder, Map<String, String> texts, boolean replace)
+      throws IOException {
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    List<String> differing = new ArrayList<>();
+    for (Map.Entry<String, String> text : texts.entrySet()) {
+      Path file = folder.resolve(text.getKey());
+      byte[] content = text.getValue().getBytes(StandardCharsets.UTF_8);
+      boolean there = Files.isRegularFile(file);
+      if (there && Arrays.equals(Files.readAllBytes(file), content)) {
+        continue;
+      }
+      if (there) {
+        differing.add(file.toString());
+      }
+      writing.add(file, content);
+    }
+    if (!replace && !differing.isEmpty()) {
+      int more = differing.size() - NAMED;
+      throw new DifferingFilesException(
+          "%s%s there already and not what would be written; nothing has been changed"
+              .formatted(
+                  String.join(", ", differing.subList(0, Math.min(NAMED, differing.size()))),
+                  (more > 0 ? " and %s more".formatted(more) : "")
+                      + (differing.size() == 1 ? " is" : " are")));
+    }
+    return writing.commit();
   }
 }

@@ -4,6 +4,7 @@ import java.lang.management.ManagementFactory;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.FrameTimes;
 import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.tracker.LatencyMeter;
 
 /** Collects the figures of a run, frame by frame. */
 final class FigureKeeper {
@@ -48,7 +49,7 @@ final class FigureKeeper {
     return (System.nanoTime() - nanos) * 1e-6;
   }
 
-  RunFigures figures(GlInfo gl) {
+  RunFigures figures(GlInfo gl, LatencyMeter latency) {
     return new RunFigures(
         loadMs,
         firstFrameMs,
@@ -57,6 +58,7 @@ final class FigureKeeper {
         polygons,
         drawn,
         ProcessMemory.peakMegabytes(),
-        gl);
+        gl,
+        latency);
   }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.app;
 
+import org.selectiverenderer.runtime.navigation.CameraPath;
+
 /** Which frames there are, and their times in seconds. */
 interface FrameSchedule {
   /** Whether there is a frame of that number, counted from 0. */
@@ -29,6 +31,37 @@ interface FrameSchedule {
         // A path's time is its own.
       }
     };
+  }
+
+  /** The rows of a path, up to an end. */
+  static FrameSchedule rows(CameraPath path, double end) {
+    return new FrameSchedule() {
+      @Override
+      public boolean has(long frame) {
+        return frame < path.rows() && (frame == 0 || path.time((int) frame) <= end);
+      }
+
+      @Override
+      public double time(long frame) {
+        return path.time((int) frame);
+      }
+
+      @Override
+      public void begin() {
+        // A path's time is its own.
+      }
+    };
+  }
+
+  /** The frames of a run's path. */
+  static FrameSchedule path(RunSettings settings, CameraPath path) {
+    double end =
+        settings.duration().isPresent()
+            ? path.start() + settings.duration().getAsDouble()
+            : path.end();
+    return settings.pathFrames()
+        ? rows(path, end)
+        : of(new PathClock(path.start(), end, RunSettings.PATH_RATE));
   }
 
   /**

@@ -25,36 +25,51 @@ public final class OffscreenRun {
    */
   public RunResult run(RunListener listener) throws IOException {
     FigureKeeper keeper = new FigureKeeper();
-    try (SceneOpening opening = new SceneOpening(settings, listener);
+    try (HeadSession head = HeadSession.open(settings, listener);
+        SceneOpening opening = new SceneOpening(settings, listener);
         // The context comes up while the scene is being read.
-        OffscreenView view = OffscreenView.open(settings.width(), settings.height(), samples());
+        OffscreenView view =
+            OffscreenView.open(
+                settings.width(), settings.height(), samples(), settings.presentation().layout());
         Walkthrough walk = opening.await()) {
       keeper.loaded();
-      walk(walk, view, keeper);
+      walk(walk, view, keeper, head);
       walk.end();
       return new RunResult(
-          keeper.figures(view.info()), walk.problems().any(), Optional.of(view.screenshot()));
+          keeper.figures(view.info(), head.latency()),
+          walk.problems().any(),
+          Optional.of(view.screenshot()),
+          Optional.empty());
     }
   }
 
   /** A single picture is worth smooth edges; many are not where they take too long. */
   private int samples() {
-    boolean still = settings.path().isEmpty() && settings.duration().isEmpty();
+    boolean still =
+        settings.path().isEmpty() && settings.duration().isEmpty() && !settings.head().tracked();
     return settings
         .samples()
         .orElseGet(() -> still ? AntiAliasing.SMOOTH : AntiAliasing.forMotion());
   }
 
-  private void walk(Walkthrough walk, OffscreenView view, FigureKeeper keeper) {
-    FrameSchedule schedule = schedule();
+  private void walk(Walkthrough walk, OffscreenView view, FigureKeeper keeper, HeadSession head)
+      throws IOException {
+    FrameSchedule schedule = schedule(head);
     ViewerMotion motion =
-        settings
-            .path()
-            .map(path -> (ViewerMotion) new PathMotion(path, 0))
-            .orElse(Walkthrough.STANDING);
+        head.begin(
+            walk,
+            settings
+                .path()
+                .map(path -> (ViewerMotion) new PathMotion(path, 0))
+                .orElse(Walkthrough.STANDING));
     for (long frame = 0; schedule.has(frame); frame++) {
+      if (settings.head().tracked()) {
+        view.awaitReady(); // The pose is read in the step: the later, the newer.
+      }
       walk.step(schedule.time(frame), motion);
       Drawn drawn = view.draw(walk.world());
+      head.submitted();
+      head.log(walk.world().time());
       if (frame == 0) {
         view.finish();
         keeper.firstFrame(walk.polygons(), drawn);
@@ -66,18 +81,14 @@ public final class OffscreenRun {
     view.finish();
   }
 
-  private FrameSchedule schedule() {
-    return settings
-        .path()
-        .map(
-            path ->
-                FrameSchedule.of(
-                    new PathClock(
-                        path.start(),
-                        settings.duration().isPresent()
-                            ? path.start() + settings.duration().getAsDouble()
-                            : path.end(),
-                        RunSettings.PATH_RATE)))
-        .orElseGet(() -> FrameSchedule.wall(settings.duration().orElse(0)));
+  private FrameSchedule schedule(HeadSession head) {
+    if (settings.path().isPresent()) {
+      return FrameSchedule.path(settings, settings.path().get());
+    }
+    if (head.replayed().isPresent()) {
+      double end = settings.duration().orElse(head.replayed().getAsDouble());
+      return FrameSchedule.of(new PathClock(0, end, RunSettings.PATH_RATE));
+    }
+    return FrameSchedule.wall(settings.duration().orElse(0));
   }
 }

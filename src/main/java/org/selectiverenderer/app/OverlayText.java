@@ -27,6 +27,11 @@ final class OverlayText {
     drawn = frame;
   }
 
+  /** Seconds from frame to frame, smoothed; 0 before the second frame. */
+  double interval() {
+    return interval;
+  }
+
   List<String> lines(Walkthrough walk, String navigation) {
     List<String> lines = new ArrayList<>();
     lines.add(text("%.0f frames/s  (%.1f ms)", interval == 0 ? 0 : 1 / interval, interval * 1000));

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import org.selectiverenderer.runtime.render.FrameTimes;
 import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.tracker.LatencyMeter;
 
 /**
  * The figures of a run.
@@ -14,7 +15,8 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
  * @param processToFirstFrameMs from the start of the process until then
  * @param times of the frames after the first, from one to the next
  * @param polygons of the whole scene in its versions, seen or not, per frame
- * @param drawn triangles sent to the graphics card after culling, per frame
+ * @param drawn triangles sent to the graphics card after culling, per frame and for all eyes
+ * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
  */
 public record RunFigures(
     double loadMs,
@@ -24,7 +26,8 @@ public record RunFigures(
     PolygonCount polygons,
     PolygonCount drawn,
     double peakMegabytes,
-    GlInfo gl) {
+    GlInfo gl,
+    LatencyMeter latency) {
 
   /** The JSON object that the command line promises. */
   public String json() {
@@ -42,6 +45,12 @@ public record RunFigures(
         .put("max", hundredth(times.max()));
     polygons.put(node.putObject("polygons"));
     drawn.put(node.putObject("polygons_drawn"));
+    if (latency.count() > 0) {
+      node.putObject("latency_ms")
+          .put("p50", hundredth(latency.percentileMs(0.5)))
+          .put("p99", hundredth(latency.percentileMs(0.99)))
+          .put("records", latency.count());
+    }
     node.put("peak_rss_mb", tenth(peakMegabytes));
     node.putObject("gl")
         .put("vendor", gl.vendor())

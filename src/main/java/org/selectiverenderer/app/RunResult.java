@@ -8,5 +8,10 @@ import org.selectiverenderer.runtime.render.context.Screenshot;
  *
  * @param problems whether anything was wrong with the scene
  * @param screenshot the last frame, where it was asked for
+ * @param operator the last picture of the operator's window, where there was one
  */
-public record RunResult(RunFigures figures, boolean problems, Optional<Screenshot> screenshot) {}
+public record RunResult(
+    RunFigures figures,
+    boolean problems,
+    Optional<Screenshot> screenshot,
+    Optional<Screenshot> operator) {}

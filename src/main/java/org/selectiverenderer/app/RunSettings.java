@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.navigation.CameraPath;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
 
@@ -17,6 +18,11 @@ import org.selectiverenderer.runtime.navigation.MouseMapping;
  * @param height of the picture in pixels
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
  * @param mouse what the mouse buttons do
+ * @param presentation to one eye or two, and on what
+ * @param pathFrames whether the frames are the path's own rows, as those of a session played again;
+ *     else {@value #PATH_RATE} per second
+ * @param head its tracker and its log
+ * @param operator whether there is a window for whoever runs the session
  */
 public record RunSettings(
     Path scene,
@@ -26,7 +32,11 @@ public record RunSettings(
     int width,
     int height,
     OptionalInt samples,
-    MouseMapping mouse) {
+    MouseMapping mouse,
+    Presentation presentation,
+    boolean pathFrames,
+    HeadSettings head,
+    boolean operator) {
   /** Frames per second of a recorded path's time. */
   public static final double PATH_RATE = 60;
 }

@@ -57,8 +57,8 @@ public final class Walking implements ViewerMotion {
       }
       case NEXT_MODE -> nextMode();
       case TOGGLE_COLLISIONS -> walker.collisions(!walker.collisions());
-      case TOGGLE_OVERLAY, TOGGLE_FULL_SCREEN, LEAVE -> {
-        // The window's own business.
+      case TOGGLE_OVERLAY, TOGGLE_FULL_SCREEN, RESET_HEADING, LEAVE -> {
+        // The window's and the tracker's own business.
       }
     }
   }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.app;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -8,13 +9,13 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.navigation.Controls;
 import org.selectiverenderer.runtime.navigation.NavigationCommand;
 import org.selectiverenderer.runtime.navigation.PathMotion;
-import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.OperatorPage;
 import org.selectiverenderer.runtime.render.WorldHost;
 import org.selectiverenderer.runtime.render.WorldWindow;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.render.window.WindowOptions;
 
 /**
  * Runs a scene in a window. The window opens while the scene is being read. Its render thread steps
@@ -27,20 +28,27 @@ public final class WindowRun implements WorldHost {
   private final WindowInput windowInput;
   private final OverlayText overlayText = new OverlayText();
   private final FigureKeeper keeper = new FigureKeeper();
+  private final HeadSession head;
   private final SceneOpening opening;
+  private final OperatorDesk desk;
+  private @Nullable ViewerMotion motion;
   private @Nullable Walkthrough walk;
   private @Nullable Walking walking;
   private @Nullable IOException failure;
   private long begun;
+  private @Nullable FrameSchedule frames;
   private long pathFrame;
   private boolean overlay;
+  private boolean unlogged;
   private boolean finished;
 
-  private WindowRun(RunSettings settings, RunListener listener) {
+  private WindowRun(RunSettings settings, RunListener listener) throws IOException {
     this.settings = settings;
+    head = HeadSession.open(settings, listener);
     controls = new Controls(settings.mouse());
     windowInput = new WindowInput(controls);
     opening = new SceneOpening(settings, listener);
+    desk = new OperatorDesk(settings, head);
   }
 
   /**
@@ -52,15 +60,7 @@ public final class WindowRun implements WorldHost {
   public static RunResult run(RunSettings settings, RunListener listener)
       throws IOException, InterruptedException {
     WindowRun run = new WindowRun(settings, listener);
-    WorldWindow window =
-        new WorldWindow(
-            new WindowOptions(
-                settings.scene().getFileName() + " - Selective Renderer",
-                settings.width(),
-                settings.height(),
-                settings.samples().orElseGet(AntiAliasing::forMotion),
-                false),
-            run);
+    WorldWindow window = new WorldWindow(WindowStage.of(settings, listener::printed), run);
     try {
       window.run();
       return run.result(window);
@@ -70,10 +70,12 @@ public final class WindowRun implements WorldHost {
   }
 
   private void close() throws IOException {
-    if (walk != null) {
-      walk.close();
+    try (head;
+        opening) {
+      if (walk != null) {
+        walk.close();
+      }
     }
-    opening.close();
   }
 
   private RunResult result(WorldWindow window) throws IOException {
@@ -86,7 +88,11 @@ public final class WindowRun implements WorldHost {
       walk.end();
     }
     GlInfo gl = window.info().orElse(new GlInfo("", "", ""));
-    return new RunResult(keeper.figures(gl), walk.problems().any(), window.lastPicture());
+    return new RunResult(
+        keeper.figures(gl, head.latency()),
+        walk.problems().any(),
+        window.lastPicture(),
+        window.lastOperatorPicture());
   }
 
   @Override
@@ -103,8 +109,12 @@ public final class WindowRun implements WorldHost {
     }
     for (NavigationCommand command : commands) {
       overlay ^= command == NavigationCommand.TOGGLE_OVERLAY;
+      if (command == NavigationCommand.RESET_HEADING) {
+        head.resetHeading();
+      }
       walking.command(command);
     }
+    controls.looking(!head.steering());
     if (begun == 0) {
       begun = System.nanoTime();
     }
@@ -120,6 +130,11 @@ public final class WindowRun implements WorldHost {
     try {
       walk = opening.await();
       walking = new Walking(walk.world(), controls);
+      motion =
+          head.begin(
+              walk,
+              settings.path().map(path -> (ViewerMotion) new PathMotion(path, 0)).orElse(walking));
+      frames = settings.path().map(path -> FrameSchedule.path(settings, path)).orElse(null);
       if (settings.path().isEmpty()) {
         walk.world().epoch(System.currentTimeMillis() / 1000.0);
       }
@@ -134,18 +149,19 @@ public final class WindowRun implements WorldHost {
 
   private void advance(double elapsed) {
     settings.duration().ifPresent(seconds -> finished |= elapsed >= seconds);
-    if (settings.path().isEmpty()) {
-      walk.step(elapsed, walking);
+    FrameSchedule recorded = frames;
+    if (recorded == null) {
+      walk.step(elapsed, motion);
+      unlogged = true;
       return;
     }
-    PathClock clock =
-        new PathClock(
-            settings.path().get().start(), settings.path().get().end(), RunSettings.PATH_RATE);
-    PathMotion motion = new PathMotion(settings.path().get(), 0);
-    while (pathFrame < clock.frames() && clock.time(pathFrame) - clock.start() <= elapsed) {
-      walk.step(clock.time(pathFrame++), motion);
+    double start = recorded.time(0);
+    while (recorded.has(pathFrame) && recorded.time(pathFrame) - start <= elapsed) {
+      double time = recorded.time(pathFrame++);
+      walk.step(time, motion);
+      head.log(time);
     }
-    finished |= pathFrame == clock.frames() && settings.duration().isEmpty();
+    finished |= !recorded.has(pathFrame) && settings.duration().isEmpty();
   }
 
   @Override
@@ -155,9 +171,29 @@ public final class WindowRun implements WorldHost {
 
   @Override
   public List<String> overlay() {
-    return overlay
-        ? overlayText.lines(walk, settings.path().isPresent() ? "" : walking.describe())
-        : List.of();
+    List<String> lines = new ArrayList<>();
+    // In a display the participant would see it: there the operator's window says so.
+    if (!settings.presentation().stereo() && head.health().stale()) {
+      lines.add(OperatorDesk.alarm(settings, head.health()));
+    }
+    if (overlay) {
+      lines.addAll(overlayText.lines(walk, settings.path().isPresent() ? "" : walking.describe()));
+    }
+    return lines;
+  }
+
+  @Override
+  public void submitted() {
+    head.submitted();
+    if (unlogged) {
+      unlogged = false;
+      head.log(walk.world().time());
+    }
+  }
+
+  @Override
+  public OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
+    return desk.page(walk, overlayText.interval(), width, height, pictureWidth, pictureHeight);
   }
 
   @Override

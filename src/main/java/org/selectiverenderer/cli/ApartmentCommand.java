@@ -3,8 +3,9 @@ package org.selectiverenderer.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.selectiverenderer.apartment.ApartmentGenerator;
+import org.selectiverenderer.apartment.ApartmentGenerator.Written;
+import org.selectiverenderer.apartment.DifferingFilesException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -13,7 +14,8 @@ import picocli.CommandLine.Parameters;
     name = "apartment",
     description = {
       "Writes the apartment of the thesis: its scenes, its objects in two versions, its path.",
-      "The same bytes every time."
+      "The same bytes every time, all files or none. Files that differ are kept unless --force is"
+          + " given."
     },
     footer = {
       "  ./selective-renderer apartment",
@@ -34,6 +36,9 @@ final class ApartmentCommand extends CliCommand {
       description = "writes these objects' files and no scenes")
   private List<String> only = List.of();
 
+  @Option(names = "--force", description = "replaces files that differ from what is written")
+  private boolean force;
+
   ApartmentCommand(Console console) {
     super(console);
   }
@@ -41,17 +46,29 @@ final class ApartmentCommand extends CliCommand {
   @Override
   ExitStatus run() throws IOException {
     ApartmentGenerator generator = new ApartmentGenerator();
-    if (only.isEmpty()) {
-      console().message("apartment: " + generator.writeAll(folder) + " files written");
-      return ExitStatus.DONE;
-    }
     for (String name : only) {
       if (!generator.objects().contains(name)) {
         throw CommandFailure.usage("there is no recipe named " + name);
       }
     }
-    Map<String, Integer> written = generator.writeObjects(folder, only);
-    written.forEach((file, polygons) -> console().message(file + ": " + polygons + " polygons"));
+    Written written = write(generator);
+    if (only.isEmpty()) {
+      console().message("apartment: " + written.files() + " files written");
+    }
+    written
+        .polygons()
+        .forEach((file, count) -> console().message(file + ": " + GoalText.polygonText(count)));
+    LeftFiles.tell(written.left(), console());
     return ExitStatus.DONE;
+  }
+
+  private Written write(ApartmentGenerator generator) throws IOException {
+    try {
+      return only.isEmpty()
+          ? generator.writeAll(folder, force)
+          : generator.writeObjects(folder, only, force);
+    } catch (DifferingFilesException e) {
+      throw CommandFailure.environment(e.getMessage() + " (--force replaces them)");
+    }
   }
 }

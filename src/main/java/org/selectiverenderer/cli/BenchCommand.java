@@ -53,7 +53,7 @@ final class BenchCommand extends CliCommand {
     if (runs < 1) {
       throw CommandFailure.usage("--runs is a number from 1");
     }
-    OutputFile.check("--output", output, "");
+    OutputFile.check("--output", output);
     GlAvailability.check()
         .ifPresent(
             reason -> {

@@ -1,6 +1,7 @@
 package org.selectiverenderer.cli;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.Callable;
 
 /**
@@ -19,6 +20,11 @@ abstract class CliCommand implements Callable<Integer> {
   /** Where data and messages go. */
   final Console console() {
     return console;
+  }
+
+  /** Commands that this one groups; none as a rule. */
+  List<CliCommand> subcommands() {
+    return List.of();
   }
 
   /**

@@ -12,10 +12,13 @@ final class CommandCatalogue {
     return List.of(
         new RunCommand(console),
         new SimulateCommand(console),
+        new ValidateCommand(console, System.in),
         new EnrichCommand(console, CommandCatalogue::noWindow),
         new SimplifyCommand(console),
         new VersionsCommand(console),
         new PolygonsCommand(console),
+        new TrackCommand(console),
+        new ExperimentCommand(console),
         new ApartmentCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));

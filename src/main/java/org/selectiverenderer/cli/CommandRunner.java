@@ -32,7 +32,7 @@ final class CommandRunner {
 
   private CommandLine commandLine(List<? extends CliCommand> commands, StringWriter help) {
     CommandLine line = new CommandLine(root);
-    commands.forEach(line::addSubcommand);
+    commands.forEach(command -> add(line, command));
     return line.setOut(new PrintWriter(help))
         .setErr(new PrintWriter(console.err(), true))
         .setColorScheme(CommandLine.Help.defaultColorScheme(console.colours() ? Ansi.ON : Ansi.OFF))
@@ -44,6 +44,12 @@ final class CommandRunner {
                     .code())
         .setExecutionExceptionHandler(
             (failure, command, parsed) -> report(name(command), failure).code());
+  }
+
+  private static void add(CommandLine parent, CliCommand command) {
+    CommandLine child = new CommandLine(command);
+    parent.addSubcommand(child);
+    command.subcommands().forEach(subcommand -> add(child, subcommand));
   }
 
   private ExitStatus report(String command, Throwable failure) {

@@ -1,10 +1,14 @@
 package org.selectiverenderer.cli;
 
-import java.util.Locale;
+import java.math.BigDecimal;
+import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.polygon.simplify.ModelSize;
 import org.selectiverenderer.polygon.simplify.Simplified;
+import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
 
 /** Goals of a reduction from options, and sentences about them. */
 final class GoalText {
@@ -38,33 +42,44 @@ final class GoalText {
     return new Goal.LargestError(error);
   }
 
-  /** Refuses a goal that has more than the model. */
-  static void check(Goal goal, ModelSize size, String subject) {
-    if (goal instanceof Goal.Polygons polygons && polygons.count() > size.polygons()) {
-      throw CommandFailure.environment(
-          "%s has %d polygons; it cannot be reduced to %d"
-              .formatted(subject, size.polygons(), polygons.count()));
+  /** Whether a goal has more than the model, which is reported. */
+  static boolean beyond(Goal goal, ModelSize size, Path file, Problems problems) {
+    boolean beyond =
+        goal instanceof Goal.Polygons polygons && polygons.count() > size.polygons()
+            || goal instanceof Goal.Vertices vertices && vertices.count() > size.vertices();
+    if (beyond) {
+      problems.error(
+          Location.of(file.toString()),
+          "the model has %s and %s, fewer than asked for"
+              .formatted(polygonText(size.polygons()), vertexText(size.vertices())));
     }
-    if (goal instanceof Goal.Vertices vertices && vertices.count() > size.vertices()) {
-      throw CommandFailure.environment(
-          "%s has %d vertices; it cannot be reduced to %d"
-              .formatted(subject, size.vertices(), vertices.count()));
-    }
+    return beyond;
+  }
+
+  static String polygonText(int count) {
+    return Counted.of(count, "polygon");
+  }
+
+  private static String vertexText(int count) {
+    return count == 1 ? "1 vertex" : count + " vertices";
   }
 
   /** Why a goal is not met. */
   static String shortfall(String subject, Goal goal, Simplified reduced) {
     String wanted =
         goal instanceof Goal.Polygons polygons
-            ? polygons.count() + " polygons"
+            ? polygonText(polygons.count())
             : goal instanceof Goal.Vertices vertices
-                ? vertices.count() + " vertices"
-                : String.format(
-                    Locale.ROOT,
-                    "%s percent of its vertices",
-                    ((Goal.VertexPercent) goal).percent());
-    return "%s: %s cannot be reached, as its pieces and seams allow only some counts; %d polygons and"
-            .formatted(subject, wanted, reduced.polygons())
-        + " %d vertices come nearest".formatted(reduced.vertices());
+                ? vertexText(vertices.count())
+                : plain(((Goal.VertexPercent) goal).percent()) + " percent of its vertices";
+    return "%s: %s cannot be reached, as its pieces and seams allow only some counts; %s and %s"
+            .formatted(
+                subject, wanted, polygonText(reduced.polygons()), vertexText(reduced.vertices()))
+        + " come nearest";
+  }
+
+  /** As people write a number: without an exponent. */
+  private static String plain(double number) {
+    return new BigDecimal(Double.toString(number)).stripTrailingZeros().toPlainString();
   }
 }

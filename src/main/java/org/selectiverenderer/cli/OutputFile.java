@@ -2,8 +2,10 @@ package org.selectiverenderer.cli;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.polygon.versions.FileTransaction;
 
 /**
  * Looks at files to be written before the work begins, so that a slip in a name does not cost it.
@@ -13,11 +15,14 @@ final class OutputFile {
 
   /**
    * @param option by which the user named the file; null when there is none
-   * @param ending that the name is to have, such as {@code .png}; empty for any
+   * @param endings of which the name is to have one, such as {@code .png}; none for any
    */
-  static void check(String option, @Nullable Path file, String ending) {
+  static void check(String option, @Nullable Path file, String... endings) {
     if (file == null) {
       return;
+    }
+    if (FileTransaction.sink(file)) {
+      return; // A pipe or a device has any name.
     }
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || Files.isDirectory(file)) {
@@ -30,8 +35,10 @@ final class OutputFile {
     if (!Files.isWritable(Files.exists(file) ? file : folder)) {
       throw CommandFailure.environment(option + " " + file + ": cannot be written");
     }
-    if (!file.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
-      throw CommandFailure.usage(option + " writes " + ending + " files; " + file + " is none");
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    if (endings.length > 0 && Arrays.stream(endings).noneMatch(name::endsWith)) {
+      throw CommandFailure.usage(
+          option + " writes " + String.join(" or ", endings) + " files; " + file + " is none");
     }
   }
 }

@@ -64,6 +64,7 @@ final class PolygonsCommand extends CliCommand {
     if (chart != null && chartFile.isEmpty()) {
       throw CommandFailure.usage("--chart takes a file that ends in .png or .svg, not " + chart);
     }
+    OutputFile.check("--chart", chart);
     Problems problems = new Problems(console()::problem);
     SceneStatistics statistics;
     try {

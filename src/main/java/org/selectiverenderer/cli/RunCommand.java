@@ -8,15 +8,20 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.HeadSettings;
 import org.selectiverenderer.app.OffscreenRun;
+import org.selectiverenderer.app.Replays;
 import org.selectiverenderer.app.RunResult;
 import org.selectiverenderer.app.RunSettings;
 import org.selectiverenderer.app.WindowRun;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.navigation.CameraPath;
 import org.selectiverenderer.runtime.navigation.CameraPathReader;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -30,11 +35,13 @@ import picocli.CommandLine.Parameters;
       "Walk: hold the left mouse button (right: backward) and move the mouse to steer, or use the"
           + " arrow keys or W A S D. Page Up and Page Down go from viewpoint to viewpoint, Home back"
           + " to the present one. F1 shows figures, F2 changes the way of moving, F3 switches"
-          + " collisions, F11 fills the screen, Escape ends."
+          + " collisions, F4 makes where a tracked head looks straight ahead, F11 fills the"
+          + " screen, Escape ends."
     },
     footer = {
       "  ./selective-renderer run scenes/trashcan.x3d",
-      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png"
+      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png",
+      "  ./selective-renderer run scenes/apartment.x3d --display dual --tracker intertrax2:/dev/ttyUSB0"
     })
 final class RunCommand extends CliCommand {
   private enum Mouse {
@@ -71,13 +78,18 @@ final class RunCommand extends CliCommand {
           "without a window, as fast as frames can be drawn; needs a display all the same")
   private boolean offscreen;
 
+  @Mixin private DisplayOptions display = new DisplayOptions();
+
+  @Mixin private HeadOptions head = new HeadOptions();
+
+  @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
+
   @Option(
       names = "--size",
-      defaultValue = "1024x768",
       converter = PixelSize.Converter.class,
       paramLabel = "WxH",
-      description = "of the picture (default: ${DEFAULT-VALUE})")
-  private PixelSize size = new PixelSize(1024, 768);
+      description = "of the picture (default: 1024x768, or what the display has)")
+  private @Nullable PixelSize size;
 
   @Option(
       names = "--samples",
@@ -92,6 +104,12 @@ final class RunCommand extends CliCommand {
       paramLabel = "F.png",
       description = "writes the last picture to a file")
   private @Nullable Path screenshot;
+
+  @Option(
+      names = "--operator-screenshot",
+      paramLabel = "F.png",
+      description = "writes the last picture of the operator's window to a file")
+  private @Nullable Path operatorScreenshot;
 
   @Option(
       names = "--timeline",
@@ -110,30 +128,75 @@ final class RunCommand extends CliCommand {
   ExitStatus run() throws IOException {
     check();
     Problems pathProblems = new Problems(console()::problem);
+    TrackerSpec tracker = head.tracker();
+    boolean session =
+        tracker instanceof TrackerSpec.Replay replay && Replays.hasPositions(replay.file());
+    Path walkedFile = session ? ((TrackerSpec.Replay) tracker).file() : path;
     Optional<CameraPath> walked =
-        path == null ? Optional.empty() : CameraPathReader.read(path, pathProblems);
-    if (path != null && walked.isEmpty()) {
+        walkedFile == null ? Optional.empty() : CameraPathReader.read(walkedFile, pathProblems);
+    if (walkedFile != null && walked.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    walked.ifPresent(known -> Frames.check(known, RunSettings.PATH_RATE));
+    walked.ifPresent(known -> checkPath(known, tracker, session));
+    HeadSettings headSettings =
+        head.settings(session ? new TrackerSpec.None() : tracker, trackerFlags.options());
+    Optional<Presentation> presentation = display.presentation(pathProblems);
+    if (presentation.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    Presentation shown = shown(presentation.get());
+    PixelSize pixels = size == null ? new PixelSize(shown.width(), shown.height()) : size;
+    if (shown.stereo()) {
+      console().message(shown.describe(pixels.width(), pixels.height()));
+    }
     RunSettings settings =
         new RunSettings(
             scene,
             condition.settings(),
             walked,
             duration == null ? OptionalDouble.empty() : OptionalDouble.of(duration),
-            size.width(),
-            size.height(),
+            pixels.width(),
+            pixels.height(),
             samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
-            MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)));
+            MouseMapping.valueOf(mouse.name().toUpperCase(java.util.Locale.ROOT)),
+            shown,
+            session,
+            headSettings,
+            display.operator());
     RunResult result = show(settings);
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);
+    }
+    if (operatorScreenshot != null && result.operator().isPresent()) {
+      result.operator().get().writePng(operatorScreenshot);
     }
     if (stats != null) {
       Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
     }
     return result.problems() || pathProblems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  private void checkPath(CameraPath walked, TrackerSpec tracker, boolean session) {
+    Frames.check(walked, RunSettings.PATH_RATE);
+    if (session && path != null) {
+      throw CommandFailure.usage("a head log has positions of its own: leave --path away");
+    }
+    boolean turned = walked.at(walked.start()).orientation().isPresent();
+    if (!session && turned && !(tracker instanceof TrackerSpec.None)) {
+      throw CommandFailure.usage(
+          "a path that turns the view and --tracker exclude one another: leave yaw, pitch and roll"
+              + " out of the path");
+    }
+  }
+
+  /** What there is without a window has neither monitors nor buffers of its own. */
+  private Presentation shown(Presentation wanted) {
+    boolean windows = wanted.mode() == DisplayMode.DUAL || wanted.mode() == DisplayMode.QUAD;
+    if (!offscreen || !windows) {
+      return wanted;
+    }
+    console().message("--offscreen draws both eyes side by side instead");
+    return wanted.as(DisplayMode.SIDE_BY_SIDE);
   }
 
   private void check() {
@@ -144,6 +207,8 @@ final class RunCommand extends CliCommand {
       throw CommandFailure.usage("--samples is a number from 0 to 16");
     }
     OutputFile.check("--screenshot", screenshot, ".png");
+    head.check();
+    OutputFile.check("--operator-screenshot", operatorScreenshot, ".png");
     OutputFile.check("--timeline", timeline, "");
     OutputFile.check("--stats", stats, "");
     GlAvailability.check().ifPresent(this::noDisplay);

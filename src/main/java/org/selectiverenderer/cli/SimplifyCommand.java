@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -17,6 +18,7 @@ import org.selectiverenderer.polygon.simplify.Simplified;
 import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.polygon.versions.FileActions;
 import org.selectiverenderer.polygon.versions.FileTransaction;
+import org.selectiverenderer.x3d.Gzip;
 import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.ArgGroup;
@@ -99,6 +101,14 @@ final class SimplifyCommand extends CliCommand {
   @Override
   ExitStatus run() throws IOException {
     Goal goal = options.goal();
+    OutputFile.check("--output", output, ".x3d", ".x3dz");
+    if (output != null
+        && Files.exists(output)
+        && Files.exists(file)
+        && Files.isSameFile(output, file)) {
+      throw CommandFailure.environment(
+          "--output " + output + ": is the model itself, which would be lost; name another file");
+    }
     Problems problems = new Problems(console()::problem);
     Optional<Model> read = new ModelReader(NodeCatalogue.load()).read(file, problems);
     if (read.isEmpty()) {
@@ -106,7 +116,9 @@ final class SimplifyCommand extends CliCommand {
     }
     Model model = read.get();
     ModelSize size = ModelSize.of(model.meshes());
-    GoalText.check(goal, size, file.toString());
+    if (GoalText.beyond(goal, size, file, problems)) {
+      return ExitStatus.PROBLEMS;
+    }
     long start = System.nanoTime();
     Simplified reduced = new Simplifier().simplify(model.meshes(), goal);
     long milliseconds = (System.nanoTime() - start) / 1_000_000;
@@ -130,14 +142,17 @@ final class SimplifyCommand extends CliCommand {
                 model,
                 folder == null ? target.toAbsolutePath() : folder,
                 String.valueOf(target.getFileName()),
-                "%s, reduced to %d polygons".formatted(file.getFileName(), reduced.polygons()));
+                "%s, reduced to %s"
+                    .formatted(file.getFileName(), GoalText.polygonText(reduced.polygons())));
     if (output == null) {
       console().out().print(text);
       return;
     }
     FileTransaction writing = new FileTransaction(FileActions.REAL);
-    writing.add(output, text.getBytes(StandardCharsets.UTF_8));
-    writing.commit();
+    byte[] plain = text.getBytes(StandardCharsets.UTF_8);
+    boolean packed = output.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
+    writing.add(output, packed ? Gzip.packed(plain) : plain);
+    LeftFiles.tell(writing.commit(), console());
   }
 
   private void print(ModelSize size, Simplified reduced, long milliseconds) {

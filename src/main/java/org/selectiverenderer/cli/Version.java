@@ -10,11 +10,16 @@ import picocli.CommandLine.IVersionProvider;
 final class Version implements IVersionProvider {
   @Override
   public String[] getVersion() throws IOException {
+    return new String[] {RootCommand.NAME + " " + number()};
+  }
+
+  /** The number alone. */
+  static String number() throws IOException {
     Properties properties = new Properties();
     try (InputStream in =
         Objects.requireNonNull(Version.class.getResourceAsStream("version.properties"))) {
       properties.load(in);
     }
-    return new String[] {RootCommand.NAME + " " + properties.getProperty("version")};
+    return properties.getProperty("version");
   }
 }

@@ -2,15 +2,18 @@ package org.selectiverenderer.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.versions.BadSceneException;
 import org.selectiverenderer.polygon.versions.FileActions;
 import org.selectiverenderer.polygon.versions.Version;
 import org.selectiverenderer.polygon.versions.VersionMaker;
 import org.selectiverenderer.polygon.versions.VersionPlan;
+import org.selectiverenderer.x3d.Counted;
 import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.ArgGroup;
@@ -27,6 +30,12 @@ import picocli.CommandLine.Parameters;
     },
     footer = "  ./selective-renderer versions scene.x3d --object Vase --vert-percent 10 --dry-run")
 final class VersionsCommand extends CliCommand {
+  /** Of what is removed, --dry-run shows so many lines at most, each of so many characters. */
+  private static final int HEAD = 12;
+
+  private static final int TAIL = 4;
+  private static final int WIDTH = 160;
+
   /** One of the ways to say how far to reduce. */
   static final class GoalOptions {
     @Option(
@@ -87,17 +96,22 @@ final class VersionsCommand extends CliCommand {
   ExitStatus run() throws IOException {
     List<Goal> goals = options.goals();
     Problems problems = new Problems(console()::problem);
-    Optional<VersionPlan> plan =
-        new VersionMaker(NodeCatalogue.load())
-            .plan(
-                new VersionMaker.Request(
-                    scene, object, goals, output == null ? scene : output, inlineFolder),
-                problems);
+    OutputFile.check("--output", output, ".x3d", ".x3dz");
+    VersionMaker.Request request =
+        new VersionMaker.Request(
+            scene, object, goals, output == null ? scene : output, inlineFolder);
+    Optional<VersionPlan> plan;
+    try {
+      plan = new VersionMaker(NodeCatalogue.load()).plan(request, problems);
+    } catch (BadSceneException e) {
+      console().message(e.getMessage());
+      return ExitStatus.PROBLEMS;
+    }
     if (plan.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
     if (!dryRun) {
-      plan.get().apply(FileActions.REAL);
+      LeftFiles.tell(plan.get().apply(FileActions.REAL), console());
     }
     print(plan.get());
     return plan.get().versions().stream().allMatch(Version::met)
@@ -122,8 +136,13 @@ final class VersionsCommand extends CliCommand {
       if (!version.met()) {
         console()
             .message(
-                "%s: version %d of '%s' cannot be reduced as far as asked for; %d polygons come nearest"
-                    .formatted(scene, version.number(), object, version.polygons()));
+                "%s: version %d of '%s' cannot be reduced as far as asked for; %s nearest"
+                    .formatted(
+                        scene,
+                        version.number(),
+                        object,
+                        GoalText.polygonText(version.polygons())
+                            + (version.polygons() == 1 ? " comes" : " come")));
       }
     }
     for (VersionPlan.PlannedFile file : plan.files()) {
@@ -142,7 +161,28 @@ final class VersionsCommand extends CliCommand {
 
   private void print(VersionPlan.Edit edit) {
     console().out().println(scene + ":" + edit.line() + ":");
-    edit.before().lines().forEach(line -> console().out().println("- " + line));
+    shortened(edit.before().lines().toList()).forEach(line -> console().out().println("- " + line));
     edit.after().lines().forEach(line -> console().out().println("+ " + line));
+  }
+
+  /** Geometry may be megabytes: its beginning and end tell which it is. */
+  private static List<String> shortened(List<String> lines) {
+    List<String> kept = new ArrayList<>();
+    for (int i = 0; i < lines.size(); i++) {
+      if (i < HEAD || i >= lines.size() - TAIL) {
+        String line = lines.get(i);
+        kept.add(
+            line.length() <= WIDTH
+                ? line
+                : String.format(
+                    Locale.ROOT,
+                    "%s ... (%,d characters)",
+                    line.substring(0, WIDTH),
+                    line.length()));
+      } else if (i == HEAD) {
+        kept.add("... (" + Counted.of(lines.size() - HEAD - TAIL, "line") + ")");
+      }
+    }
+    return kept;
   }
 }

@@ -53,11 +53,6 @@ public final class ExactCount {
     return new Model(model.name(), parts);
   }
 
-  /** Whether a part has a border, so that odd numbers of triangles can be added. */
-  public static boolean hasBorder(Model model) {
-    return model.parts().stream().anyMatch(p -> new EdgeSplitter(p.mesh()).longest(1).isPresent());
-  }
-
   private static double longest(EdgeSplitter splitter, int most) {
     Optional<Double> length = splitter.longest(most);
     return length.orElse(-1.0);

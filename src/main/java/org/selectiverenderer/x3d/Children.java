@@ -85,30 +85,17 @@ final class Children {
   }
 
   private @Nullable FieldDefinition wanted(NodeType child, @Nullable String containerField) {
-    NodeType type = parent.type();
-    String name = containerField != null ? containerField : child.containerField();
-    if (containerField == null && child.is("X3DMetadataObject") && type.field("value").isEmpty()) {
-      // The catalogue's default is that of metadata in a MetadataSet.
-      name = "metadata";
-    }
-    FieldDefinition field = type.field(name).orElse(null);
-    if (field == null) {
-      // X3D 3.0 and VRML97 called the children of Switch and LOD so.
-      boolean old =
-          name.equals("choice") && type.is("Switch") || name.equals("level") && type.is("LOD");
-      field = old ? type.field("children").orElse(null) : null;
-    }
-    return field != null && accepts(field, child) ? field : null;
+    return Containment.wanted(parent.type(), child, containerField).orElse(null);
   }
 
   private @Nullable FieldDefinition fitting(NodeType child) {
     FieldDefinition usual = parent.type().field(child.containerField()).orElse(null);
-    if (usual != null && accepts(usual, child)) {
+    if (usual != null && Containment.accepts(usual, child)) {
       return usual;
     }
     FieldDefinition taken = null;
     for (FieldDefinition field : parent.type().fields()) {
-      if (accepts(field, child)) {
+      if (Containment.accepts(field, child)) {
         if (field.type().multiple() || !parent.given(field.index())) {
           return field;
         }
@@ -116,18 +103,5 @@ final class Children {
       }
     }
     return taken;
-  }
-
-  /** Whether a file may put a node of that type into the field. */
-  static boolean accepts(FieldDefinition field, NodeType child) {
-    if (!field.type().isNode() || !field.access().initialisable()) {
-      return false;
-    }
-    for (String type : field.nodeTypes()) {
-      if (child.is(type)) {
-        return true;
-      }
-    }
-    return false;
   }
 }

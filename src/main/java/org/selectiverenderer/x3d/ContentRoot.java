@@ -39,6 +39,19 @@ public final class ContentRoot {
   private static final String NETWORK =
       "is on the network or of a scheme that is not read: only files are";
 
+  /** What is wrong with a url. */
+  public enum Cause {
+    /** It is no name of a file. */
+    NO_FILE_NAME,
+    /** It names something on another machine, or of a scheme that is not read. */
+    NETWORK,
+    /** The file is none that the scene may name. */
+    OUTSIDE,
+    MISSING,
+    /** It is missing, but there is a file whose name differs in letter case only. */
+    CASE
+  }
+
   /** Why a url is not opened, or the file that it names. */
   public sealed interface Target {
     record File(Path path) implements Target {}
@@ -46,7 +59,7 @@ public final class ContentRoot {
     /**
      * @param reason a clause that reads after "url ... "
      */
-    record Refused(String reason) implements Target {}
+    record Refused(Cause cause, String reason) implements Target {}
   }
 
   private final Path named;
@@ -71,35 +84,37 @@ public final class ContentRoot {
   public Target resolve(String url, Path base) {
     String trimmed = url.strip();
     if (trimmed.length() > MAX_URL) {
-      return new Target.Refused("is longer than a file name can be");
+      return new Target.Refused(Cause.NO_FILE_NAME, "is longer than a file name can be");
     }
     int fragment = trimmed.indexOf('#');
     String location = fragment < 0 ? trimmed : trimmed.substring(0, fragment);
     boolean absolute = FILE_SCHEME.matcher(location).lookingAt();
     if (!absolute && SCHEME.matcher(location).lookingAt()) {
-      return new Target.Refused(NETWORK);
+      return new Target.Refused(Cause.NETWORK, NETWORK);
     }
     if (location.isEmpty()) {
-      return new Target.Refused("names no file");
+      return new Target.Refused(Cause.NO_FILE_NAME, "names no file");
     }
     Path path;
     try {
       if (share(location, absolute)) {
-        return new Target.Refused(NETWORK);
+        return new Target.Refused(Cause.NETWORK, NETWORK);
       }
       path = absolute ? Path.of(URI.create(location)) : relative(location, base);
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
-      return new Target.Refused("is no file name");
+      return new Target.Refused(Cause.NO_FILE_NAME, "is no file name");
     }
     Path real = real(path);
     if (!real.startsWith(folder) && !real.startsWith(inlineFolder)) {
-      return new Target.Refused("points outside the scene's folder");
+      return new Target.Refused(Cause.OUTSIDE, "points outside the scene's folder");
     }
     if (Files.isDirectory(real)) {
-      return new Target.Refused("is a folder");
+      return new Target.Refused(Cause.NO_FILE_NAME, "is a folder");
     }
     if (!Files.isRegularFile(real)) {
-      return new Target.Refused("is missing" + similar(path));
+      String similar = similar(path);
+      return new Target.Refused(
+          similar.isEmpty() ? Cause.MISSING : Cause.CASE, "is missing" + similar);
     }
     return new Target.File(real);
   }

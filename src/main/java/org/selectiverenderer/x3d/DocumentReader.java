@@ -28,7 +28,7 @@ final class DocumentReader implements NodeReader.Links {
   }
 
   /** Reads a file whose root element has not been entered yet. */
-  X3dFile read(XmlCursor in) {
+  X3dFile read(ElementCursor in) {
     if (in.next()) {
       if (in.name().equals("X3D")) {
         root(in);
@@ -49,7 +49,7 @@ final class DocumentReader implements NodeReader.Links {
     return result();
   }
 
-  private void root(XmlCursor in) {
+  private void root(ElementCursor in) {
     Location location = in.location();
     version = text(in, "version");
     profile = text(in, "profile");

@@ -14,6 +14,11 @@ interface ElementCursor {
    */
   boolean next();
 
+  /** Whether the file broke off, so that what is missing is no fault of the scene. */
+  default boolean broken() {
+    return false;
+  }
+
   /** The element's name without prefix. */
   String name();
 

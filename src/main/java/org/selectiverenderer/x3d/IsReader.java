@@ -63,7 +63,7 @@ final class IsReader {
     List<?> given = value instanceof List<?> list ? list : List.of(value);
     for (Object child : given) {
       ParsedNode childNode = (ParsedNode) child;
-      if (Children.accepts(field, childNode.type())) {
+      if (Containment.accepts(field, childNode.type())) {
         children.put(field, childNode, location);
       } else {
         reading.error(

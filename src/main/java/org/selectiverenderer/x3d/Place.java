@@ -18,11 +18,27 @@ record Place(SourceText text, int offset, Location location) {
     return new Walk().find(index, offset);
   }
 
+  /** The value of the attribute of that index as it is written, references and all. */
+  String attributeText(int index) {
+    Walk walk = new Walk();
+    walk.find(index, 0);
+    int start = walk.at;
+    while (!walk.ended() && walk.peek() != walk.quote) {
+      walk.at++;
+    }
+    StringBuilder value = new StringBuilder(walk.at - start);
+    for (int i = start; i < walk.at; i++) {
+      value.append(text.charAt(i));
+    }
+    return value.toString();
+  }
+
   /** Steps through the start tag and keeps count of lines and columns. */
   private final class Walk {
     private int at = offset;
     private int line = location.line();
     private int column = location.column();
+    private char quote;
 
     Location find(int index, int inValue) {
       step();
@@ -44,10 +60,10 @@ record Place(SourceText text, int offset, Location location) {
         space();
         step();
         space();
-        char quote = peek();
+        quote = peek();
         step();
         if (found == index) {
-          return value(quote, inValue);
+          return value(inValue);
         }
         while (!ended() && peek() != quote) {
           step();
@@ -56,7 +72,7 @@ record Place(SourceText text, int offset, Location location) {
       }
     }
 
-    private Location value(char quote, int offset) {
+    private Location value(int offset) {
       space();
       for (int i = 0; i < offset && !ended() && peek() != quote; i++) {
         // A reference is one character, two beyond the basic plane.

@@ -16,10 +16,12 @@ import org.jspecify.annotations.Nullable;
  * scenes in the wild are often compressed under a plain {@code .x3d}.
  *
  * @param bytes holds the text from 0 to {@code length}
+ * @param compressed whether it was by gzip
  * @param cut why the text ends too early, or null
  * @param refused why nothing of it is to be read, or null
  */
-record SceneBytes(byte[] bytes, int length, @Nullable String cut, @Nullable String refused) {
+record SceneBytes(
+    byte[] bytes, int length, boolean compressed, @Nullable String cut, @Nullable String refused) {
   private static final int GZIP = 0x1f8b;
   private static final int RATIO_ASKED_FROM = 1 << 20;
   private static final int LARGEST_ARRAY = Integer.MAX_VALUE - 16;
@@ -50,7 +52,7 @@ record SceneBytes(byte[] bytes, int length, @Nullable String cut, @Nullable Stri
   static SceneBytes of(byte[] bytes, ReadLimits limits) {
     boolean compressed = bytes.length > 1 && ((bytes[0] & 0xff) << 8 | (bytes[1] & 0xff)) == GZIP;
     if (!compressed && bytes.length <= limits.maxBytes()) {
-      return new SceneBytes(bytes, bytes.length, null, null);
+      return new SceneBytes(bytes, bytes.length, false, null, null);
     }
     try {
       return read(new ByteArrayInputStream(bytes), bytes.length, limits);
@@ -71,10 +73,10 @@ record SceneBytes(byte[] bytes, int length, @Nullable String cut, @Nullable Stri
         count = in.read(bytes, length, bytes.length - length);
       } catch (ZipException | EOFException e) {
         return new SceneBytes(
-            bytes, length, "the gzip compression is damaged or cut off here", null);
+            bytes, length, true, "the gzip compression is damaged or cut off here", null);
       }
       if (count < 0) {
-        return new SceneBytes(bytes, length, null, null);
+        return new SceneBytes(bytes, length, gunzip != null, null, null);
       }
       length += count;
       if (length > most) {
@@ -98,7 +100,7 @@ record SceneBytes(byte[] bytes, int length, @Nullable String cut, @Nullable Stri
   }
 
   private static SceneBytes refused(String reason) {
-    return new SceneBytes(new byte[0], 0, null, reason);
+    return new SceneBytes(new byte[0], 0, false, null, reason);
   }
 
   /** Knows how much compressed data it has taken in. */

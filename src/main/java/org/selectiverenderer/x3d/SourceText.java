@@ -210,7 +210,7 @@ final class SourceText {
     int column = 1;
     for (int i = 0; i < offset; i++) {
       char c = charAt(i);
-      boolean first = c == '\r' && charAt(i + 1) == '\n';
+      boolean first = c == '\r' && i + 1 < length() && charAt(i + 1) == '\n';
       if (c == '\n' || c == '\r' && !first) {
         line++;
         column = 1;

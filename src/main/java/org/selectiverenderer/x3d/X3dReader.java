@@ -88,6 +88,26 @@ public final class X3dReader {
     return parse(source, SceneBytes.of(bytes, limits), problems);
   }
 
+  /**
+   * Reads a stream to its end as a document: all elements with their places, whatever they mean.
+   * The caller closes the stream.
+   *
+   * @param source the name that places call it by
+   * @param size in bytes, about; saves copying
+   * @throws IOException if the stream itself fails; whatever is wrong with the text is a fault of
+   *     the document
+   */
+  public SceneDocument document(String source, InputStream in, long size) throws IOException {
+    SceneBytes bytes = SceneBytes.read(in, size, limits);
+    return new DocumentParser(source, catalogue, limits).parse(bytes);
+  }
+
+  /** Makes the scene that a document describes, without parsing it again. */
+  public X3dFile scene(SceneDocument document, Problems problems) {
+    Reading reading = new Reading(document.name(), catalogue, limits, problems);
+    return new DocumentReader(reading).read(new TreeCursor(document));
+  }
+
   private X3dFile parse(String source, SceneBytes bytes, Problems problems) {
     Location whole = Location.of(source);
     if (bytes.refused() != null) {
@@ -133,7 +153,7 @@ public final class X3dReader {
   }
 
   /** What to say about a file that is no XML, or null when it may be. */
-  private static @Nullable String foreign(String head) {
+  static @Nullable String foreign(String head) {
     String start = head.stripLeading();
     if (start.startsWith("#VRML") || start.startsWith("#X3D")) {
       return "this is a scene in the Classic VRML encoding, of which nothing is read; convert it to"

@@ -38,8 +38,8 @@ final class XmlCursor implements ElementCursor {
     gathered.add(null);
   }
 
-  /** Whether the file broke off. */
-  boolean broken() {
+  @Override
+  public boolean broken() {
     return broken;
   }
 

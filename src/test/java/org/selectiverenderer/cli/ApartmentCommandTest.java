@@ -44,6 +44,41 @@ class ApartmentCommandTest {
     assertThat(text()).contains("inlineNodes").doesNotContain("Exception:");
   }
 
+  @Test
+  void whatTheAuthorHasChangedIsNotReplacedUnlessForced() throws IOException {
+    execute("apartment", folder.toString(), "--only", "trashCan");
+    Path changed = folder.resolve("inlineNodes/trashCan_v2.x3d");
+    String made = Files.readString(changed);
+    Files.writeString(changed, "mine");
+
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan,shovel")).isEqualTo(2);
+
+    assertThat(changed).hasContent("mine");
+    assertThat(folder.resolve("inlineNodes/shovel.x3d")).doesNotExist();
+    assertThat(text()).contains("trashCan_v2.x3d", "--force").doesNotContain("Exception");
+
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan", "--force")).isZero();
+    assertThat(changed).hasContent(made);
+  }
+
+  @Test
+  void theSameAgainIsNoReplacement() {
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan")).isZero();
+    assertThat(execute("apartment", folder.toString(), "--only", "trashCan")).isZero();
+  }
+
+  @Test
+  void aFileThatCannotBeWrittenIsNamedAndNoOtherIsLeft() throws IOException {
+    Files.createDirectories(folder.resolve("inlineNodes/trashCan_v2.x3d"));
+
+    assertThat(execute("apartment", folder.toString(), "--only", "shovel,trashCan", "--force"))
+        .isEqualTo(2);
+
+    assertThat(text()).contains("trashCan_v2.x3d", "nothing has been changed");
+    assertThat(folder.resolve("inlineNodes")).isDirectoryNotContaining("glob:**/*_v1.x3d");
+    assertThat(folder.resolve("inlineNodes")).isDirectoryNotContaining("glob:**/shovel.x3d");
+  }
+
   private int execute(String... args) {
     PrintStream stream = new PrintStream(err, true, StandardCharsets.UTF_8);
     return Main.execute(args, new PrintStream(new ByteArrayOutputStream()), stream);

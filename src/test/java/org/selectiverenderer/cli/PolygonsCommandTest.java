@@ -55,7 +55,7 @@ class PolygonsCommandTest {
     assertFails(
         "--scope: the scene has no group 'Offic'; did you mean Office?", "--scope", "Offic");
     assertFails("--chart takes a file that ends in .png or .svg, not x.gif", "--chart", "x.gif");
-    assertFails("there is no folder", "--chart", folder.resolve("no/x.svg").toString());
+    assertFails("no does not exist", "--chart", folder.resolve("no/x.svg").toString());
   }
 
   @Test

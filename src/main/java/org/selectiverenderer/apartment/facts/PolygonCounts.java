@@ -1,5 +1,6 @@
 package org.selectiverenderer.apartment.facts;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -40,6 +41,6 @@ public final class PolygonCounts {
 
   /** All, in the order of the tables. */
   public Map<String, Counts> all() {
-    return Map.copyOf(byObject);
+    return Collections.unmodifiableMap(byObject);
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.chart;
 
 import java.util.List;
+import org.selectiverenderer.chart.Colour;
 
 /**
  * A chart of horizontal bars, which leave room for labels of any length.

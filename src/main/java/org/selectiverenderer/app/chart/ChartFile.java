@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import org.selectiverenderer.chart.SvgCanvas;
 import org.selectiverenderer.polygon.statistics.SceneStatistics;
 
 /** A file that charts are to be drawn into. */

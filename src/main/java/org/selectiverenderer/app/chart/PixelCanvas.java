@@ -7,6 +7,9 @@ import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.selectiverenderer.chart.Canvas;
+import org.selectiverenderer.chart.Colour;
+import org.selectiverenderer.chart.Lettering;
 import org.selectiverenderer.x3d.geometry.text.Glyph;
 
 /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.selectiverenderer.app.chart.Chart.Bar;
+import org.selectiverenderer.chart.Colour;
 import org.selectiverenderer.polygon.statistics.SceneStatistics;
 import org.selectiverenderer.polygon.statistics.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.statistics.SceneStatistics.ScopeCount;

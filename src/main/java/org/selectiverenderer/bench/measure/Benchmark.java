@@ -12,6 +12,7 @@ import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.ManySwitchesScene;
+import org.selectiverenderer.hmd.DisplayProfile;
 
 /**
  * Measures this machine. Everything is written to a folder of its own and deleted afterwards.
@@ -56,11 +57,17 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     put(report.putObject("heavy"), heavy, result);
     progress.accept("light scene: a sixth of it");
     put(report.putObject("light"), light, child.run(light));
+    progress.accept("both eyes");
+    ObjectNode stereo = report.putObject("stereo");
+    StereoCost.measure(heavy, DisplayProfile.PROVIEW_50, stereo.putObject("heavy"));
+    StereoCost.measure(light, DisplayProfile.PROVIEW_50, stereo.putObject("light"));
+    progress.accept("head tracker's record to picture");
+    TrackerLatency.measure(light, folder, child, report.putArray("tracker_latency"));
     progress.accept("activation among 100,000 switches");
     Activating.measure(many, AFFECTED, report.putObject("activation"));
     progress.accept("apartment: writing it");
     Path apartment = folder.resolve("apartment");
-    new ApartmentGenerator().writeAll(apartment);
+    new ApartmentGenerator().writeAll(apartment, false);
     progress.accept("polygon count process");
     new Simplifying().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
     new RoomRuns(child, runs, progress)

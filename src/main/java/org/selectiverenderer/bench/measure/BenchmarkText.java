@@ -33,6 +33,30 @@ public final class BenchmarkText {
         at(report, "/activation/affected"),
         at(report, "/activation/switches"),
         at(report, "/activation/idle_frame_us"));
+    for (String scene : new String[] {"heavy", "light"}) {
+      String at = "/stereo/" + scene;
+      line(
+          text,
+          "both eyes   %s scene, %sx%s each: %s ms for one eye, %s ms for both; the second costs %s of the first",
+          scene,
+          at(report, at + "/eye_width"),
+          at(report, at + "/eye_height"),
+          at(report, at + "/one_eye_ms"),
+          at(report, at + "/both_eyes_ms"),
+          at(report, at + "/second_eye_to_first"));
+    }
+    for (JsonNode row : report.at("/tracker_latency")) {
+      line(
+          text,
+          row.has("skipped")
+              ? "tracker     %s records/s: not measured, %s"
+              : "tracker     %s records/s: record to picture %s ms, 99 of 100 within %s ms (frames: %s and %s ms)",
+          at(row, "/rate_hz"),
+          row.has("skipped") ? at(row, "/skipped") : at(row, "/p50_ms"),
+          at(row, "/p99_ms"),
+          at(row, "/frame_p50_ms"),
+          at(row, "/frame_p99_ms"));
+    }
     text.append(System.lineSeparator());
     row(
         text,

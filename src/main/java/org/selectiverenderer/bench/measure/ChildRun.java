@@ -51,18 +51,26 @@ record ChildRun(String mainClass, int runs) {
   }
 
   /**
-   * The figures of one run.
+   * The figures of one run along a path.
    *
    * @param seconds of the path
    * @param more options of {@code run}
    */
   JsonNode once(Path scene, Path path, String seconds, String... more)
       throws IOException, InterruptedException {
+    List<String> options = new ArrayList<>(List.of("--size", SIZE, "--samples", "0"));
+    options.addAll(List.of("--path", path.toString(), "--duration", seconds));
+    options.addAll(List.of(more));
+    return once(scene, options);
+  }
+
+  /** The figures of one run with options of {@code run}. */
+  JsonNode once(Path scene, List<String> options) throws IOException, InterruptedException {
     Path stats = Files.createTempFile("selective-renderer-bench", ".json");
     Path log = Files.createTempFile("selective-renderer-bench", ".log");
     try {
       Process process =
-          new ProcessBuilder(command(scene, path, seconds, stats, more))
+          new ProcessBuilder(command(scene, options, stats))
               .redirectErrorStream(true)
               .redirectOutput(log.toFile())
               .start();
@@ -78,17 +86,15 @@ record ChildRun(String mainClass, int runs) {
     }
   }
 
-  private List<String> command(Path scene, Path path, String seconds, Path stats, String... more) {
+  private List<String> command(Path scene, List<String> options, Path stats) {
     List<String> command = new ArrayList<>();
     command.add(ProcessHandle.current().info().command().orElse("java"));
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
     String flags = System.getProperty(FLAGS, "");
     command.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
-    command.addAll(List.of("run", scene.toString()));
-    command.addAll(List.of("--offscreen", "--size", SIZE, "--samples", "0"));
-    command.addAll(List.of("--path", path.toString(), "--duration", seconds));
-    command.addAll(List.of(more));
+    command.addAll(List.of("run", scene.toString(), "--offscreen"));
+    command.addAll(options);
     command.addAll(List.of("--stats", stats.toString()));
     return command;
   }

@@ -61,7 +61,7 @@ final class RoomRuns {
     }
   }
 
-  private static String turn(double x) {
+  static String turn(double x) {
     StringBuilder path = new StringBuilder("t,x,y,z,yaw,pitch,roll\n");
     for (int quarter = 0; quarter <= 4; quarter++) {
       path.append(
@@ -71,7 +71,7 @@ final class RoomRuns {
     return path.toString();
   }
 
-  private static void put(ObjectNode node, Map<String, List<JsonNode>> figures) {
+  static void put(ObjectNode node, Map<String, List<JsonNode>> figures) {
     figures.forEach(
         (condition, all) ->
             node.putObject(condition)

@@ -17,7 +17,7 @@ import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * Times the polygon count process: the apartment's listed objects on all processors, and one large
- * mesh. Both cold, as for somebody who starts the program for them, and without reading.
+ * mesh. Without reading, and in a process that has made the apartment: the code is warm.
  */
 final class Simplifying {
   /** Rings and steps of a waved torus: 2 * 707 * 708 = 1,001,112 triangles. */
@@ -69,7 +69,7 @@ final class Simplifying {
     return tasks;
   }
 
-  private static Mesh torus() {
+  static Mesh torus() {
     float[] positions = new float[3 * RINGS * STEPS];
     int[] indices = new int[6 * RINGS * STEPS];
     for (int ring = 0; ring < RINGS; ring++) {

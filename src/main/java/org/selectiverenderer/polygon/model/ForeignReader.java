@@ -1,6 +1,5 @@
 package org.selectiverenderer.polygon.model;
 
-import static org.lwjgl.assimp.Assimp.aiGetErrorString;
 import static org.lwjgl.assimp.Assimp.aiImportFile;
 import static org.lwjgl.assimp.Assimp.aiPrimitiveType_TRIANGLE;
 import static org.lwjgl.assimp.Assimp.aiProcess_JoinIdenticalVertices;
@@ -17,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.assimp.AIColor4D;
 import org.lwjgl.assimp.AIFace;
@@ -24,6 +24,7 @@ import org.lwjgl.assimp.AIMaterial;
 import org.lwjgl.assimp.AIMesh;
 import org.lwjgl.assimp.AIScene;
 import org.lwjgl.assimp.AIVector3D;
+import org.selectiverenderer.x3d.Counted;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeCatalogue;
 import org.selectiverenderer.x3d.NodeView;
@@ -52,15 +53,20 @@ final class ForeignReader {
   }
 
   /**
-   * @throws IOException if the file is none of its kind, with one line that names it
+   * @return empty if the file is none of its kind or damaged, which is reported as a problem
+   * @throws IOException if it cannot be read
    */
-  Model read(Path file) throws IOException {
+  Optional<Model> read(Path file) throws IOException {
     AIScene scene = aiImportFile(file.toAbsolutePath().toString(), STEPS);
     if (scene == null) {
-      throw new IOException(file + ": the file cannot be read as a model: " + aiGetErrorString());
+      new DamagedModel(file, problems).report();
+      return Optional.empty();
     }
     try {
-      return new Model(parts(scene, file), List.of());
+      Model model = new Model(parts(scene, file), List.of());
+      boolean damaged =
+          model.polygons() == 0 && new DamagedModel(file, problems).reportMissingFaces();
+      return damaged ? Optional.empty() : Optional.of(model);
     } finally {
       aiReleaseImport(scene);
     }
@@ -127,9 +133,10 @@ final class ForeignReader {
     if (count < triangles.length) {
       problems.warning(
           Location.of(file.toString()),
-          "%s has %d faces with a coordinate that is no finite number; they are left out"
+          "%s has %s with a coordinate that is no finite number, left out"
               .formatted(
-                  name.isEmpty() ? "a mesh" : "mesh " + name, (triangles.length - count) / 3));
+                  name.isEmpty() ? "a mesh" : "mesh " + name,
+                  Counted.of((triangles.length - count) / 3, "face")));
     }
     return Arrays.copyOf(kept, count);
   }

@@ -37,19 +37,20 @@ public final class ModelReader {
   /**
    * Reads a file.
    *
-   * @return empty when it has no faces, which is reported as a problem
+   * @return empty when it has no faces or is damaged, which is reported as a problem
    * @throws IOException if it cannot be read, with one line that names it
    */
   public Optional<Model> read(Path file, Problems problems) throws IOException {
-    Model model;
+    Location location = Location.of(file.toString());
     if (FOREIGN.contains(ending(file))) {
       check(file);
-      model = new ForeignReader(catalogue, problems).read(file);
-    } else {
-      X3dFile scene = reader.read(file, problems);
-      model = gather(scene.nodes(), folder(file), scene, problems);
+      return new ForeignReader(catalogue, problems)
+          .read(file)
+          .flatMap(model -> withFaces(model, location, "the file", problems));
     }
-    return withFaces(model, Location.of(file.toString()), "the file", problems);
+    X3dFile scene = reader.read(file, problems);
+    return withFaces(
+        gather(scene.nodes(), folder(file), scene, problems), location, "the file", problems);
   }
 
   /**

@@ -146,6 +146,26 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
   }
 
   /**
+   * The same mesh, vertices that come to lie on the same point of a grid of so many steps per unit
+   * of length in the position of the first of them, and without what has become empty by that. Many
+   * models have vertices that are meant to be one and differ in the last digit.
+   */
+  JoinedMesh welded(double scale) {
+    float[] onGrid = vertices.clone();
+    for (int i = 0; i < onGrid.length; i += STRIDE) {
+      for (int axis = 0; axis < 3; axis++) {
+        onGrid[i + axis] = (float) Math.rint(vertices[i + axis] * scale) + 0.0f;
+      }
+    }
+    int[] first = Seams.first(with(onGrid, indices), false);
+    float[] welded = vertices.clone();
+    for (int vertex = 0; vertex < first.length; vertex++) {
+      System.arraycopy(vertices, STRIDE * first[vertex], welded, STRIDE * vertex, 3);
+    }
+    return Arrays.equals(welded, vertices) ? this : Areas.dropEmpty(with(welded, indices));
+  }
+
+  /**
    * The same mesh with positions inside a box and on a grid of so many steps per unit of length,
    * without what has become empty by that.
    */

@@ -18,6 +18,11 @@ public final class Simplifier {
   private static final int ERROR_TRIES = 12;
   private static final double ALL_GONE = 0.6;
 
+  private static final int COUNT_TRIES = 9;
+
+  /** So near to a number of polygons with too large an error, a smaller one is not looked for. */
+  private static final double CLOSE_COUNT = 1.05;
+
   /** So near to the error allowed, no further try is worth its time. */
   private static final double CLOSE = 0.8;
 
@@ -30,7 +35,8 @@ public final class Simplifier {
    *     the model has
    */
   public Simplified simplify(List<Mesh> parts, Goal goal) {
-    JoinedMesh original = JoinedMesh.of(parts).compact().asOriginal();
+    JoinedMesh joined = JoinedMesh.of(parts);
+    JoinedMesh original = joined.welded(Reduction.scale(joined.extent())).compact().asOriginal();
     if (original.polygons() == 0) {
       throw new IllegalArgumentException("the model has no polygons");
     }
@@ -69,7 +75,10 @@ public final class Simplifier {
     }
   }
 
-  /** The collapse's own estimate is no bound, so what comes out is measured. */
+  /**
+   * The collapse's own estimate is no bound, so what comes out is measured. It goes one way only;
+   * for a number of polygons several are tried, so a smaller number may be as near.
+   */
   private static Simplified within(List<Mesh> parts, Reduction reduction, double largest) {
     Simplified best = result(parts, reduction, reduction.original(), true);
     double allowed = largest;
@@ -88,6 +97,23 @@ public final class Simplifier {
       }
       double factor = largest / Math.max(result.error(), 1e-12);
       allowed *= Math.max(0.3, Math.min(3, 0.95 * factor));
+    }
+    return fewer(parts, reduction, largest, best);
+  }
+
+  /** Between nothing and a result, the fewest polygons found that are within an error. */
+  private static Simplified fewer(
+      List<Mesh> parts, Reduction reduction, double largest, Simplified enough) {
+    Simplified best = enough;
+    int tooFew = 1;
+    for (int i = 0; i < COUNT_TRIES && best.polygons() > CLOSE_COUNT * tooFew; i++) {
+      int ask = (int) Math.sqrt((double) tooFew * best.polygons());
+      Simplified result = result(parts, reduction, reduction.to(ask), true);
+      if (result.error() <= largest && result.polygons() < best.polygons()) {
+        best = result;
+      } else {
+        tooFew = Math.max(tooFew + 1, ask);
+      }
     }
     return best;
   }

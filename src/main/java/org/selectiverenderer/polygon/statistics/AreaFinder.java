@@ -44,6 +44,11 @@ final class AreaFinder {
     return List.copyOf(areas);
   }
 
+  /** Whether every place of sensors and scopes has been looked at. */
+  boolean complete() {
+    return places.complete();
+  }
+
   /** The areas that lie in each scope. */
   List<Area> in(Scope scope, Collection<Scope> scopes) {
     return areas.stream().filter(area -> lies(area, scope, scopes)).toList();

@@ -49,12 +49,17 @@ final class AreaSets {
         }
         List<Area> wider = new ArrayList<>(set);
         wider.add(next);
-        if (share(wider, 0, List.of())) {
+        if (share(wider)) {
           larger.add(wider);
         }
       }
     }
     return larger;
+  }
+
+  /** Whether the viewer can be in all of some areas at once. */
+  static boolean share(List<Area> set) {
+    return share(set, 0, List.of());
   }
 
   /** Whether one box of each area can be chosen so that these share a place. */

@@ -5,20 +5,23 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /** An axis-aligned box; empty when a minimum is above its maximum. */
-record Bounds(Vector3dc min, Vector3dc max) {
-  static final Bounds EMPTY =
+public record Bounds(Vector3dc min, Vector3dc max) {
+  /** Of nothing. */
+  public static final Bounds EMPTY =
       new Bounds(new Vector3d(Double.POSITIVE_INFINITY), new Vector3d(Double.NEGATIVE_INFINITY));
 
   /** Of min x, y, z, max x, y, z. */
-  static Bounds of(float[] b) {
+  public static Bounds of(float[] b) {
     return new Bounds(new Vector3d(b[0], b[1], b[2]), new Vector3d(b[3], b[4], b[5]));
   }
 
-  boolean isEmpty() {
+  /** Whether there is no place in it. */
+  public boolean isEmpty() {
     return !(min.x() <= max.x() && min.y() <= max.y() && min.z() <= max.z());
   }
 
-  Bounds and(Bounds other) {
+  /** The least bounds that hold both. */
+  public Bounds and(Bounds other) {
     return isEmpty()
         ? other
         : other.isEmpty()
@@ -27,7 +30,7 @@ record Bounds(Vector3dc min, Vector3dc max) {
   }
 
   /** The bounds of the transformed box; larger than those of its content if that is turned. */
-  Bounds transformed(Matrix4dc matrix) {
+  public Bounds transformed(Matrix4dc matrix) {
     if (isEmpty()) {
       return this;
     }
@@ -37,7 +40,8 @@ record Bounds(Vector3dc min, Vector3dc max) {
     return new Bounds(newMin, newMax);
   }
 
-  boolean contains(Vector3dc p) {
+  /** Whether a place is in it or on its sides. */
+  public boolean contains(Vector3dc p) {
     return p.x() >= min.x()
         && p.y() >= min.y()
         && p.z() >= min.z()

@@ -24,6 +24,9 @@ final class Item {
   /** Of all versions together, in the coordinates of whatever holds the item. */
   final Bounds bounds;
 
+  /** Whether the bounds are the least: nothing in it is turned by other than right angles. */
+  final boolean exact;
+
   /** Whether it is an object in versions or holds one. */
   final boolean varies;
 
@@ -42,8 +45,25 @@ final class Item {
     for (Item child : children) {
       inside = inside.and(child.bounds);
     }
+    exact =
+        placement.map(Item::keepsBoxes).orElse(true)
+            && children.stream().allMatch(child -> child.exact);
     bounds = placement.isPresent() ? inside.transformed(placement.get()) : inside;
     polygons = varies ? 0 : plus(ownPolygons(from), sum(shown(whichChoice())));
+  }
+
+  /** Whether boxes along the axes stay boxes along the axes. */
+  private static boolean keepsBoxes(Matrix4d matrix) {
+    for (int column = 0; column < 3; column++) {
+      int entries = 0;
+      for (int row = 0; row < 3; row++) {
+        entries += Math.abs(matrix.get(column, row)) > 1e-6 ? 1 : 0;
+      }
+      if (entries > 1) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static long ownPolygons(Builder from) {
@@ -105,7 +125,7 @@ final class Item {
     private Optional<Matrix4d> placement = Optional.empty();
     private Optional<SwitchSchemas> versions = Optional.empty();
     private Optional<SensorSchemas> area = Optional.empty();
-    private SceneFile.Size size = SceneFile.Size.NOTHING;
+    private Size size = Size.NOTHING;
 
     /**
      * @param node null for a file's top
@@ -139,7 +159,7 @@ final class Item {
       return this;
     }
 
-    Builder size(SceneFile.Size measured) {
+    Builder size(Size measured) {
       size = measured;
       return this;
     }

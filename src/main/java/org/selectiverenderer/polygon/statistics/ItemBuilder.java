@@ -1,6 +1,7 @@
 package org.selectiverenderer.polygon.statistics;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
@@ -22,16 +23,16 @@ import org.selectiverenderer.x3d.geometry.Placement;
  * its Switches show what the file says.
  */
 final class ItemBuilder {
-  private final SceneFile main;
+  private final CountedFile main;
   private final Problems problems;
   private final Map<ParsedNode, Item> items = new IdentityHashMap<>();
-  private final Map<SceneFile, Item> contents = new IdentityHashMap<>();
-  private final Set<SceneFile> open = new HashSet<>();
+  private final Map<CountedFile, Item> contents = new IdentityHashMap<>();
+  private final Set<CountedFile> open = new HashSet<>();
   private final Map<String, Integer> numbers = new HashMap<>();
   private final Item root;
 
   /** Builds at once. */
-  ItemBuilder(SceneFile main, Problems problems) {
+  ItemBuilder(CountedFile main, Problems problems) {
     this.main = main;
     this.problems = problems;
     this.root = content(main);
@@ -42,12 +43,17 @@ final class ItemBuilder {
     return root;
   }
 
+  /** The item of every node that has one. */
+  Map<ParsedNode, Item> all() {
+    return Collections.unmodifiableMap(items);
+  }
+
   /** The item of a node of the scene's own file; empty for what is not drawn and no area. */
   Optional<Item> of(@Nullable ParsedNode node) {
     return Optional.ofNullable(items.get(node));
   }
 
-  private Item content(SceneFile file) {
+  private Item content(CountedFile file) {
     Item known = contents.get(file);
     if (known != null) {
       return known;
@@ -60,7 +66,7 @@ final class ItemBuilder {
     return made;
   }
 
-  private List<Item> items(List<ParsedNode> nodes, SceneFile file) {
+  private List<Item> items(List<ParsedNode> nodes, CountedFile file) {
     List<Item> made = new ArrayList<>(nodes.size());
     for (ParsedNode node : nodes) {
       made.add(item(node, file));
@@ -68,7 +74,7 @@ final class ItemBuilder {
     return made;
   }
 
-  private Item item(ParsedNode node, SceneFile file) {
+  private Item item(ParsedNode node, CountedFile file) {
     Item known = items.get(node);
     if (known == null) {
       known = make(node, file);
@@ -77,7 +83,7 @@ final class ItemBuilder {
     return known;
   }
 
-  private Item make(ParsedNode node, SceneFile file) {
+  private Item make(ParsedNode node, CountedFile file) {
     String name = nameOf(node);
     Item.Builder builder = new Item.Builder(node).name(name);
     if (Structure.isShape(node)) {
@@ -97,8 +103,8 @@ final class ItemBuilder {
     return builder.build();
   }
 
-  private void fill(ParsedNode inline, SceneFile file, Item.Builder builder) {
-    SceneFile content = file.content(inline).orElse(null);
+  private void fill(ParsedNode inline, CountedFile file, Item.Builder builder) {
+    CountedFile content = file.content(inline).orElse(null);
     if (content == null) {
       return;
     }

@@ -17,6 +17,7 @@ final class Places {
   private final Map<Item, List<Matrix4dc>> places = new IdentityHashMap<>();
   private final Map<Item, Boolean> leads = new IdentityHashMap<>();
   private int count;
+  private boolean complete = true;
 
   Places(Item root, Set<Item> wanted) {
     this.wanted = wanted;
@@ -28,8 +29,17 @@ final class Places {
     return places.getOrDefault(item, List.of());
   }
 
+  /** Whether there are no more than these. */
+  boolean complete() {
+    return complete;
+  }
+
   private void visit(Item item, Matrix4dc world) {
-    if (count >= LIMIT || !leads(item)) {
+    if (!leads(item)) {
+      return;
+    }
+    if (count >= LIMIT) {
+      complete = false;
       return;
     }
     if (wanted.contains(item)) {

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.polygon.statistics.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.statistics.SceneStatistics.ScopeCount;
-import org.selectiverenderer.polygon.statistics.SceneStatistics.ScopeHigh;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
@@ -62,10 +61,16 @@ public final class PolygonStatistics {
           "no Switch has metadata of schemas, so that there are no versions to compare; what the"
               + " scene shows is counted");
     }
+    if (!areas.complete()) {
+      problems.warning(
+          Location.of(scene),
+          "sensors and scopes stand in more than %d places; the rest are left out"
+              .formatted(Places.LIMIT));
+    }
     StateFinder states = new StateFinder(objects, areas.all());
     List<ScopeCount> counts = new ArrayList<>();
     for (Scope scope : scopes) {
-      ScopeHigh all = new ScopeHigh(high.of(scope.item()));
+      long all = high.of(scope.item());
       AreaSets sets = new AreaSets(areas.in(scope, scopes));
       if (!sets.complete()) {
         problems.warning(
@@ -73,8 +78,7 @@ public final class PolygonStatistics {
             "the areas of %s overlap in more than %d ways; the rest are left out"
                 .formatted(scope.name(), AreaSets.LIMIT));
       }
-      counts.add(
-          new ScopeCount(scope.name(), all.polygons(), states.states(scope, all, sets.sets())));
+      counts.add(new ScopeCount(scope.name(), all, states.states(scope, all, sets.sets())));
     }
     return new SceneStatistics(scene, high.of(root), objectCounts(), counts);
   }

@@ -11,7 +11,6 @@ import org.selectiverenderer.x3d.ParsedNode;
 import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * A file as read, with what its geometry comes to and the files that its Inlines name. Filled by
@@ -26,32 +25,25 @@ record SceneFile(
     X3dFile file,
     Problems problems,
     Map<ParsedNode, Size> sizes,
-    Map<ParsedNode, CompletableFuture<Optional<SceneFile>>> inlines) {
-
-  /** What is kept of a mesh. */
-  record Size(int polygons, Bounds bounds) {
-    static final Size NOTHING = new Size(0, Bounds.EMPTY);
-
-    static Size of(Mesh mesh) {
-      return new Size(mesh.polygons(), mesh.isEmpty() ? Bounds.EMPTY : Bounds.of(mesh.bounds()));
-    }
-  }
+    Map<ParsedNode, CompletableFuture<Optional<SceneFile>>> inlines)
+    implements CountedFile {
 
   SceneFile(Path path, X3dFile file, Problems problems) {
     this(path, file, problems, new ConcurrentHashMap<>(), new ConcurrentHashMap<>());
   }
 
-  Size size(ParsedNode geometry) {
+  @Override
+  public Size size(ParsedNode geometry) {
     return sizes.getOrDefault(geometry, Size.NOTHING);
   }
 
-  /** The file in an Inline; empty if it is not to be loaded or could not be read. */
-  Optional<SceneFile> content(ParsedNode inline) {
+  @Override
+  public Optional<SceneFile> content(ParsedNode inline) {
     return Optional.ofNullable(inlines.get(inline)).flatMap(CompletableFuture::join);
   }
 
-  /** The problems in document order. */
-  List<Problem> problemList() {
+  @Override
+  public List<Problem> problemList() {
     return problems.list().stream()
         .sorted(
             Comparator.comparingInt((Problem problem) -> problem.location().line())

@@ -66,13 +66,13 @@ public record SceneStatistics(
       schemas = List.copyOf(schemas);
     }
 
-    StateCount(List<String> schemas, long polygons, ScopeHigh high) {
-      this(schemas, polygons, percentage(polygons, high.polygons()));
+    /**
+     * @param high the polygons that are 100 %
+     */
+    static StateCount of(List<String> schemas, long polygons, long high) {
+      return new StateCount(schemas, polygons, percentage(polygons, high));
     }
   }
-
-  /** The polygons that are 100 %. */
-  record ScopeHigh(long polygons) {}
 
   /** The objects of a scope. */
   public List<ObjectCount> objectsOf(ScopeCount scope) {

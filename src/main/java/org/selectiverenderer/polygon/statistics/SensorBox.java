@@ -14,8 +14,10 @@ import org.joml.Vector3dc;
  *
  * @param centre in world coordinates
  * @param sides the six planes
+ * @param corners all eight
  */
-record SensorBox(Vector3dc centre, List<Side> sides, Bounds bounds) {
+public record SensorBox(
+    Vector3dc centre, List<Side> sides, List<Vector3dc> corners, Bounds bounds) {
   /**
    * Boxes that share less than this, in metres at right angles to a side, touch: nobody ever stands
    * in both. Far above the rounding of single-precision coordinates.
@@ -28,7 +30,7 @@ record SensorBox(Vector3dc centre, List<Side> sides, Bounds bounds) {
    * @param normal of length 1, out of the box
    * @param distance of the plane from the origin along the normal
    */
-  record Side(Vector3dc normal, double distance) {}
+  public record Side(Vector3dc normal, double distance) {}
 
   /**
    * A sensor's box in one place.
@@ -36,7 +38,7 @@ record SensorBox(Vector3dc centre, List<Side> sides, Bounds bounds) {
    * @param world from the sensor's coordinates
    * @return empty if the box has no inside there, so that nobody can enter it
    */
-  static Optional<SensorBox> of(float[] centre, float[] size, Matrix4dc world) {
+  public static Optional<SensorBox> of(float[] centre, float[] size, Matrix4dc world) {
     Matrix4d inverse = world.invert(new Matrix4d());
     if (!(size[0] > 0 && size[1] > 0 && size[2] > 0) || !inverse.isFinite()) {
       return Optional.empty();
@@ -57,14 +59,37 @@ record SensorBox(Vector3dc centre, List<Side> sides, Bounds bounds) {
             centre[0] - size[0] / 2.0, centre[1] - size[1] / 2.0, centre[2] - size[2] / 2.0);
     Bounds local = new Bounds(min, new Vector3d(size[0], size[1], size[2]).add(min));
     Vector3d middle = world.transformPosition(new Vector3d(centre[0], centre[1], centre[2]));
-    return Optional.of(new SensorBox(middle, List.copyOf(sides), local.transformed(world)));
+    return Optional.of(
+        new SensorBox(middle, List.copyOf(sides), corners(local, world), local.transformed(world)));
+  }
+
+  private static List<Vector3dc> corners(Bounds local, Matrix4dc world) {
+    List<Vector3dc> corners = new ArrayList<>(8);
+    for (int i = 0; i < 8; i++) {
+      corners.add(
+          world.transformPosition(
+              new Vector3d(
+                  ((i & 1) == 0 ? local.min() : local.max()).x(),
+                  ((i & 2) == 0 ? local.min() : local.max()).y(),
+                  ((i & 4) == 0 ? local.min() : local.max()).z())));
+    }
+    return List.copyOf(corners);
+  }
+
+  /** Whether every place in another box is in this one, touching sides included. */
+  public boolean contains(SensorBox other) {
+    return other.corners.stream()
+        .allMatch(
+            corner ->
+                sides.stream()
+                    .allMatch(side -> side.normal.dot(corner) <= side.distance + TOUCHING));
   }
 
   /**
    * Whether there is a place in all of the boxes. What boxes share is convex and has corners, each
    * where three sides meet: there is such a place if one of the meeting points is behind all sides.
    */
-  static boolean share(List<SensorBox> boxes) {
+  public static boolean share(List<SensorBox> boxes) {
     List<Side> sides = new ArrayList<>();
     for (SensorBox box : boxes) {
       for (SensorBox other : boxes) {
@@ -84,6 +109,11 @@ record SensorBox(Vector3dc centre, List<Side> sides, Bounds bounds) {
       }
     }
     return false;
+  }
+
+  /** Whether a place is in the box or on its sides. */
+  public boolean contains(Vector3dc place) {
+    return sides.stream().allMatch(side -> side.normal.dot(place) <= side.distance);
   }
 
   private boolean apart(SensorBox other) {

@@ -8,7 +8,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.selectiverenderer.polygon.statistics.SceneStatistics.ScopeHigh;
 import org.selectiverenderer.polygon.statistics.SceneStatistics.StateCount;
 import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -38,27 +37,28 @@ final class StateFinder {
   /**
    * @param sets of areas of the scope, each in document order
    */
-  List<StateCount> states(Scope scope, ScopeHigh high, Collection<List<Area>> sets) {
+  List<StateCount> states(Scope scope, long high, Collection<List<Area>> sets) {
     List<StateCount> states = new ArrayList<>();
-    long loaded = count(scope, activation());
-    states.add(new StateCount(mainSchemas(scope), loaded, high));
+    long loaded = count(scope, activation(objects, areas));
+    states.add(StateCount.of(mainSchemas(scope), loaded, high));
     Set<List<String>> listed = new HashSet<>();
     listed.add(states.get(0).schemas());
     for (List<Area> set : sets) {
       Set<Long> counts = new HashSet<>();
       for (List<Area> order : orders(set)) {
-        Activation<Area, Item> activation = activation();
+        Activation<Area, Item> activation = activation(objects, areas);
         order.forEach(activation::enter);
         long polygons = count(scope, activation);
         if (counts.add(polygons) && listed.add(activation.activeSchemas())) {
-          states.add(new StateCount(activation.activeSchemas(), polygons, high));
+          states.add(StateCount.of(activation.activeSchemas(), polygons, high));
         }
       }
     }
     return states;
   }
 
-  private Activation<Area, Item> activation() {
+  /** A scene as loaded, before the viewer has entered any area. */
+  static Activation<Area, Item> activation(List<Item> objects, List<Area> areas) {
     Activation<Area, Item> activation = new Activation<>();
     areas.forEach(area -> activation.putArea(area, area.schemas));
     for (Item object : objects) {

@@ -5,7 +5,10 @@
  * <p>In: a scene file. Out: {@link org.selectiverenderer.polygon.statistics.SceneStatistics}, as
  * text, CSV and JSON, and problems. A polygon is a triangle of what is drawn. Which version of an
  * object a schema shows is decided by {@link org.selectiverenderer.schema.Activation}, as at run
- * time. Uses {@code x3d} and {@code schema}; loads no AWT and no GL.
+ * time. {@link org.selectiverenderer.polygon.statistics.SceneModel} gives the validator the same
+ * counts, boxes and states of files that it has read itself ({@link
+ * org.selectiverenderer.polygon.statistics.CountedFile}). Uses {@code x3d} and {@code schema};
+ * loads no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.polygon.statistics;

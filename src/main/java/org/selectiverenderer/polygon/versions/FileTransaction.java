@@ -19,6 +19,9 @@ import java.util.Map;
  * comes back if anything fails.
  */
 public final class FileTransaction {
+  /** Links that lead to one another, as many as Linux follows. */
+  private static final int MOST_LINKS = 40;
+
   private interface Undo {
     void run() throws IOException;
   }
@@ -31,7 +34,10 @@ public final class FileTransaction {
     this.actions = actions;
   }
 
-  /** Adds a file; a symbolic link stays one, and what it names is replaced. */
+  /**
+   * Adds a file; a symbolic link stays one, and what it names is replaced. What is no file of a
+   * disk, such as a pipe or a device, is written to and not replaced.
+   */
   public void add(Path file, byte[] content) {
     files.put(file, content);
   }
@@ -39,31 +45,73 @@ public final class FileTransaction {
   /**
    * Writes all files, and the folders that they need.
    *
+   * @return files of the state before under other names, which could not be deleted; empty unless
+   *     something is wrong with the disk
    * @throws IOException if one cannot be written, with one line that names it; nothing has changed
    *     then, unless it says so
    */
-  public void commit() throws IOException {
+  public List<Path> commit() throws IOException {
+    List<Path> kept = new ArrayList<>();
     Path at = null;
     try {
       Map<Path, Path> temporary = new LinkedHashMap<>();
+      Map<Path, byte[]> sinks = new LinkedHashMap<>();
       for (Map.Entry<Path, byte[]> file : files.entrySet()) {
         at = file.getKey();
-        Path target = Files.exists(at) ? at.toRealPath() : at.toAbsolutePath().normalize();
-        temporary.put(target, stage(target, file.getValue()));
+        if (sink(at)) {
+          sinks.put(at, file.getValue());
+        } else {
+          Path target = target(at);
+          temporary.put(target, stage(target, file.getValue()));
+        }
       }
-      List<Path> kept = new ArrayList<>();
       for (Map.Entry<Path, Path> file : temporary.entrySet()) {
         at = file.getKey();
         exchange(file.getValue(), at, kept);
       }
-      undo.clear();
-      for (Path old : kept) {
-        actions.delete(old);
+      // What has gone through a pipe cannot be taken back, so it comes last.
+      for (Map.Entry<Path, byte[]> sink : sinks.entrySet()) {
+        at = sink.getKey();
+        actions.pour(at, sink.getValue());
       }
     } catch (IOException | RuntimeException e) {
       throw new IOException(
           "%s cannot be written (%s); %s".formatted(at, reason(e), rollBack(e)), e);
     }
+    undo.clear();
+    return leftAfterDeleting(kept);
+  }
+
+  private List<Path> leftAfterDeleting(List<Path> kept) {
+    List<Path> left = new ArrayList<>();
+    for (Path old : kept) {
+      try {
+        actions.delete(old);
+      } catch (IOException e) {
+        left.add(old); // The caller tells; the new files are where they belong.
+      }
+    }
+    return List.copyOf(left);
+  }
+
+  /** Whether something exists that is written to as it is: a pipe, a terminal, /dev/null. */
+  public static boolean sink(Path file) {
+    return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
+  }
+
+  /** The file itself, or what the link is about even if that does not exist yet. */
+  private static Path target(Path file) throws IOException {
+    if (Files.exists(file)) {
+      return file.toRealPath();
+    }
+    Path target = file.toAbsolutePath().normalize();
+    for (int links = 0; Files.isSymbolicLink(target); links++) {
+      if (links == MOST_LINKS) {
+        throw new IOException("it is a link to itself");
+      }
+      target = target.resolveSibling(Files.readSymbolicLink(target)).normalize();
+    }
+    return target;
   }
 
   private Path stage(Path target, byte[] content) throws IOException {

@@ -6,10 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.selectiverenderer.polygon.model.Model;
 import org.selectiverenderer.polygon.model.ModelReader;
@@ -21,10 +20,13 @@ import org.selectiverenderer.polygon.simplify.Simplified;
 import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.polygon.versions.VersionPlan.PlannedFile;
 import org.selectiverenderer.x3d.ContentRoot;
+import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.x3d.Gzip;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.SceneElement;
+import org.selectiverenderer.x3d.X3dReader;
 
 /** Works out what versions of one object in one scene come to. For one use. */
 final class Planning {
@@ -34,28 +36,34 @@ final class Planning {
   private final SceneSource scene;
   private final ObjectSite site;
   private final ModelReader models;
+  private final X3dReader reader;
   private final Problems problems;
   private final Path sceneFolder;
   private final Path outputFolder;
+  private final VersionFiles names;
 
   Planning(
       VersionMaker.Request request,
       SceneSource scene,
       ObjectSite site,
       ModelReader models,
+      X3dReader reader,
       Problems problems) {
     this.request = request;
     this.scene = scene;
     this.site = site;
     this.models = models;
+    this.reader = reader;
     this.problems = problems;
-    this.sceneFolder = folder(request.scene());
-    this.outputFolder = folder(request.output());
+    this.sceneFolder = VersionFiles.folder(request.scene());
+    this.outputFolder = VersionFiles.folder(request.output());
+    this.names = new VersionFiles(scene, site, outputFolder, request.inlineFolder());
   }
 
   Optional<VersionPlan> plan() throws IOException {
     List<SceneElement> elements = elements();
-    if (!new TiesCheck(scene.text().root(), problems).free(request.object(), tied())) {
+    TiesCheck ties = new TiesCheck(scene, problems);
+    if (!ties.free(request.object(), tied())) {
       return Optional.empty();
     }
     List<NodeView> nodes = elements.stream().map(scene::node).toList();
@@ -77,16 +85,21 @@ final class Planning {
       if (beyond(goal, size)) {
         problems.error(
             location,
-            "the object '%s' has %d polygons and %d vertices, fewer than asked for"
-                .formatted(request.object(), size.polygons(), size.vertices()));
+            "the object '%s' has %s and %s, fewer than asked for"
+                .formatted(
+                    request.object(),
+                    Counted.of(size.polygons(), "polygon"),
+                    size.vertices() + (size.vertices() == 1 ? " vertex" : " vertices")));
         return Optional.empty();
       }
     }
-    List<Path> files = files(goals.size() + 1);
-    if (!reachable(files)) {
+    if (!reachable(names.of(1, 1).get(0))
+        || site instanceof ObjectSite.Versioned versioned
+            && !new FewerVersions(scene, versioned, problems).possible(goals.size() + 1)) {
       return Optional.empty();
     }
-    return Optional.of(plan(nodes, model.get(), size, goals, files));
+    ties.warnOfLosses(request.object(), tied());
+    return plan(nodes, model.get(), size, goals);
   }
 
   /** The elements that hold the original. */
@@ -95,6 +108,10 @@ final class Planning {
       return whole.elements();
     }
     return ((ObjectSite.Versioned) site).inlines().subList(0, 1);
+  }
+
+  private List<String> urls(List<Path> files) {
+    return files.stream().map(file -> Urls.between(outputFolder, file)).toList();
   }
 
   /** What moves to another file, and must not be known elsewhere. */
@@ -116,26 +133,9 @@ final class Planning {
         || goal instanceof Goal.Vertices vertices && vertices.count() > size.vertices();
   }
 
-  private List<Path> files(int count) {
-    String base;
-    Path start;
-    if (site instanceof ObjectSite.Versioned versioned) {
-      NodeView first = scene.node(versioned.inlines().get(0));
-      String url = first == null ? "" : first.strings("url")[0];
-      base = url.substring(0, url.lastIndexOf("_v"));
-      start = outputFolder;
-    } else {
-      base = fileName(site.name());
-      start = outputFolder.resolve(request.inlineFolder());
-    }
-    return IntStream.rangeClosed(1, count)
-        .mapToObj(number -> start.resolve(base + "_v" + number + ".x3d").normalize())
-        .toList();
-  }
-
   /** Whether a browser will find the files: scenes name files of their own folders only. */
-  private boolean reachable(List<Path> files) {
-    Path folder = folder(files.get(0));
+  private boolean reachable(Path file) {
+    Path folder = VersionFiles.folder(file);
     Path above = outputFolder.getParent();
     boolean inside =
         folder.startsWith(outputFolder)
@@ -149,32 +149,105 @@ final class Planning {
     return inside;
   }
 
-  private VersionPlan plan(
-      List<NodeView> nodes, Model model, ModelSize size, List<Goal> goals, List<Path> files)
-      throws IOException {
+  private Optional<VersionPlan> plan(
+      List<NodeView> nodes, Model model, ModelSize size, List<Goal> goals) throws IOException {
     Simplified[] reduced = new Simplified[goals.size()];
     IntStream.range(0, reduced.length)
         .parallel()
         .forEach(i -> reduced[i] = simplifier.simplify(model.meshes(), goals.get(i)));
-    List<Version> versions = new ArrayList<>();
-    List<PlannedFile> planned = new ArrayList<>();
-    versions.add(new Version(1, files.get(0), size.vertices(), size.polygons(), 0, true));
-    if (site instanceof ObjectSite.Whole) {
-      planned.add(planned(files.get(0), original(nodes, files.get(0), size)));
+    ForeignFiles foreign = new ForeignFiles(request, site, elsewhere());
+    int attempt = 1;
+    List<Path> files = names.of(goals.size() + 1, attempt);
+    List<PlannedFile> planned = planned(files, nodes, model, size, reduced);
+    Optional<PlannedFile> inTheWay = foreign.in(planned);
+    if (inTheWay.isPresent() && site instanceof ObjectSite.Versioned) {
+      problems.error(
+          Location.of(inTheWay.get().file().toString()),
+          ("the file is there already and is not known to be a version of the object '%s'; move it"
+                  + " away first; nothing has been changed")
+              .formatted(request.object()));
+      return Optional.empty();
     }
+    Optional<PlannedFile> first = inTheWay;
+    while (inTheWay.isPresent()) {
+      files = names.of(goals.size() + 1, ++attempt);
+      planned = planned(files, nodes, model, size, reduced);
+      inTheWay = foreign.in(planned);
+    }
+    if (first.isPresent()) {
+      problems.info(
+          Location.of(first.get().file().toString()),
+          "the file is there already and is something else; the versions of '%s' are %s and so on"
+              .formatted(request.object(), files.get(0).getFileName()));
+    }
+    List<Version> versions = new ArrayList<>();
+    versions.add(new Version(1, files.get(0), size.vertices(), size.polygons(), 0, true));
     for (int i = 0; i < reduced.length; i++) {
-      Path file = files.get(i + 1);
       Simplified result = reduced[i];
       versions.add(
           new Version(
-              i + 2, file, result.vertices(), result.polygons(), result.error(), result.met()));
-      planned.add(planned(file, text(model.with(result.parts()), file, i + 2, result)));
+              i + 2,
+              files.get(i + 1),
+              result.vertices(),
+              result.polygons(),
+              result.error(),
+              result.met()));
     }
-    TextEdits edits = new TextEdits(scene.text());
-    edit(edits, files);
+    tellOfOtherFiles(files.size());
+    TextEdits edits = new SceneEdit(scene, site).edits(urls(files));
     planned.add(planned(request.output(), scene.bytes(edits.changed())));
-    return new VersionPlan(
-        request.object(), versions, planned, request.output(), edits.edits(scene.file().source()));
+    return Optional.of(
+        new VersionPlan(
+            request.object(),
+            versions,
+            planned,
+            request.output(),
+            edits.edits(scene.file().source())));
+  }
+
+  private List<PlannedFile> planned(
+      List<Path> files, List<NodeView> nodes, Model model, ModelSize size, Simplified[] reduced)
+      throws IOException {
+    List<PlannedFile> planned = new ArrayList<>();
+    if (site instanceof ObjectSite.Whole) {
+      planned.add(planned(files.get(0), original(nodes, files.get(0), size)));
+    } else if (elsewhere()) {
+      planned.add(planned(files.get(0), Files.readAllBytes(source())));
+    }
+    for (int i = 0; i < reduced.length; i++) {
+      Path file = files.get(i + 1);
+      planned.add(planned(file, text(model.with(reduced[i].parts()), file, i + 2, reduced[i])));
+    }
+    return planned;
+  }
+
+  private boolean elsewhere() {
+    return !sceneFolder.equals(outputFolder);
+  }
+
+  /** The file that holds version 1 of an object with versions. */
+  private Path source() {
+    return sceneFolder.resolve(names.url((ObjectSite.Versioned) site, 0)).normalize();
+  }
+
+  private void tellOfOtherFiles(int count) throws IOException {
+    List<SceneElement> apart = tied();
+    if (site instanceof ObjectSite.Versioned versioned) {
+      apart = versioned.inlines();
+      for (int i = count; i < apart.size(); i++) {
+        problems.info(
+            apart.get(i).location(),
+            "%s is no longer used by the scene; it is left where it is"
+                .formatted(names.url(versioned, i)));
+      }
+    }
+    if (elsewhere()) {
+      RelativeUrls.warn(scene, apart, outputFolder, problems);
+      if (site instanceof ObjectSite.Versioned) {
+        SceneSource original = SceneSource.read(source(), reader, new Problems());
+        RelativeUrls.warn(original, List.of(), names.of(1, 1).get(0).getParent(), problems);
+      }
+    }
   }
 
   private byte[] original(List<NodeView> nodes, Path file, ModelSize size) {
@@ -183,9 +256,10 @@ final class Planning {
             nodes,
             scene.file(),
             sceneFolder,
-            folder(file),
+            VersionFiles.folder(file),
             String.valueOf(file.getFileName()),
-            "%s, version 1: %d polygons, as modelled".formatted(site.name(), size.polygons()))
+            "%s, version 1: %s, as modelled"
+                .formatted(site.name(), Counted.of(size.polygons(), "polygon")))
         .getBytes(StandardCharsets.UTF_8);
   }
 
@@ -193,75 +267,20 @@ final class Planning {
     return writer
         .text(
             model,
-            folder(file),
+            VersionFiles.folder(file),
             String.valueOf(file.getFileName()),
-            "%s, version %d: reduced to %d polygons"
-                .formatted(site.name(), number, result.polygons()))
+            ForeignFiles.madeAs(site, number) + Counted.of(result.polygons(), "polygon"))
         .getBytes(StandardCharsets.UTF_8);
   }
 
-  private void edit(TextEdits edits, List<Path> files) {
-    List<String> urls = files.stream().map(file -> Urls.between(outputFolder, file)).toList();
-    if (site instanceof ObjectSite.Whole whole) {
-      SceneElement first = whole.elements().get(0);
-      List<String> names = new ArrayList<>();
-      for (int i = 1; i <= files.size(); i++) {
-        names.add(free("Inline_" + site.name() + "_v" + i));
-      }
-      edits.replace(
-          first,
-          SwitchText.lines(
-              free("Switch_" + site.name()), names, urls, edits.quote(), edits.step(first)));
-      whole.elements().stream().skip(1).forEach(edits::remove);
-      return;
-    }
-    List<SceneElement> inlines = ((ObjectSite.Versioned) site).inlines();
-    int had = inlines.size();
-    SceneElement last = inlines.get(had - 1);
-    if (files.size() > had) {
-      edits.insertAfter(
-          last,
-          IntStream.rangeClosed(had + 1, files.size())
-              .mapToObj(number -> SwitchText.further(edits, last, had, number))
-              .toList());
-    }
-    inlines.stream().skip(files.size()).forEach(edits::remove);
-  }
-
-  /** A name that no node has. */
-  private String free(String name) {
-    Set<String> taken = new HashSet<>();
-    scene.text().root().visit(element -> element.attribute("DEF").ifPresent(taken::add));
-    String free = name;
-    for (int i = 2; taken.contains(free); i++) {
-      free = name + "_" + i;
-    }
-    return free;
-  }
-
-  private static PlannedFile planned(Path file, byte[] content) throws IOException {
+  private static PlannedFile planned(Path file, byte[] text) throws IOException {
+    boolean packed = file.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
+    byte[] content = packed && !Gzip.compressed(text) ? Gzip.packed(text) : text;
     if (!Files.isRegularFile(file)) {
       return new PlannedFile(file, content, PlannedFile.State.NEW);
     }
     boolean same = Arrays.equals(Files.readAllBytes(file), content);
     return new PlannedFile(
         file, content, same ? PlannedFile.State.UNCHANGED : PlannedFile.State.CHANGED);
-  }
-
-  /** A name that every file system takes. */
-  private static String fileName(String name) {
-    StringBuilder safe = new StringBuilder();
-    name.codePoints()
-        .forEach(
-            c ->
-                safe.appendCodePoint(
-                    Character.isLetterOrDigit(c) || c == '_' || c == '-' || c == '.' ? c : '_'));
-    return safe.toString();
-  }
-
-  private static Path folder(Path file) {
-    Path absolute = file.toAbsolutePath().normalize();
-    Path parent = absolute.getParent();
-    return parent == null ? absolute : parent;
   }
 }

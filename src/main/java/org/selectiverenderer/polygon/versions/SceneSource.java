@@ -34,8 +34,8 @@ final class SceneSource {
   }
 
   /**
-   * @throws IOException if it cannot be read, or cannot be changed without harm, with one line that
-   *     names it
+   * @throws BadSceneException if it cannot be changed without harm, with one line that names it
+   * @throws IOException if it cannot be read, likewise
    */
   static SceneSource read(Path path, X3dReader reader, Problems problems) throws IOException {
     if (Files.isDirectory(path)) {
@@ -55,7 +55,7 @@ final class SceneSource {
       throws IOException {
     boolean compressed = Gzip.compressed(bytes);
     byte[] plain = compressed ? unpacked(path, bytes) : bytes;
-    SceneText text = SceneText.of(path.toString(), plain);
+    SceneText text = changeable(path, plain);
     return new SceneSource(compressed, text, reader.read(path.toString(), plain, problems));
   }
 
@@ -94,6 +94,14 @@ final class SceneSource {
     return element.attribute("USE").isPresent()
         ? file.named().get(element.attribute("USE").get())
         : nodes.get(element.location());
+  }
+
+  private static SceneText changeable(Path path, byte[] plain) throws IOException {
+    try {
+      return SceneText.of(path.toString(), plain);
+    } catch (IOException e) {
+      throw new BadSceneException(e);
+    }
   }
 
   /** The file's bytes with another text, compressed if it was. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.polygon.versions;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.selectiverenderer.x3d.NodeView;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.SceneElement;
 
@@ -11,11 +12,26 @@ import org.selectiverenderer.x3d.SceneElement;
  * only.
  */
 final class TiesCheck {
-  private final SceneElement root;
+  /** What is in an object besides faces, and is no more in a version that has been reduced. */
+  private static final List<String> LOST =
+      List.of(
+          "X3DLightNode",
+          "X3DBindableNode",
+          "X3DSensorNode",
+          "X3DSoundNode",
+          "X3DTimeDependentNode",
+          "X3DInterpolatorNode",
+          "X3DSequencerNode",
+          "X3DTriggerNode",
+          "X3DParticleSystemNode",
+          "Billboard",
+          "Anchor");
+
+  private final SceneSource scene;
   private final Problems problems;
 
-  TiesCheck(SceneElement root, Problems problems) {
-    this.root = root;
+  TiesCheck(SceneSource scene, Problems problems) {
+    this.scene = scene;
     this.problems = problems;
   }
 
@@ -30,19 +46,47 @@ final class TiesCheck {
       element.visit(inner -> inner.attribute("DEF").ifPresent(names::add));
     }
     boolean[] free = {true};
-    root.visit(
-        other -> {
-          boolean inside = elements.stream().anyMatch(element -> element.contains(other));
-          String tie = inside ? inside(other) : outside(other, def, names);
-          if (!tie.isEmpty()) {
-            problems.error(
-                other.location(),
-                "%s, so the object '%s' cannot be replaced; nothing has been changed"
-                    .formatted(tie, def));
-            free[0] = false;
-          }
-        });
+    scene
+        .text()
+        .root()
+        .visit(
+            other -> {
+              boolean inside = elements.stream().anyMatch(element -> element.contains(other));
+              String tie = inside ? inside(other) : outside(other, def, names);
+              if (!tie.isEmpty()) {
+                problems.error(
+                    other.location(),
+                    "%s, so the object '%s' cannot be replaced; nothing has been changed"
+                        .formatted(tie, def));
+                free[0] = false;
+              }
+            });
     return free[0];
+  }
+
+  /** Warns of what of the elements is no face and so will be in version 1 only. */
+  void warnOfLosses(String def, List<SceneElement> elements) {
+    for (SceneElement element : elements) {
+      element.visit(
+          inner -> {
+            NodeView node = inner.attribute("USE").isPresent() ? null : scene.node(inner);
+            if (node != null && lost(node)) {
+              problems.warning(
+                  inner.location(),
+                  ("the %s here is more than faces; of the object '%s' only version 1 has it,"
+                          + " reduced versions have what is seen first")
+                      .formatted(node.type().name(), def));
+            }
+          });
+    }
+  }
+
+  private static boolean lost(NodeView node) {
+    return switch (node.type().name()) {
+      case "Switch", "LOD" -> node.nodes("children").size() > 1;
+      default ->
+          LOST.stream().anyMatch(type -> node.type().is(type)) && !node.type().is("X3DTextureNode");
+    };
   }
 
   private static String inside(SceneElement element) {

@@ -45,7 +45,8 @@ public final class VersionMaker {
    * Works out what to write, and writes nothing.
    *
    * @return empty when the object cannot get versions, which is reported as a problem
-   * @throws IOException if the scene cannot be read, or its text cannot be changed without harm
+   * @throws BadSceneException if the scene's text cannot be changed without harm
+   * @throws IOException if the scene cannot be read
    */
   public Optional<VersionPlan> plan(Request request, Problems problems) throws IOException {
     return plan(request, SceneSource.read(request.scene(), reader, problems), problems);
@@ -67,6 +68,6 @@ public final class VersionMaker {
     if (site.isEmpty()) {
       return Optional.empty();
     }
-    return new Planning(request, scene, site.get(), models, problems).plan();
+    return new Planning(request, scene, site.get(), models, reader, problems).plan();
   }
 }

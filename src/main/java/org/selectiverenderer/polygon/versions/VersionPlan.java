@@ -50,18 +50,19 @@ public record VersionPlan(
   /**
    * Writes all files that change, or none.
    *
+   * @return see {@link FileTransaction#commit}
    * @throws IOException if one cannot be written, with one line that names it
    */
-  public void apply(FileActions actions) throws IOException {
-    write(actions, true);
+  public List<Path> apply(FileActions actions) throws IOException {
+    return write(actions, true);
   }
 
   /** Writes the versions' files, or none, and leaves the scene's file to somebody else. */
-  public void applyVersions(FileActions actions) throws IOException {
-    write(actions, false);
+  public List<Path> applyVersions(FileActions actions) throws IOException {
+    return write(actions, false);
   }
 
-  private void write(FileActions actions, boolean withScene) throws IOException {
+  private List<Path> write(FileActions actions, boolean withScene) throws IOException {
     FileTransaction writing = new FileTransaction(actions);
     for (PlannedFile file : files) {
       boolean wanted = withScene || !file.file().equals(scene);
@@ -69,6 +70,6 @@ public record VersionPlan(
         writing.add(file.file(), file.content());
       }
     }
-    writing.commit();
+    return writing.commit();
   }
 }

@@ -43,6 +43,16 @@ public final class CameraPath {
     return rows[rows.length - 1][0];
   }
 
+  /** How many rows it has. */
+  public int rows() {
+    return rows.length;
+  }
+
+  /** The time of a row, counted from 0, in seconds. */
+  public double time(int row) {
+    return rows[row][0];
+  }
+
   /** From the first row to the last, in seconds. */
   public double duration() {
     return end() - start();

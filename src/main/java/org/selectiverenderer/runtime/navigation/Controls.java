@@ -19,6 +19,8 @@ import java.util.Set;
  *       the press only looks around, so that one can look without walking and a click on something
  *       is no step. Dragging with the middle button always only looks.
  *   <li>Wheel: changes the speed for good, by a quarter per notch.
+ *   <li>With {@link #looking} off, as under a head tracker, the mouse turns nothing, and a button
+ *       walks at once whatever the hand that holds the mouse does.
  *   <li>The other keys are {@link NavigationCommand}s.
  * </ul>
  *
@@ -57,9 +59,15 @@ public final class Controls implements MotionSource {
   private double lookYaw;
   private double lookPitch;
   private double speedFactor = 1;
+  private boolean looking = true;
 
   public Controls(MouseMapping mapping) {
     this.mapping = mapping;
+  }
+
+  /** Whether moving the mouse turns the view; it does at first. */
+  public void looking(boolean on) {
+    looking = on;
   }
 
   public void keyDown(Key key) {
@@ -82,6 +90,7 @@ public final class Controls implements MotionSource {
           case F1 -> NavigationCommand.TOGGLE_OVERLAY;
           case F2 -> NavigationCommand.NEXT_MODE;
           case F3 -> NavigationCommand.TOGGLE_COLLISIONS;
+          case F4 -> NavigationCommand.RESET_HEADING;
           case F11 -> NavigationCommand.TOGGLE_FULL_SCREEN;
           case ESCAPE -> NavigationCommand.LEAVE;
           default -> null;
@@ -105,7 +114,7 @@ public final class Controls implements MotionSource {
    * @param dy pixels down
    */
   public void drag(double dx, double dy) {
-    if (presses.isEmpty()) {
+    if (presses.isEmpty() || !looking) {
       return;
     }
     for (Press press : presses.values()) {
@@ -148,7 +157,7 @@ public final class Controls implements MotionSource {
     for (Map.Entry<MouseButton, Press> entry : presses.entrySet()) {
       Press press = entry.getValue();
       press.held += dt;
-      press.walks |= press.held >= HOLD && !press.looksOnly;
+      press.walks |= !looking || press.held >= HOLD && !press.looksOnly;
       if (press.walks) {
         buttons += mapping.forward(entry.getKey());
       }

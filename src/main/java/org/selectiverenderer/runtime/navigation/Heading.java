@@ -8,12 +8,12 @@ import org.joml.Vector3d;
  * Where an upright viewer looks: yaw about the up axis, positive to the left, and pitch, positive
  * up, at most 90 degrees either way (thesis 6.1.1: 360 degrees about, 180 vertically). Radians.
  */
-record Heading(double yaw, double pitch) {
+public record Heading(double yaw, double pitch) {
   /** Beyond it, looking nearly straight up or down, the right side tells the yaw better. */
   private static final double STEEP = 0.99999;
 
   /** That of an orientation; its roll is left out. */
-  static Heading of(Quaterniondc orientation) {
+  public static Heading of(Quaterniondc orientation) {
     Vector3d front = orientation.transform(new Vector3d(0, 0, -1));
     double pitch = Math.asin(Math.max(-1, Math.min(1, front.y)));
     if (Math.abs(front.y) < STEEP) {
@@ -23,17 +23,17 @@ record Heading(double yaw, double pitch) {
     return new Heading(Math.atan2(-right.z, right.x), pitch);
   }
 
-  Heading turned(double moreYaw, double morePitch) {
+  public Heading turned(double moreYaw, double morePitch) {
     double limit = Math.PI / 2;
     return new Heading(yaw + moreYaw, Math.max(-limit, Math.min(limit, pitch + morePitch)));
   }
 
-  Quaterniond orientation() {
+  public Quaterniond orientation() {
     return Viewer.orientation(yaw, pitch, 0);
   }
 
   /** Forward and to the right in the horizontal plane. */
-  Vector3d level(double forward, double right) {
+  public Vector3d level(double forward, double right) {
     double sin = Math.sin(yaw);
     double cos = Math.cos(yaw);
     return new Vector3d(-sin * forward + cos * right, 0, -cos * forward - sin * right);

@@ -22,6 +22,7 @@ public enum Key {
   F1,
   F2,
   F3,
+  F4,
   F11,
   ESCAPE
 }

@@ -16,6 +16,8 @@ public enum NavigationCommand {
   NEXT_MODE,
   /** F3: collisions on and off. */
   TOGGLE_COLLISIONS,
+  /** F4: where the head looks now is straight ahead. */
+  RESET_HEADING,
   /** F11. */
   TOGGLE_FULL_SCREEN,
   /** Escape. */

@@ -18,25 +18,39 @@ public final class OffscreenView implements AutoCloseable {
 
   private final OffscreenContext context;
   private final OffscreenTarget target;
-  private final WorldPainter painter = new WorldPainter();
+  private final WorldPainter painter;
   private long previousFrame;
 
-  private OffscreenView(OffscreenContext context, OffscreenTarget target) {
+  private OffscreenView(OffscreenContext context, OffscreenTarget target, ViewLayout layout) {
     this.context = context;
     this.target = target;
+    painter = new WorldPainter(layout);
   }
 
   /**
-   * Opens a context and a target.
+   * Opens a context and a target for a single view over all of it.
    *
    * @param samples per pixel for anti-aliasing; 0 for none
    * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
    *     display or no OpenGL 3.3
    */
   public static OffscreenView open(int width, int height, int samples) {
+    return open(width, height, samples, ViewLayout.MONO);
+  }
+
+  /**
+   * Opens a context and a target.
+   *
+   * @param layout the views of each frame; none may need a window's buffers
+   * @param samples per pixel for anti-aliasing; 0 for none
+   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
+   *     display or no OpenGL 3.3
+   */
+  public static OffscreenView open(int width, int height, int samples, ViewLayout layout) {
     OffscreenContext context = OffscreenContext.open();
     try {
-      return new OffscreenView(context, new OffscreenTarget(context.gl(), width, height, samples));
+      return new OffscreenView(
+          context, new OffscreenTarget(context.gl(), width, height, samples), layout);
     } catch (GLException e) {
       context.close();
       throw new GlUnavailableException(
@@ -54,6 +68,14 @@ public final class OffscreenView implements AutoCloseable {
   /** Sends all meshes and textures of the world to the graphics card. */
   public void prepare(World world) {
     painter.prepare(context.gl(), world);
+  }
+
+  /**
+   * Waits until the frame before is complete, for whoever wants to step the world as late as
+   * possible before it is drawn; {@link #draw} would wait after that.
+   */
+  public void awaitReady() {
+    awaitPrevious(context.gl());
   }
 
   /**

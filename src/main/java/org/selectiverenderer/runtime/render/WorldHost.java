@@ -21,4 +21,19 @@ public interface WorldHost {
 
   /** A frame of the world was drawn and is about to be shown. */
   void drawn(Drawn drawn);
+
+  /** That frame was handed to the display, in all windows. */
+  default void submitted() {}
+
+  /**
+   * What the operator's window shows, where there is one.
+   *
+   * @param width of that window in pixels
+   * @param height of that window in pixels
+   * @param pictureWidth of what the participant sees
+   * @param pictureHeight of what the participant sees
+   */
+  default OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
+    return new OperatorPage(0, 0, width, height, List.of());
+  }
 }

@@ -1,11 +1,15 @@
 package org.selectiverenderer.runtime.render;
 
+import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.navigation.Navigation;
+import org.selectiverenderer.runtime.render.sketch.Mark;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.geometry.TextMesher;
 
 /**
  * Draws a world as its viewer sees it: the bound NavigationInfo decides about headlight and depth
@@ -13,7 +17,13 @@ import org.selectiverenderer.runtime.scene.Node;
  */
 final class WorldPainter {
   private final SceneRenderer renderer = new SceneRenderer(2);
+  private final SketchPainter sketch = new SketchPainter(new TextMesher());
+  private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
+
+  WorldPainter(ViewLayout layout) {
+    this.layout = layout;
+  }
 
   /** Sends all meshes and textures of the world to the graphics card. */
   void prepare(GL3 gl, World world) {
@@ -38,14 +48,56 @@ final class WorldPainter {
             world.viewer().position(),
             info.map(Navigation::of).orElse(Navigation.WALKING).radius(),
             info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
-    Camera camera = Camera.of(world.viewer(), width, height, range.near(), range.far());
-    Visible seen = renderer.cull(List.of(camera));
+    List<EyeView> views = layout.views(world, width, height, range);
+    Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());
     boolean headlight = info.map(node -> node.bool("headlight")).orElse(true);
-    renderer.draw(gl, seen, camera, world.backdrop(), headlight);
-    return new Drawn(seen.shapes(), seen.indices() / 3);
+    if (!layout.showsWorld() || !covered(views, width, height)) {
+      gl.glClearColor(0, 0, 0, 1);
+      gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+    }
+    for (int i = 0; i < views.size(); i++) {
+      Camera camera = views.get(i).camera();
+      direct(gl, views.get(i).channel());
+      if (layout.showsWorld()) {
+        renderer.draw(gl, seen, camera, world.backdrop(), headlight);
+      }
+      List<Mark> marks = layout.marks(i, camera.width(), camera.height());
+      sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());
+    }
+    undirect(gl, views.get(views.size() - 1).channel());
+    return new Drawn(seen.shapes(), views.size() * seen.indices() / 3);
+  }
+
+  /** Whether some view or all of them together fill the target; else the rest is to be cleared. */
+  private static boolean covered(List<EyeView> views, int width, int height) {
+    long area = 0;
+    for (EyeView view : views) {
+      area += (long) view.camera().width() * view.camera().height();
+    }
+    return area >= (long) width * height;
+  }
+
+  private static void direct(GL3 gl, EyeView.Channel channel) {
+    switch (channel) {
+      case RED -> gl.glColorMask(true, false, false, true);
+      case CYAN -> gl.glColorMask(false, true, true, true);
+      case LEFT_BUFFER -> gl.glDrawBuffer(GL3.GL_BACK_LEFT);
+      case RIGHT_BUFFER -> gl.glDrawBuffer(GL3.GL_BACK_RIGHT);
+      case ALL -> {
+        // As it was.
+      }
+    }
+  }
+
+  private static void undirect(GL3 gl, EyeView.Channel last) {
+    gl.glColorMask(true, true, true, true);
+    if (last == EyeView.Channel.RIGHT_BUFFER) {
+      gl.glDrawBuffer(GL.GL_BACK);
+    }
   }
 
   void dispose(GL3 gl) {
     renderer.dispose(gl);
+    sketch.dispose(gl);
   }
 }

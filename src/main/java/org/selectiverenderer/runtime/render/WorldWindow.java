@@ -2,30 +2,42 @@ package org.selectiverenderer.runtime.render;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.PictureCopy;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.FrameSource;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.RenderWindow;
-import org.selectiverenderer.runtime.render.window.WindowOptions;
+import org.selectiverenderer.runtime.render.window.SideWindow;
 import org.selectiverenderer.x3d.geometry.TextMesher;
 
-/** A window onto a world. Its render thread is the one that steps the world. */
+/** The windows onto a world. Their render thread is the one that steps the world. */
 public final class WorldWindow {
   private final WorldHost host;
+  private final Stage stage;
   private final RenderWindow window;
+  private final @Nullable OperatorWindow operator;
   private volatile @Nullable Screenshot last;
   private volatile @Nullable GlInfo info;
 
-  public WorldWindow(WindowOptions options, WorldHost host) {
+  public WorldWindow(Stage stage, WorldHost host) {
     this.host = host;
-    Frames frames = new Frames();
-    window = new RenderWindow(options, frames, frames::input);
+    this.stage = stage;
+    PictureCopy right = new PictureCopy();
+    List<SideWindow> sides = new ArrayList<>();
+    stage.rightEye().ifPresent(options -> sides.add(new SideWindow(options, new EyeWindow(right))));
+    operator = stage.operator().isPresent() ? new OperatorWindow(host) : null;
+    if (operator != null) {
+      sides.add(new SideWindow(stage.operator().get(), operator));
+    }
+    Frames frames = new Frames(right);
+    window = new RenderWindow(stage.main(), frames, frames::input, sides);
   }
 
   /**
@@ -44,21 +56,37 @@ public final class WorldWindow {
     return Optional.ofNullable(info);
   }
 
-  /** The last picture of the world, without the overlay; empty when it was never drawn. */
+  /**
+   * The last picture of the world, without the overlay, both eyes' where there are two; empty when
+   * it was never drawn.
+   */
   public Optional<Screenshot> lastPicture() {
     return Optional.ofNullable(last);
   }
 
+  /** The last picture of the operator's window. */
+  public Optional<Screenshot> lastOperatorPicture() {
+    return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
+  }
+
   private final class Frames implements FrameSource {
-    private final WorldPainter painter = new WorldPainter();
+    private final WorldPainter painter = new WorldPainter(stage.layout());
+    private final EyeTarget eyes = new EyeTarget(stage.main().samples());
+    private final boolean split = stage.rightEye().isPresent();
     private final Overlay overlay = new Overlay(new TextMesher());
     private final PointerTracker pointer = new PointerTracker();
+    private final PictureCopy right;
     private Optional<World> world = Optional.empty();
     private @Nullable FrameSize size;
 
+    Frames(PictureCopy right) {
+      this.right = right;
+    }
+
     void input(InputEvent event) {
       host.input(event);
-      if (world.isPresent() && size != null) {
+      // Of two pictures neither is the one that the pointer is on.
+      if (world.isPresent() && size != null && stage.layout() == ViewLayout.MONO) {
         pointer.input(event, world.get(), size);
       }
     }
@@ -84,7 +112,8 @@ public final class WorldWindow {
             gl, List.of("Loading the scene ..."), frame.width(), frame.height(), frame.scale());
         return;
       }
-      Drawn drawn = painter.paint(gl, world.get(), frame.width(), frame.height());
+      Drawn drawn = paint(gl, world.get(), frame);
+      mirror(gl, frame);
       List<String> lines = host.overlay();
       if (!lines.isEmpty()) {
         overlay.draw(gl, lines, frame.width(), frame.height(), frame.scale());
@@ -92,13 +121,51 @@ public final class WorldWindow {
       host.drawn(drawn);
     }
 
+    private Drawn paint(GL3 gl, World shown, FrameSize frame) {
+      if (!split) {
+        return painter.paint(gl, shown, frame.width(), frame.height());
+      }
+      int[] bound = new int[1];
+      gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+      eyes.bind(gl, frame.width(), frame.height());
+      Drawn drawn = painter.paint(gl, shown, 2 * frame.width(), frame.height());
+      eyes.split(gl, bound[0], right);
+      return drawn;
+    }
+
+    private void mirror(GL3 gl, FrameSize frame) {
+      if (operator == null || !operator.due()) {
+        return;
+      }
+      if (split) {
+        int[] bound = new int[1];
+        gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+        eyes.read(gl);
+        operator.take(gl, 2 * frame.width(), frame.height());
+        gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, bound[0]);
+      } else {
+        operator.take(gl, frame.width(), frame.height());
+      }
+    }
+
+    @Override
+    public void submitted() {
+      if (world.isPresent()) {
+        host.submitted();
+      }
+    }
+
     @Override
     public void stop(GL3 gl) {
       if (world.isPresent() && size != null) {
-        painter.paint(gl, world.get(), size.width(), size.height());
-        last = Screenshot.read(gl, size.width(), size.height());
+        paint(gl, world.get(), size);
+        if (split) {
+          eyes.read(gl);
+        }
+        last = Screenshot.read(gl, (split ? 2 : 1) * size.width(), size.height());
       }
       overlay.dispose(gl);
+      eyes.dispose(gl);
       painter.dispose(gl);
     }
   }

@@ -1,5 +1,6 @@
 /**
- * The JOGL renderer: draws an instance tree as a camera sees it. OpenGL 3.3, core profile.
+ * The JOGL renderer: draws an instance tree as one or several cameras see it ({@link
+ * org.selectiverenderer.runtime.render.ViewLayout}). OpenGL 3.3, core profile.
  *
  * <p>In: an {@link org.selectiverenderer.runtime.instance.InstanceTree}, a {@link
  * org.selectiverenderer.runtime.render.Camera}, a backdrop. Out: pixels in the current frame
@@ -7,7 +8,8 @@
  *
  * <p>Sub-packages: {@code mesh} meshes made ready, without GL; {@code gpu} what lives on the
  * graphics card; {@code context} finding out about GL, drawing without a window; {@code window} the
- * window, its loop and its input. Uses {@code instance}, {@code navigation}, {@code x3d.geometry}.
+ * window, its loop and its input, and windows beside it; {@code sketch} flat drawings. Uses {@code
+ * instance}, {@code navigation}, {@code x3d.geometry}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render;

@@ -63,4 +63,13 @@ class FactsTest {
     assertThat(counts.of("shovel")).isEmpty();
     assertThat(counts.all().values()).allMatch(c -> c.reduced() < c.original());
   }
+
+  @Test
+  void objectsComeInTheOrderOfTheTables() {
+    assertThat(PolygonCounts.load().all().values())
+        .extracting(Counts::area)
+        .isSorted()
+        .startsWith("kitchen")
+        .endsWith("office");
+  }
 }

@@ -54,6 +54,30 @@ final class Shapes {
     return smooth(positions, Arrays.copyOf(t, n));
   }
 
+  /** A ball whose poles are rings of vertices, the lower one of so small a radius. */
+  static Mesh ballWithPoleOfMany(int rows, int columns, double radius) {
+    float[] positions = new float[3 * (rows + 1) * columns];
+    int[] t = new int[6 * rows * columns];
+    int n = 0;
+    for (int r = 0; r <= rows; r++) {
+      double latitude = Math.PI * r / rows;
+      double round = r == 0 ? 0 : r == rows ? radius : Math.sin(latitude);
+      for (int c = 0; c < columns; c++) {
+        double longitude = 2 * Math.PI * c / columns;
+        int a = r * columns + c;
+        int b = r * columns + (c + 1) % columns;
+        positions[3 * a] = (float) (round * Math.cos(longitude));
+        positions[3 * a + 1] = (float) Math.cos(latitude);
+        positions[3 * a + 2] = (float) (-round * Math.sin(longitude));
+        if (r < rows) {
+          n = r == 0 ? n : put(t, n, a, a + columns, b);
+          n = r == rows - 1 ? n : put(t, n, b, a + columns, b + columns);
+        }
+      }
+    }
+    return creased(positions, Arrays.copyOf(t, n));
+  }
+
   /** A cube of side 1, each face cut into cells * cells squares. */
   static Mesh cube(int cells) {
     int perFace = (cells + 1) * (cells + 1);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.x3d.geometry.Mesh;
 
@@ -185,6 +186,30 @@ class SimplifierTest {
 
     assertThat(reduced.error()).isLessThanOrEqualTo(error);
     assertThat(reduced.polygons()).isBetween(1, error < 0.01 ? 2320 : 900);
+  }
+
+  /** How many polygons a ball may keep for an error. */
+  @ParameterizedTest
+  @CsvSource({"0.001, 1960", "0.01, 340", "0.05, 75", "0.15, 30"})
+  void anErrorAllowedIsMadeUseOf(double error, int polygons) {
+    Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.LargestError(error));
+
+    assertThat(reduced.error()).isLessThanOrEqualTo(error);
+    assertThat(reduced.polygons()).isLessThanOrEqualTo(polygons);
+  }
+
+  /** As programs write a pole that compute sin(pi): a ring of vertices, each a hair off. */
+  @Test
+  void verticesThatAreNearlyTheSameCountAsOne() {
+    Mesh nearly = Shapes.ballWithPoleOfMany(30, 40, 1e-16);
+    Mesh exact = Shapes.ballWithPoleOfMany(30, 40, 0);
+
+    for (int polygons : new int[] {100, 90, 80}) {
+      Simplified reduced = reduce(nearly, new Goal.Polygons(polygons));
+      assertThat(reduced.error())
+          .as("%d polygons", polygons)
+          .isLessThan(1.5 * reduce(exact, new Goal.Polygons(polygons)).error());
+    }
   }
 
   @Test

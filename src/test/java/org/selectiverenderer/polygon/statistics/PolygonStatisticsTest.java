@@ -263,4 +263,19 @@ class PolygonStatisticsTest {
         .hasMessageContaining("scene.x3d:4:")
         .hasMessageEndingWith("View is a Viewpoint, not a group");
   }
+
+  @Test
+  void placesThatAreLeftOutAreSaid() throws IOException {
+    StringBuilder sensors = new StringBuilder();
+    for (int i = 0; i <= Places.LIMIT / 100; i++) {
+      sensors.append("<Transform translation='").append(i).append(" 0 0'>");
+      sensors.append(i == 0 ? "<Group DEF='Many'>" : "<Group USE='Many'/></Transform>");
+      if (i == 0) {
+        sensors.append(area("A", "B", 0).repeat(100)).append("</Group></Transform>");
+      }
+    }
+    count(folder, problems, sensors.toString());
+
+    assertThat(problems.list().toString()).contains("more than 10000 places");
+  }
 }

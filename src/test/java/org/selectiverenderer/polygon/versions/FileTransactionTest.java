@@ -6,12 +6,19 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -188,5 +195,82 @@ class FileTransactionTest {
 
     assertThat(link).isSymbolicLink();
     assertThat(real).hasContent("new");
+  }
+
+  @Test
+  void aLinkToAFileThatIsNotThereYetStaysALink() throws IOException {
+    Path link = folder.resolve("link.x3d");
+    try {
+      Files.createSymbolicLink(link, Path.of("later", "real.x3d"));
+    } catch (UnsupportedOperationException | IOException e) {
+      return; // Some systems let no user make links.
+    }
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    writing.add(link, "new".getBytes(UTF_8));
+
+    writing.commit();
+
+    assertThat(link).isSymbolicLink();
+    assertThat(folder.resolve("later/real.x3d")).hasContent("new");
+  }
+
+  @Test
+  @EnabledOnOs({OS.LINUX, OS.MAC})
+  void whatIsNoFileOfADiskIsWrittenToAndNotReplaced() throws Exception {
+    Path pipe = folder.resolve("pipe");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    CompletableFuture<byte[]> reader =
+        CompletableFuture.supplyAsync(
+            () -> {
+              try {
+                return Files.readAllBytes(pipe);
+              } catch (IOException e) {
+                throw new UncheckedIOException(e);
+              }
+            });
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    writing.add(pipe, "through".getBytes(UTF_8));
+    writing.add(folder.resolve("b.x3d"), "B".getBytes(UTF_8));
+
+    writing.commit();
+
+    // A pipe that is replaced by a file leaves its reader waiting.
+    assertThat(Files.readAttributes(pipe, BasicFileAttributes.class).isOther()).isTrue();
+    assertThat(reader.get(20, TimeUnit.SECONDS)).isEqualTo("through".getBytes(UTF_8));
+    assertThat(folder.resolve("b.x3d")).hasContent("B");
+  }
+
+  /** The new files are in place then, so it would be wrong to say that nothing has changed. */
+  @Test
+  void anOldFileThatCannotBeDeletedIsToldAndNoFailure() throws IOException {
+    Files.writeString(folder.resolve("b.x3d"), "old b");
+    FileActions keeping =
+        new FileActions() {
+          @Override
+          public void createFolder(Path path) throws IOException {
+            FileActions.REAL.createFolder(path);
+          }
+
+          @Override
+          public void write(Path file, byte[] content) throws IOException {
+            FileActions.REAL.write(file, content);
+          }
+
+          @Override
+          public void move(Path from, Path to) throws IOException {
+            FileActions.REAL.move(from, to);
+          }
+
+          @Override
+          public void delete(Path file) throws IOException {
+            throw new IOException("broken");
+          }
+        };
+
+    List<Path> left = three(keeping).commit();
+
+    assertThat(folder.resolve("b.x3d")).hasContent("B");
+    assertThat(folder.resolve("c.x3d")).hasContent("C");
+    assertThat(left).singleElement().satisfies(old -> assertThat(old).hasContent("old b"));
   }
 }

@@ -413,4 +413,250 @@ class VersionMakerTest {
 
     assertThat(folder.resolve("inlineNodes/a_.._b_c_v1.x3d")).exists();
   }
+
+  private static String shape(String def, String geometry) {
+    return "  <Shape DEF='" + def + "'>" + geometry + "</Shape>\n";
+  }
+
+  private Path other(String name, String content) throws IOException {
+    return Files.writeString(
+        folder.resolve(name), "<X3D version='3.3'><Scene>\n" + content + "</Scene></X3D>\n");
+  }
+
+  @Test
+  void anotherScenesObjectOfTheSameNameKeepsItsFiles() throws IOException {
+    Path a = other("a.x3d", shape("Sh", "<Sphere/>"));
+    Path b = other("b.x3d", shape("Sh", "<Cone/>"));
+    make(a, "Sh", new Goal.VertexPercent(10));
+    String original = Files.readString(folder.resolve("inlineNodes/Sh_v1.x3d"));
+
+    make(b, "Sh", new Goal.VertexPercent(50));
+
+    assertThat(folder.resolve("inlineNodes/Sh_v1.x3d")).hasContent(original);
+    assertThat(folder.resolve("inlineNodes/Sh2_v1.x3d")).content().contains("<Cone");
+    assertThat(b).content().contains("\"inlineNodes/Sh2_v1.x3d\"", "\"inlineNodes/Sh2_v2.x3d\"");
+    assertThat(problems.list().toString()).contains("Sh_v1.x3d", "Sh2_v1.x3d");
+    assertThat(problems.any()).isFalse();
+  }
+
+  @Test
+  void namesThatComeToTheSameFileNameGetFilesOfTheirOwn() throws IOException {
+    Path scene = other("s.x3d", shape("A/b", "<Sphere/>") + shape("A_b", "<Cone/>"));
+    make(scene, "A/b", new Goal.VertexPercent(10));
+
+    make(scene, "A_b", new Goal.VertexPercent(50));
+
+    assertThat(folder.resolve("inlineNodes/A_b_v1.x3d")).content().contains("<Sphere");
+    assertThat(folder.resolve("inlineNodes/A_b2_v1.x3d")).content().contains("<Cone");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Vase_v1.x3d", "Vase_v2.x3d"})
+  void aFileByHandIsNotReplaced(String name) throws IOException {
+    Files.createDirectories(folder.resolve("inlineNodes"));
+    Path hand = Files.writeString(folder.resolve("inlineNodes").resolve(name), "by hand");
+
+    make(scene(SCENE), "Vase");
+
+    assertThat(hand).hasContent("by hand");
+    assertThat(folder.resolve("inlineNodes/Vase2_v3.x3d")).exists();
+  }
+
+  @Test
+  void anotherTryWithTheSameSceneUpdatesItsOwnFiles() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase", new Goal.Polygons(200));
+    scene(SCENE);
+
+    make(scene, "Vase", new Goal.Polygons(100));
+
+    assertThat(polygons("inlineNodes/Vase_v2.x3d")).isBetween(98, 102);
+    assertThat(folder.resolve("inlineNodes/Vase2_v1.x3d")).doesNotExist();
+  }
+
+  @Test
+  void aFurtherVersionDoesNotReplaceAFileByHand() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase", new Goal.Polygons(200));
+    Path hand = Files.writeString(folder.resolve("inlineNodes/Vase_v3.x3d"), "by hand");
+
+    assertThat(plan(scene, "Vase", new Goal.Polygons(200), new Goal.Polygons(90))).isEmpty();
+
+    assertThat(problems.list().toString()).contains("Vase_v3.x3d");
+    assertThat(hand).hasContent("by hand");
+  }
+
+  private static String metadata(int versions) {
+    return "      <MetadataSet containerField='metadata' name='Vase'>\n"
+        + "        <MetadataSet containerField='value' name='one'/>\n".repeat(versions)
+        + "      </MetadataSet>\n";
+  }
+
+  @Test
+  void aVersionThatIsShownDoesNotGo() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase");
+    Files.writeString(scene, CHANGED.replace("whichChoice='0'", "whichChoice='2'"));
+    Map<Path, String> before = files();
+
+    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isEmpty();
+
+    assertThat(problems.list().toString()).contains("scene.x3d:8:").contains("whichChoice");
+    assertThat(files()).isEqualTo(before);
+  }
+
+  @Test
+  void aVersionWithMetadataDoesNotGo() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase");
+    String open = "<Switch DEF='Switch_Vase' whichChoice='0'>\n";
+    Files.writeString(scene, CHANGED.replace(open, open + metadata(3)));
+
+    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isEmpty();
+    assertThat(problems.list().toString()).contains("scene.x3d:12:").contains("metadata");
+
+    Files.writeString(scene, CHANGED.replace(open, open + metadata(2)));
+    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isPresent();
+  }
+
+  @Test
+  void aVersionWithARouteDoesNotGo() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase");
+    Files.writeString(
+        scene,
+        CHANGED.replace(
+            "</Scene>",
+            "<ROUTE fromNode='Touch' fromField='isOver' toNode='Inline_Vase_v3'"
+                + " toField='load'/></Scene>"));
+
+    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isEmpty();
+    assertThat(problems.list().toString()).contains("Inline_Vase_v3");
+  }
+
+  @Test
+  void aFileThatIsNoLongerUsedIsNamed() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase");
+
+    make(scene, "Vase", new Goal.Polygons(200));
+
+    assertThat(problems.list().toString()).contains("Vase_v3.x3d").contains("no longer");
+    assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
+  }
+
+  @Test
+  void inAnotherFolderAnObjectWithVersionsHasAllOfThem() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase");
+    Path output = folder.resolve("copy/changed.x3d");
+
+    maker
+        .plan(new VersionMaker.Request(scene, "Vase", GOALS, output, "inlineNodes"), problems)
+        .orElseThrow()
+        .apply(FileActions.REAL);
+
+    assertThat(folder.resolve("copy/inlineNodes/Vase_v1.x3d"))
+        .hasSameBinaryContentAs(folder.resolve("inlineNodes/Vase_v1.x3d"));
+    assertThat(polygons("copy/changed.x3d")).isEqualTo(960);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void inAnotherFolderWhatElseTheSceneNamesIsSaidToBeMissing() throws IOException {
+    Path scene =
+        other(
+            "s.x3d",
+            shape("Vase", "<Sphere/>")
+                + "  <Shape><Appearance><ImageTexture url='\"wood.png\"'/></Appearance>"
+                + "<Box/></Shape>\n");
+    VersionMaker.Request request =
+        new VersionMaker.Request(scene, "Vase", GOALS, folder.resolve("copy/s.x3d"), "inlineNodes");
+
+    assertThat(maker.plan(request, problems)).isPresent();
+
+    assertThat(problems.any()).isTrue();
+    assertThat(problems.list().toString()).contains("s.x3d:3:").contains("wood.png");
+  }
+
+  @Test
+  void anObjectNamedLikeAVersionKeepsItsName() throws IOException {
+    Path scene = other("s.x3d", shape("Car_v2", "<Sphere/>"));
+    make(scene, "Car_v2", new Goal.VertexPercent(10));
+
+    make(scene, "Car_v2", new Goal.VertexPercent(10), new Goal.VertexPercent(30));
+
+    assertThat(scene)
+        .content()
+        .contains("<Inline DEF='Inline_Car_v2_v3' url='\"inlineNodes/Car_v2_v3.x3d\"'/>");
+    assertThat(folder.resolve("inlineNodes/Car_v2_v3.x3d")).exists();
+  }
+
+  @Test
+  void aFurtherInlineHasANameOfItsOwn() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase", new Goal.Polygons(200));
+    Files.writeString(
+        scene,
+        Files.readString(scene)
+            .replace("DEF='Inline_Vase_v2'", "DEF='Low'")
+            .replace("DEF='Touch'", "DEF='Low_v3'"));
+
+    make(scene, "Vase", new Goal.Polygons(200), new Goal.Polygons(90));
+
+    assertThat(scene)
+        .content()
+        .contains("<Inline DEF='Low_v3_2' url='\"inlineNodes/Vase_v3.x3d\"'/>");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "<PointLight/> | PointLight",
+        "<Viewpoint/> | Viewpoint",
+        "<TouchSensor/> | TouchSensor",
+        "<Billboard><Shape><Box/></Shape></Billboard> | Billboard",
+        "<Switch whichChoice='0'><Shape><Box/></Shape><Shape><Cone/></Shape></Switch> | Switch",
+        "<LOD range='5'><Shape><Box/></Shape><Shape><Cone/></Shape></LOD> | LOD",
+      })
+  void whatReducedVersionsDoNotHaveIsSaid(String content, String node) throws IOException {
+    Path scene =
+        other(
+            "s.x3d",
+            "<Group DEF='A'><Group>\n    <Shape><Sphere/></Shape>\n    "
+                + content
+                + "\n</Group></Group>\n");
+
+    assertThat(plan(scene, "A", new Goal.Polygons(100))).isPresent();
+
+    assertThat(problems.list().toString()).contains("s.x3d:4:5").contains("the " + node + " here");
+  }
+
+  @Test
+  void moreThanOnePolygonIsSaidAsOneSays() throws IOException {
+    Path scene =
+        other(
+            "s.x3d",
+            shape("A", "<TriangleSet><Coordinate point='0 0 0 1 0 0 0 1 0'/></TriangleSet>"));
+
+    assertThat(plan(scene, "A", new Goal.Polygons(2))).isEmpty();
+    assertThat(problems.list().toString()).contains("has 1 polygon and 3 vertices");
+  }
+
+  @Test
+  void aCompressedOutputIsCompressed() throws IOException {
+    Path output = folder.resolve("out.x3dz");
+
+    maker
+        .plan(
+            new VersionMaker.Request(scene(SCENE), "Vase", GOALS, output, "inlineNodes"), problems)
+        .orElseThrow()
+        .apply(FileActions.REAL);
+
+    try (GZIPInputStream in =
+        new GZIPInputStream(new ByteArrayInputStream(Files.readAllBytes(output)))) {
+      assertThat(new String(in.readAllBytes(), UTF_8)).isEqualTo(CHANGED);
+    }
+  }
 }

@@ -98,8 +98,8 @@ class CameraPathTest {
         "t,x,y,z\\n0,1,2|p.csv:2:1: the row has 3 values where the header names 4 columns; the",
         "t,x,y,z\\n0,1,2,3\\n0,1,2,3|p.csv:3:1: the time 0 is not later than the row before",
         "t,x,y,z\\n|p.csv: the path is empty",
-        "EMPTY|p.csv: the path is empty",
-        "t,x,y,z\\n0,\"1,2,3|p.csv: the path is no CSV"
+        "EMPTY|p.csv: the file is empty: t,x,y,z",
+        "t,x,y,z\\n0,\"1,2,3|p.csv: the file is no CSV"
       })
   void aFaultIsNamedWithItsPlaceAndThePathIsNotPlayed(String text, String message) {
     String csv = text.equals("EMPTY") ? "" : text.replace("\\n", "\n");

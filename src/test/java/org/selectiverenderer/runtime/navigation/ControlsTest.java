@@ -70,6 +70,26 @@ class ControlsTest {
   }
 
   @Test
+  void underATrackerAButtonWalksAtOnceAndTheMouseTurnsNothing() {
+    controls.looking(false);
+    controls.buttonDown(MouseButton.LEFT);
+    controls.drag(200, 100);
+    Motion motion = controls.next(FRAME);
+    assertThat(motion.forward()).isEqualTo(1);
+    assertThat(motion.lookYaw()).isZero();
+    assertThat(motion.lookPitch()).isZero();
+    controls.looking(true);
+    controls.drag(-20, 0);
+    assertThat(controls.next(FRAME).lookYaw()).isPositive();
+  }
+
+  @Test
+  void theHeadingIsResetByAKey() {
+    controls.keyDown(Key.F4);
+    assertThat(controls.takeCommands()).containsExactly(NavigationCommand.RESET_HEADING);
+  }
+
+  @Test
   void aTremblingHandStillWalks() {
     controls.buttonDown(MouseButton.LEFT);
     controls.drag(1, 1);

@@ -73,8 +73,8 @@ public final class OffscreenTarget {
     gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, drawn.frame);
   }
 
-  /** What was drawn. It stays the frame buffer that is drawn to. */
-  public Screenshot read(GL3 gl) {
+  /** Makes what was drawn, one sample per pixel, the frame buffer that is read from. */
+  public void resolve(GL3 gl) {
     gl.glBindFramebuffer(GL.GL_READ_FRAMEBUFFER, drawn.frame);
     if (resolved != drawn) {
       gl.glBindFramebuffer(GL.GL_DRAW_FRAMEBUFFER, resolved.frame);
@@ -82,6 +82,11 @@ public final class OffscreenTarget {
           0, 0, width, height, 0, 0, width, height, GL.GL_COLOR_BUFFER_BIT, GL.GL_NEAREST);
       gl.glBindFramebuffer(GL.GL_READ_FRAMEBUFFER, resolved.frame);
     }
+  }
+
+  /** What was drawn. It stays the frame buffer that is drawn to. */
+  public Screenshot read(GL3 gl) {
+    resolve(gl);
     Screenshot shot = Screenshot.read(gl, width, height);
     bind(gl);
     return shot;

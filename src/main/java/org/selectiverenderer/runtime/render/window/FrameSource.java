@@ -17,6 +17,9 @@ public interface FrameSource {
   /** Draws a frame into the frame buffer that is bound. */
   void draw(GL3 gl, FrameSize size);
 
+  /** The frame last drawn was handed to the display, in all windows. */
+  default void submitted() {}
+
   /** Once, with the context current, after the last frame; also when a frame failed. */
   void stop(GL3 gl);
 }

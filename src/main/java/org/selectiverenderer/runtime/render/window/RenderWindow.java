@@ -1,18 +1,16 @@
 package org.selectiverenderer.runtime.render.window;
 
-import com.jogamp.nativewindow.NativeWindowException;
 import com.jogamp.newt.event.KeyAdapter;
 import com.jogamp.newt.event.KeyEvent;
-import com.jogamp.newt.event.WindowAdapter;
-import com.jogamp.newt.event.WindowEvent;
 import com.jogamp.newt.opengl.GLWindow;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLAutoDrawable;
 import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
-import com.jogamp.opengl.GLProfile;
 import java.awt.AWTError;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
@@ -30,6 +28,7 @@ public final class RenderWindow {
   private final WindowOptions options;
   private final FrameSource source;
   private final InputListener listener;
+  private final List<SideWindow> sides;
   private final InputQueue queue = new InputQueue();
   private final AtomicBoolean closing = new AtomicBoolean();
   private final AtomicBoolean fullScreenWanted = new AtomicBoolean();
@@ -38,7 +37,18 @@ public final class RenderWindow {
   private volatile boolean stopping;
 
   public RenderWindow(WindowOptions options, FrameSource source, InputListener listener) {
+    this(options, source, listener, List.of());
+  }
+
+  /**
+   * A window with others beside it, whose input is heard too.
+   *
+   * @param sides opened after it and closed with it; closing one closes all
+   */
+  public RenderWindow(
+      WindowOptions options, FrameSource source, InputListener listener, List<SideWindow> sides) {
     this.options = options;
+    this.sides = List.copyOf(sides);
     this.source = source;
     this.listener = listener;
   }
@@ -82,14 +92,16 @@ public final class RenderWindow {
   private void loop() {
     try {
       GLWindow window = openOrExplain();
+      List<OpenSide> open = new ArrayList<>();
       try {
-        frames(window);
+        for (SideWindow side : sides) {
+          open.add(new OpenSide(side, queue, () -> closing.set(true)));
+        }
+        frames(window, open);
       } finally {
         stopping = true;
-        // This last call frees what the source has, here and not on NEWT's thread.
-        window.setExclusiveContextThread(null);
-        window.display();
-        window.destroy();
+        open.forEach(OpenSide::close);
+        NativeWindows.close(window);
       }
     } catch (RuntimeException | Error e) {
       fail(e);
@@ -115,13 +127,7 @@ public final class RenderWindow {
   }
 
   private GLWindow open() {
-    GLProfile profile = GLProfile.get(GLProfile.GL3);
-    GLCapabilities wanted = new GLCapabilities(profile);
-    wanted.setDepthBits(24);
-    if (options.samples() > 1) {
-      wanted.setSampleBuffers(true);
-      wanted.setNumSamples(options.samples());
-    }
+    GLCapabilities wanted = NativeWindows.capabilities(options);
     try {
       return open(wanted);
     } catch (GLException e) {
@@ -134,21 +140,9 @@ public final class RenderWindow {
   }
 
   private GLWindow open(GLCapabilities wanted) {
-    GLWindow window = GLWindow.create(wanted);
-    window.setTitle(options.title());
-    window.setSize(options.width(), options.height());
-    window.setDefaultCloseOperation(
-        com.jogamp.nativewindow.WindowClosingProtocol.WindowClosingMode.DO_NOTHING_ON_CLOSE);
-    window.addWindowListener(queue);
-    window.addWindowListener(
-        new WindowAdapter() {
-          @Override
-          public void windowDestroyNotify(WindowEvent event) {
-            closing.set(true);
-          }
-        });
-    window.addMouseListener(queue);
-    window.addKeyListener(queue);
+    fullScreenWanted.set(options.fullScreen());
+    GLWindow window =
+        NativeWindows.open(options, wanted, queue, () -> closing.set(true), new Drawing());
     window.addKeyListener(
         new KeyAdapter() {
           @Override
@@ -158,35 +152,36 @@ public final class RenderWindow {
             }
           }
         });
-    window.addGLEventListener(new Drawing(window));
-    // Else NEWT's own thread would draw too, whenever the window system asks for a repaint.
-    window.setExclusiveContextThread(Thread.currentThread());
-    fullScreenWanted.set(options.fullScreen());
-    try {
-      window.setFullscreen(options.fullScreen());
-      window.setVisible(true);
-    } catch (GLException | NativeWindowException e) {
-      window.destroy();
-      throw e;
-    }
     window.requestFocus(false);
     return window;
   }
 
-  private void frames(GLWindow window) {
+  private void frames(GLWindow window, List<OpenSide> open) {
     while (!closing.get() && failure == null) {
       queue.drain(listener);
       if (!source.step()) {
         return;
       }
       if (window.isFullscreen() != fullScreenWanted.get()) {
-        boolean now = window.setFullscreen(fullScreenWanted.get());
+        boolean now =
+            fullScreenWanted.get()
+                ? NativeWindows.fill(window, options)
+                : window.setFullscreen(false);
         fullScreenWanted.set(now);
         window.requestFocus(false);
       }
       long before = drawn;
       window.display();
-      if (drawn == before) {
+      for (OpenSide side : open) {
+        side.draw();
+      }
+      if (drawn != before) {
+        window.swapBuffers();
+        for (OpenSide side : open) {
+          side.swap();
+        }
+        source.submitted();
+      } else {
         // Hidden or minimised: nothing waits for the display's rate then.
         LockSupport.parkNanos(IDLE_NANOS);
       }
@@ -195,12 +190,7 @@ public final class RenderWindow {
 
   /** Called by NEWT from {@code display()} and {@code destroy()}. */
   private final class Drawing implements GLEventListener {
-    private final GLWindow window;
     private boolean started;
-
-    Drawing(GLWindow window) {
-      this.window = window;
-    }
 
     @Override
     public void init(GLAutoDrawable drawable) {
@@ -215,20 +205,22 @@ public final class RenderWindow {
         stop(gl);
       } else if (failure == null) {
         try {
-          frame(gl, drawable.getSurfaceWidth(), drawable.getSurfaceHeight());
+          frame(gl, drawable);
         } catch (RuntimeException | Error e) {
           fail(e);
         }
       }
     }
 
-    private void frame(GL3 gl, int width, int height) {
+    private void frame(GL3 gl, GLAutoDrawable drawable) {
+      int width = drawable.getSurfaceWidth();
+      int height = drawable.getSurfaceHeight();
       if (!started) {
         started = true;
         source.start(gl);
       }
       if (width > 0 && height > 0) {
-        source.draw(gl, new FrameSize(width, height, scale()));
+        source.draw(gl, new FrameSize(width, height, scale(drawable)));
         drawn++;
       }
     }
@@ -244,8 +236,8 @@ public final class RenderWindow {
       }
     }
 
-    private float scale() {
-      return Math.max(1, window.getCurrentSurfaceScale(new float[2])[1]);
+    private float scale(GLAutoDrawable drawable) {
+      return drawable instanceof GLWindow window ? NativeWindows.scale(window) : 1;
     }
 
     @Override

@@ -1,0 +1,12 @@
+package org.selectiverenderer.apartment;
+
+import java.io.IOException;
+
+/** Files are there already and are not what would be written; the message names them. */
+public final class DifferingFilesException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  DifferingFilesException(String message) {
+    super(message);
+  }
+}

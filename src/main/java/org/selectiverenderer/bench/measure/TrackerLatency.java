@@ -1,0 +1,55 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulate.HeadMotion;
+import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
+
+/**
+ * How long a tracker's record takes from its arrival to the submitted frame that shows it, both
+ * eyes drawn: with an emulated InterTrax2 on a pseudo-terminal, at its usual rate and at the most
+ * that its line carries.
+ */
+final class TrackerLatency {
+  private static final int[] RATES = {120, 240, 480};
+  private static final String SECONDS = "5";
+
+  private TrackerLatency() {}
+
+  static void measure(BenchScene scene, Path folder, ChildRun child, ArrayNode rows)
+      throws IOException, InterruptedException {
+    for (int rate : RATES) {
+      Path link = folder.resolve("intertrax2-" + rate);
+      ObjectNode row = rows.addObject().put("rate_hz", rate);
+      try (EmulatedInterTrax2 device =
+          EmulatedInterTrax2.start(
+              link, new InterTrax2Emulator.Settings(rate, HeadMotion.LOOKING_ABOUT))) {
+        JsonNode stats =
+            child.once(
+                scene.scene(),
+                List.of(
+                    "--display",
+                    "side-by-side",
+                    "--samples",
+                    "0",
+                    "--duration",
+                    SECONDS,
+                    "--tracker",
+                    "intertrax2:" + device.link()));
+        row.put("records", stats.at("/latency_ms/records").asLong());
+        row.put("p50_ms", stats.at("/latency_ms/p50").asDouble());
+        row.put("p99_ms", stats.at("/latency_ms/p99").asDouble());
+        row.put("frame_p50_ms", stats.at("/frame_ms/p50").asDouble());
+        row.put("frame_p99_ms", stats.at("/frame_ms/p99").asDouble());
+      } catch (IOException e) {
+        row.put("skipped", e.getMessage());
+      }
+    }
+  }
+}

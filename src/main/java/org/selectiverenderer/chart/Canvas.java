@@ -1,0 +1,14 @@
+package org.selectiverenderer.chart;
+
+/** What a page is drawn on: pixels from the upper left corner, y down. */
+public interface Canvas {
+  void rectangle(double x, double y, double width, double height, Colour colour);
+
+  /**
+   * A line of text.
+   *
+   * @param x of its left end
+   * @param y of its base line
+   */
+  void text(String text, double x, double y, Lettering lettering, Colour colour);
+}

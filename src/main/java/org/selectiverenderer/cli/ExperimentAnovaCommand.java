@@ -1,0 +1,122 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.data.Exclusion;
+import org.selectiverenderer.statistics.data.Observations;
+import org.selectiverenderer.statistics.data.ObservationsReader;
+import org.selectiverenderer.statistics.report.AnovaReport;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "anova",
+    description = {
+      "Analysis of variance of a table in long form, one row for each participant and level.",
+      "With --within and --between a mixed design, with one of them repeated measures or one-way."
+    },
+    footer =
+        "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant"
+            + " --within object_type --between condition")
+final class ExperimentAnovaCommand extends CliCommand {
+  private enum Format {
+    text,
+    json,
+    html
+  }
+
+  @Parameters(paramLabel = "DATA.csv", description = "the table")
+  private Path data = Path.of("");
+
+  @Option(
+      names = "--dv",
+      required = true,
+      paramLabel = "COL",
+      description = "the column of the dependent variable")
+  private String measure = "";
+
+  @Option(
+      names = "--subject",
+      required = true,
+      paramLabel = "COL",
+      description = "the column of the participants")
+  private String subject = "";
+
+  @Option(
+      names = "--within",
+      paramLabel = "COL",
+      description = "the column of the factor whose levels each participant was measured at")
+  private @Nullable String within;
+
+  @Option(
+      names = "--between",
+      paramLabel = "COL",
+      description = "the column of the factor that divides the participants")
+  private @Nullable String between;
+
+  @Mixin private AnovaChoices choices = new AnovaChoices();
+
+  @Option(
+      names = "--format",
+      defaultValue = "text",
+      description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+  private Format format = Format.text;
+
+  @Mixin private ReportOutput output = new ReportOutput();
+
+  ExperimentAnovaCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    if (within == null && between == null) {
+      throw CommandFailure.usage("--within, --between or both say what is compared");
+    }
+    List<String> columns =
+        Stream.of(measure, subject, within, between).filter(Objects::nonNull).toList();
+    if (columns.stream().map(name -> name.toLowerCase(Locale.ROOT)).distinct().count()
+        < columns.size()) {
+      throw CommandFailure.usage("--dv, --subject, --within and --between are different columns");
+    }
+    AnovaOptions options = choices.options();
+    output.check();
+    Problems problems = new Problems(console()::problem);
+    Optional<Observations> read =
+        ObservationsReader.read(
+            data,
+            new ObservationsReader.Columns(
+                measure, subject, Optional.ofNullable(within), Optional.ofNullable(between)),
+            problems);
+    if (read.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    Optional<String> obstacle = read.get().design().obstacle();
+    if (obstacle.isPresent()) {
+      problems.error(Location.of(data.toString()), obstacle.get() + "; nothing is analysed");
+      return ExitStatus.PROBLEMS;
+    }
+    Anova anova = Anova.of(read.get().design(), options);
+    List<Exclusion> exclusions = read.get().exclusions();
+    output.write(
+        switch (format) {
+          case text -> AnovaReport.text(anova, exclusions);
+          case json -> AnovaReport.json(anova, exclusions);
+          case html -> AnovaReport.html(anova, exclusions);
+        },
+        console());
+    return ExitStatus.of(problems);
+  }
+}

@@ -1,0 +1,171 @@
+package org.selectiverenderer.cli;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.validation.Baseline;
+import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.RuleCatalogue;
+import org.selectiverenderer.validation.SceneFinder;
+import org.selectiverenderer.validation.SettingsFile;
+import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.validation.Validator;
+import org.selectiverenderer.validation.report.ReportFormat;
+import org.selectiverenderer.validation.report.RuleBook;
+import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.x3d.Spelling;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "validate",
+    description = {
+      "Checks scenes and all that they inline: XML, X3D, geometry, files and the enrichment.",
+      "Exit status: 0 nothing as severe as --fail-on, 1 such findings, 2 a failure."
+    },
+    footer = {
+      "  ./selective-renderer validate scenes/",
+      "  ./selective-renderer validate --explain SR101"
+    })
+final class ValidateCommand extends CliCommand {
+  private enum FailOn {
+    error,
+    warning
+  }
+
+  private final InputStream input;
+
+  @Parameters(
+      paramLabel = "PATH",
+      description =
+          "scenes, folders of scenes, patterns such as 'scenes/*.x3d'; - is standard input")
+  private List<String> paths = List.of();
+
+  @Option(
+      names = "--format",
+      defaultValue = "text",
+      description = "text, json, sarif, junit or github (default: ${DEFAULT-VALUE})")
+  private ReportFormat format = ReportFormat.TEXT;
+
+  @Option(names = "--output", paramLabel = "F", description = "writes the report into a file")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--fail-on",
+      defaultValue = "error",
+      description = "${COMPLETION-CANDIDATES}: what makes the status 1 (default: ${DEFAULT-VALUE})")
+  private FailOn failOn = FailOn.error;
+
+  @Option(
+      names = "--ignore",
+      split = ",",
+      paramLabel = "ID",
+      description = "rules not to hear of, or beginnings of their ids (SR2: all of geometry)")
+  private List<String> ignored = List.of();
+
+  @Option(
+      names = "--config",
+      paramLabel = "F",
+      description = "JSON: rules to ignore, severities, polygon budgets (see docs/validate.md)")
+  private @Nullable Path config;
+
+  @Option(
+      names = "--baseline",
+      paramLabel = "F",
+      description = "a report in JSON, whose findings are not reported again")
+  private @Nullable Path baseline;
+
+  @Option(
+      names = "--base",
+      paramLabel = "DIR",
+      description = "the folder that reports name files from (default: the current one)")
+  private Path base = Path.of("");
+
+  @Option(names = "--rules", description = "lists all rules")
+  private boolean rules;
+
+  @Option(names = "--explain", paramLabel = "ID", description = "explains a rule, with examples")
+  private @Nullable String explained;
+
+  ValidateCommand(Console console, InputStream input) {
+    super(console);
+    this.input = input;
+  }
+
+  @Override
+  ExitStatus run() throws IOException {
+    RuleCatalogue catalogue = RuleCatalogue.standard();
+    if (rules || explained != null) {
+      print(explained == null ? new RuleBook(catalogue).list() : explain(catalogue, explained));
+      return ExitStatus.DONE;
+    }
+    OutputFile.check("--output", output, "");
+    Severity least = failOn == FailOn.error ? Severity.ERROR : Severity.WARNING;
+    ValidationSettings settings = settings(catalogue);
+    Baseline old = baseline == null ? Baseline.none() : Baseline.read(baseline);
+    Report report = old.without(new Validator(catalogue, settings, base).validate(files()));
+    boolean colours = console().colours() && output == null;
+    print(format.write(report, new ReportFormat.Style(colours, least, Version.number())));
+    return report.has(least) ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  private ValidationSettings settings(RuleCatalogue catalogue) throws IOException {
+    Set<String> more = new HashSet<>();
+    for (String id : ignored) {
+      more.add(catalogue.resolve(id).orElseThrow(() -> unknown(catalogue, "--ignore", id)));
+    }
+    ValidationSettings settings =
+        config == null ? ValidationSettings.standard() : new SettingsFile(config, catalogue).read();
+    return settings.ignoring(more);
+  }
+
+  private List<SourceFile> files() throws IOException {
+    if (paths.isEmpty()) {
+      throw CommandFailure.usage("name a scene, or a folder of scenes");
+    }
+    if (!Files.isDirectory(base)) {
+      throw CommandFailure.usage("--base " + base + ": is no folder");
+    }
+    SceneFinder finder = new SceneFinder(base, input);
+    List<SourceFile> files = new ArrayList<>();
+    for (String path : paths) {
+      files.addAll(finder.find(path));
+    }
+    return files;
+  }
+
+  private static String explain(RuleCatalogue catalogue, String id) {
+    return RuleBook.explain(
+        catalogue.find(id).orElseThrow(() -> unknown(catalogue, "--explain", id)));
+  }
+
+  private static CommandFailure unknown(RuleCatalogue catalogue, String option, String id) {
+    return CommandFailure.usage(
+        option
+            + ": there is no rule '"
+            + id
+            + "'"
+            + Spelling.nearest(id, catalogue.rules().stream().map(Rule::id).toList())
+                .map(near -> "; did you mean " + near + "?")
+                .orElse("; --rules lists them"));
+  }
+
+  private void print(String text) throws IOException {
+    if (output == null) {
+      console().out().print(text);
+      console().out().flush();
+    } else {
+      Files.writeString(output, text, StandardCharsets.UTF_8);
+    }
+  }
+}

@@ -1,0 +1,106 @@
+package org.selectiverenderer.experiment.headlog;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Locale;
+
+/** An analysis as text for people and as JSON. */
+public final class AnalysisFormats {
+  private AnalysisFormats() {}
+
+  /** Several lines, the last one ended. */
+  public static String text(HeadLogAnalysis analysis) {
+    StringBuilder text = new StringBuilder();
+    line(
+        text,
+        "%s, %s: %.1f s, %d samples, head idle %.0f %% of the time",
+        analysis.log().description().scene(),
+        analysis.log().description().condition(),
+        analysis.seconds(),
+        analysis.log().samples().size(),
+        100 * analysis.idle());
+    line(text, "");
+    line(text, "%-32s %8s %6s %8s %8s", "in the middle of the view", "s", "looks", "first", "long");
+    for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
+      line(
+          text,
+          "%-32s %8.2f %6d %8.2f %8.2f",
+          view.object(),
+          view.seconds(),
+          view.looks(),
+          view.first(),
+          view.longest());
+    }
+    if (!analysis.unseen().isEmpty()) {
+      line(text, "never: %s", String.join(", ", analysis.unseen()));
+    }
+    line(text, "");
+    for (RoomView room : analysis.rooms()) {
+      line(
+          text,
+          "%-32s %8.1f s in it, at most %.0f %% of it seen%s",
+          room.room(),
+          room.seconds(),
+          100 * room.seen(),
+          room.seconds() == 0 || room.unseen().isEmpty()
+              ? ""
+              : "; not seen: " + String.join(", ", room.unseen()));
+    }
+    return text.toString();
+  }
+
+  private static void line(StringBuilder text, String format, Object... arguments) {
+    text.append(String.format(Locale.ROOT, format, arguments)).append('\n');
+  }
+
+  /** One JSON object, several lines without the last one's end. */
+  public static String json(HeadLogAnalysis analysis) {
+    ObjectNode root = new ObjectMapper().createObjectNode();
+    HeadLogDescription shown = analysis.log().description();
+    root.put("scene", shown.scene()).put("condition", shown.condition());
+    root.put("seconds", rounded(analysis.seconds()));
+    root.put("samples", analysis.log().samples().size());
+    root.put("idle", rounded(analysis.idle()));
+    ArrayNode objects = root.putArray("objects");
+    for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
+      objects
+          .addObject()
+          .put("object", view.object())
+          .put("seconds", rounded(view.seconds()))
+          .put("looks", view.looks())
+          .put("first", rounded(view.first()))
+          .put("longest", rounded(view.longest()));
+    }
+    ArrayNode unseen = root.putArray("unseen");
+    analysis.unseen().forEach(unseen::add);
+    ArrayNode rooms = root.putArray("rooms");
+    for (RoomView room : analysis.rooms()) {
+      ArrayNode sides =
+          rooms
+              .addObject()
+              .put("room", room.room())
+              .put("seconds", rounded(room.seconds()))
+              .put("seen", rounded(room.seen()))
+              .putArray("unseen_sides");
+      room.unseen().forEach(sides::add);
+    }
+    ArrayNode looks = root.putArray("looks");
+    for (Look look : analysis.looks()) {
+      ObjectNode node =
+          looks
+              .addObject()
+              .put("object", look.object())
+              .put("start", rounded(look.start()))
+              .put("end", rounded(look.end()));
+      if (look.version() >= 0) {
+        node.put("version", look.version());
+      }
+    }
+    return root.toPrettyString();
+  }
+
+  private static double rounded(double value) {
+    return Math.round(value * 1000) / 1000.0;
+  }
+}

@@ -1,0 +1,106 @@
+package org.selectiverenderer.experiment.headlog;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.navigation.RayCaster;
+import org.selectiverenderer.runtime.navigation.Viewer;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * Finds what is in the middle of the viewer's view: by a ray along the line of sight, and by
+ * {@value #RAYS} rays in a cone about it. Where the eyes look within the view it does not know
+ * (thesis 6.1.4). Belongs to the thread that steps the world.
+ */
+public final class Gaze {
+  private static final int RINGS = 2;
+  private static final int PER_RING = 6;
+  private static final int RAYS = 1 + PER_RING + 2 * PER_RING;
+
+  /**
+   * What was found.
+   *
+   * @param object empty for none
+   * @param distance NaN for none
+   * @param version -1 for none
+   * @param cone names, the most frequent first
+   */
+  public record Found(String object, double distance, int version, List<String> cone) {}
+
+  private final World world;
+  private final List<Vector3dc> rays = new ArrayList<>();
+  private @Nullable InstanceTree tree;
+  private RayCaster caster;
+
+  /**
+   * @param coneDegrees from side to side of the cone, from 0 to 90
+   */
+  public Gaze(World world, double coneDegrees) {
+    this.world = world;
+    tree = world.instances();
+    caster = new RayCaster(tree, world.meshes());
+    rays.add(new Vector3d(0, 0, -1));
+    double half = Math.toRadians(coneDegrees) / 2;
+    for (int ring = 1; ring <= RINGS; ring++) {
+      double off = half * ring / RINGS;
+      for (int i = 0; i < ring * PER_RING; i++) {
+        double about = 2 * Math.PI * i / (ring * PER_RING);
+        rays.add(
+            new Vector3d(
+                Math.sin(off) * Math.cos(about), Math.sin(off) * Math.sin(about), -Math.cos(off)));
+      }
+    }
+  }
+
+  /** What the viewer sees in the middle now. */
+  public Found find() {
+    if (tree != world.instances()) {
+      tree = world.instances();
+      caster = new RayCaster(tree, world.meshes());
+    }
+    Viewer viewer = world.viewer();
+    Optional<RayCaster.Hit> middle = cast(viewer, rays.get(0));
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    middle.ifPresent(hit -> count(counts, hit));
+    for (int i = 1; i < rays.size(); i++) {
+      cast(viewer, rays.get(i)).ifPresent(hit -> count(counts, hit));
+    }
+    List<String> cone =
+        counts.entrySet().stream()
+            .sorted(Comparator.comparing((Map.Entry<String, Integer> entry) -> -entry.getValue()))
+            .map(Map.Entry::getKey)
+            .toList();
+    return middle
+        .map(hit -> new Found(ObjectNames.of(hit.shape()), hit.distance(), version(hit), cone))
+        .orElseGet(() -> new Found("", Double.NaN, -1, cone));
+  }
+
+  private Optional<RayCaster.Hit> cast(Viewer viewer, Vector3dc ray) {
+    Quaterniondc turn = viewer.orientation();
+    return caster.cast(
+        viewer.position(), turn.transform(ray, new Vector3d()), Double.POSITIVE_INFINITY);
+  }
+
+  private static void count(Map<String, Integer> counts, RayCaster.Hit hit) {
+    String name = ObjectNames.of(hit.shape());
+    if (!name.isEmpty()) {
+      counts.merge(name, 1, Integer::sum);
+    }
+  }
+
+  private static int version(RayCaster.Hit hit) {
+    Node owner = ObjectNames.switchOf(hit.shape());
+    return owner != null && owner.value(owner.type().indexOf("whichChoice")) instanceof Integer at
+        ? at
+        : -1;
+  }
+}

@@ -1,0 +1,106 @@
+package org.selectiverenderer.experiment.headlog;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What a head log says about a session.
+ *
+ * @param seconds from the first sample to the last
+ * @param idle share of the time in which the head did not move, 0 to 1
+ * @param looks in order of time
+ * @param objects those looked at, the one looked at longest first
+ * @param unseen objects of the scene that were never in the middle of the view
+ */
+public record HeadLogAnalysis(
+    HeadLog log,
+    double seconds,
+    double idle,
+    List<Look> looks,
+    List<ObjectView> objects,
+    List<String> unseen,
+    List<RoomView> rooms) {
+
+  /** Shorter gaps in a look are blinks of the log: an edge, a leg of a chair passing. */
+  static final double GAP = 0.15;
+
+  /**
+   * What was in the middle of the view, all looks together.
+   *
+   * @param seconds in all
+   * @param looks how often
+   * @param first when first, in seconds since the session began
+   * @param longest seconds of the longest look
+   */
+  public record ObjectView(
+      String object, double seconds, int looks, double first, double longest) {}
+
+  /** Looks at a log. */
+  public static HeadLogAnalysis of(HeadLog log) {
+    List<Look> looks = looks(log);
+    double idle = 0;
+    double all = 0;
+    for (int i = 0; i < log.samples().size(); i++) {
+      all += log.shown(i);
+      idle += log.samples().get(i).moved() ? 0 : log.shown(i);
+    }
+    List<ObjectView> objects = objects(looks);
+    List<String> seen = objects.stream().map(ObjectView::object).toList();
+    return new HeadLogAnalysis(
+        log,
+        log.duration(),
+        all > 0 ? idle / all : 0,
+        looks,
+        objects,
+        log.description().map().objects().stream()
+            .map(SceneMap.Box::name)
+            .filter(name -> !seen.contains(name))
+            .sorted()
+            .toList(),
+        log.description().map().rooms().stream().map(room -> RoomView.of(room, log)).toList());
+  }
+
+  /** Samples of the same object in turn are one look; a short gap does not end it. */
+  private static List<Look> looks(HeadLog log) {
+    List<Look> looks = new ArrayList<>();
+    Map<String, Integer> last = new LinkedHashMap<>();
+    for (int i = 0; i < log.samples().size(); i++) {
+      HeadSample sample = log.samples().get(i);
+      if (sample.object().isEmpty()) {
+        continue;
+      }
+      double end = sample.t() + log.shown(i);
+      Integer at = last.get(sample.object());
+      if (at != null && sample.t() - looks.get(at).end() <= GAP) {
+        Look before = looks.get(at);
+        looks.set(at, new Look(before.object(), before.start(), end, before.version()));
+      } else {
+        last.put(sample.object(), looks.size());
+        looks.add(new Look(sample.object(), sample.t(), end, sample.version()));
+      }
+    }
+    return looks;
+  }
+
+  private static List<ObjectView> objects(List<Look> looks) {
+    Map<String, ObjectView> views = new LinkedHashMap<>();
+    for (Look look : looks) {
+      views.merge(
+          look.object(),
+          new ObjectView(look.object(), look.duration(), 1, look.start(), look.duration()),
+          (a, b) ->
+              new ObjectView(
+                  a.object(),
+                  a.seconds() + b.seconds(),
+                  a.looks() + 1,
+                  a.first(),
+                  Math.max(a.longest(), b.longest())));
+    }
+    return views.values().stream()
+        .sorted(Comparator.comparingDouble((ObjectView view) -> -view.seconds()))
+        .toList();
+  }
+}

@@ -1,0 +1,236 @@
+package org.selectiverenderer.experiment.headlog;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.selectiverenderer.experiment.headlog.HeadLogAnalysis.ObjectView;
+
+/**
+ * A session as a drawing: from above, where the viewer went and looked and how long at what; below
+ * it, what was in the middle of the view when.
+ */
+public final class HeadLogPlot {
+  private static final int WIDTH = 1100;
+
+  /** Of the plan at most; a long narrow scene takes less. */
+  private static final int PLAN = 620;
+
+  private static final int MARGIN = 40;
+  private static final int LABELS = 240;
+  private static final int ROW = 20;
+
+  /** Objects of the timeline at most: the ones looked at longest. */
+  private static final int ROWS = 24;
+
+  private static final String INK = "#222222";
+  private static final String FAINT = "#777777";
+
+  /** Told apart by people of any colour vision (Okabe and Ito 2008). */
+  private static final List<String> COLOURS =
+      List.of("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#999933");
+
+  private final HeadLogAnalysis analysis;
+  private final Map<String, String> colours = new LinkedHashMap<>();
+  private final double[] extent;
+  private final double plan;
+
+  private HeadLogPlot(HeadLogAnalysis analysis) {
+    this.analysis = analysis;
+    extent = extent(analysis.log());
+    double ratio = (extent[3] - extent[1]) / (extent[2] - extent[0]);
+    plan = Math.rint(Math.min(PLAN, (WIDTH - 2.0 * MARGIN) * ratio + 10));
+    for (ObjectView view : analysis.objects()) {
+      colours.put(view.object(), COLOURS.get(colours.size() % COLOURS.size()));
+    }
+  }
+
+  /** The drawing as SVG; the same bytes every time. */
+  public static String svg(HeadLogAnalysis analysis) {
+    return new HeadLogPlot(analysis).draw();
+  }
+
+  private String draw() {
+    List<ObjectView> rows = analysis.objects().stream().limit(ROWS).toList();
+    int height = (int) (MARGIN + plan + MARGIN + 40 + ROW * rows.size() + MARGIN + 20);
+    HeadLogDescription shown = analysis.log().description();
+    String title =
+        "Head log: %s, %s, %s s"
+            .formatted(
+                shown.scene(),
+                shown.condition(),
+                String.format(Locale.ROOT, "%.1f", analysis.seconds()));
+    Svg svg = new Svg(WIDTH, height, title);
+    svg.text(title, MARGIN, 28, 18, INK, "start");
+    plan(svg);
+    timeline(svg, rows, MARGIN + plan + MARGIN);
+    return svg.finish();
+  }
+
+  /** From the world's x and z to the drawing. */
+  private record Scale(double x, double z, double pixels, double down) {
+    double[] at(double worldX, double worldZ) {
+      return new double[] {WIDTH / 2.0 + (worldX - x) * pixels, down + (worldZ - z) * pixels};
+    }
+  }
+
+  private Scale scale() {
+    return new Scale(
+        (extent[0] + extent[2]) / 2,
+        (extent[1] + extent[3]) / 2,
+        Math.min(
+            (WIDTH - 2.0 * MARGIN) / (extent[2] - extent[0]),
+            (plan - 10) / (extent[3] - extent[1])),
+        MARGIN + plan / 2);
+  }
+
+  /** The x and z of what is to be seen on the plan: lowest, then highest. */
+  private static double[] extent(HeadLog log) {
+    double[] box = {
+      Double.POSITIVE_INFINITY,
+      Double.POSITIVE_INFINITY,
+      Double.NEGATIVE_INFINITY,
+      Double.NEGATIVE_INFINITY
+    };
+    for (HeadSample sample : log.samples()) {
+      grow(box, sample.x() - 0.5, sample.z() - 0.5, sample.x() + 0.5, sample.z() + 0.5);
+    }
+    for (SceneMap.Box room : log.description().map().rooms()) {
+      double[] b = room.bounds();
+      grow(box, b[0], b[2], b[3], b[5]);
+    }
+    return box;
+  }
+
+  private static void grow(double[] box, double x0, double z0, double x1, double z1) {
+    box[0] = Math.min(box[0], x0);
+    box[1] = Math.min(box[1], z0);
+    box[2] = Math.max(box[2], x1);
+    box[3] = Math.max(box[3], z1);
+  }
+
+  private void plan(Svg svg) {
+    Scale scale = scale();
+    SceneMap map = analysis.log().description().map();
+    for (SceneMap.Area area : map.areas()) {
+      List<double[]> corners =
+          area.outline().stream().map(corner -> scale.at(corner[0], corner[1])).toList();
+      svg.path(corners, true, "fill=\"#eef4fa\" stroke=\"#0072b2\" stroke-dasharray=\"6 4\"");
+      svg.text(area.name(), corners.get(0)[0] + 5, corners.get(0)[1] + 15, 12, "#0072b2", "start");
+    }
+    for (int i = 0; i < map.rooms().size(); i++) {
+      SceneMap.Box room = map.rooms().get(i);
+      svg.path(outline(room, scale), true, "fill=\"none\" stroke=\"#555555\" stroke-width=\"2\"");
+      double[] corner = scale.at(room.bounds()[0], room.bounds()[5]);
+      svg.text(
+          String.format(
+              Locale.ROOT, "%s: %.0f %% seen", room.name(), 100 * analysis.rooms().get(i).seen()),
+          corner[0] + 5,
+          corner[1] - 7,
+          13,
+          INK,
+          "start");
+    }
+    for (SceneMap.Box object : map.objects()) {
+      String colour = colours.get(object.name());
+      svg.path(
+          outline(object, scale),
+          true,
+          colour == null
+              ? "fill=\"none\" stroke=\"#bbbbbb\""
+              : "fill=\"%s\" stroke=\"none\"".formatted(colour));
+    }
+    way(svg, scale);
+  }
+
+  private static List<double[]> outline(SceneMap.Box box, Scale scale) {
+    double[] b = box.bounds();
+    return List.of(
+        scale.at(b[0], b[2]), scale.at(b[3], b[2]), scale.at(b[3], b[5]), scale.at(b[0], b[5]));
+  }
+
+  /** The viewer's way, and each second where it looked, in the colour of what was there. */
+  private void way(Svg svg, Scale scale) {
+    List<double[]> way = new ArrayList<>();
+    double next = Double.NEGATIVE_INFINITY;
+    for (HeadSample sample : analysis.log().samples()) {
+      double[] at = scale.at(sample.x(), sample.z());
+      double[] last = way.isEmpty() ? null : way.get(way.size() - 1);
+      if (last == null || Math.hypot(at[0] - last[0], at[1] - last[1]) > 1) {
+        way.add(at);
+      }
+      if (sample.t() >= next) {
+        next = sample.t() + Math.max(0.1, analysis.seconds() / 200);
+        double reach = Double.isNaN(sample.distance()) ? 1 : sample.distance();
+        double level = reach * Math.cos(Math.toRadians(sample.pitch()));
+        double yaw = Math.toRadians(sample.yaw());
+        double[] seen =
+            scale.at(sample.x() - level * Math.sin(yaw), sample.z() - level * Math.cos(yaw));
+        String colour = colours.getOrDefault(sample.object(), "#999999");
+        svg.path(
+            List.of(at, seen), false, "stroke=\"%s\" stroke-opacity=\"0.45\"".formatted(colour));
+        svg.circle(seen[0], seen[1], 2.5, "fill=\"%s\"".formatted(colour));
+      }
+    }
+    svg.path(way, false, "fill=\"none\" stroke=\"#222222\" stroke-width=\"1.5\"");
+    double[] start = way.get(0);
+    svg.circle(start[0], start[1], 5, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"2\"");
+    double[] end = way.get(way.size() - 1);
+    svg.circle(end[0], end[1], 5, "fill=\"#222222\"");
+  }
+
+  private void timeline(Svg svg, List<ObjectView> rows, double top) {
+    double begin = analysis.log().samples().get(0).t();
+    double right = WIDTH - MARGIN - 60;
+    double perSecond = (right - LABELS) / Math.max(analysis.seconds(), 1e-3);
+    svg.text("In the middle of the view", MARGIN, top + 14, 15, INK, "start");
+    double first = top + 34;
+    double bottom = first + (double) ROW * rows.size();
+    double step = step(analysis.seconds());
+    for (double t = 0; t <= analysis.seconds() + 1e-9; t += step) {
+      double x = LABELS + t * perSecond;
+      svg.rectangle(x, first - 6, 1, bottom - first + 8, "#dddddd");
+      svg.text(
+          String.format(Locale.ROOT, "%s s", (float) (t + begin - begin % 1e-3)),
+          x,
+          bottom + 18,
+          12,
+          FAINT,
+          "middle");
+    }
+    for (int i = 0; i < rows.size(); i++) {
+      ObjectView view = rows.get(i);
+      double y = first + (double) ROW * i;
+      svg.text(view.object(), LABELS - 10, y + 12, 12, INK, "end");
+      for (Look look : analysis.looks()) {
+        if (look.object().equals(view.object())) {
+          svg.rectangle(
+              LABELS + (look.start() - begin) * perSecond,
+              y + 1,
+              Math.max(1, look.duration() * perSecond),
+              ROW - 5,
+              colours.getOrDefault(view.object(), FAINT));
+        }
+      }
+      svg.text(
+          String.format(Locale.ROOT, "%.1f s", view.seconds()),
+          right + 8,
+          y + 12,
+          12,
+          FAINT,
+          "start");
+    }
+  }
+
+  /** 1, 2 or 5 times a power of ten, for at most ten marks. */
+  private static double step(double seconds) {
+    double power = Math.pow(10, Math.floor(Math.log10(Math.max(seconds, 1e-3) / 10)));
+    for (double factor : new double[] {1, 2, 5}) {
+      if (seconds / (power * factor) <= 10) {
+        return power * factor;
+      }
+    }
+    return 10 * power;
+  }
+}

@@ -1,0 +1,88 @@
+package org.selectiverenderer.hmd;
+
+import java.util.Locale;
+import org.selectiverenderer.runtime.render.ViewLayout;
+
+/**
+ * How a world is shown: on one screen, or to two eyes through a display.
+ *
+ * @param geometry of the eyes; without meaning for {@link DisplayMode#WINDOW}
+ * @param check whether a pattern to check the display by is shown instead of the world
+ */
+public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check) {
+  /** Whether two eyes are shown two views. */
+  public boolean stereo() {
+    return mode != DisplayMode.WINDOW;
+  }
+
+  /** The same eyes shown in another way. */
+  public Presentation as(DisplayMode other) {
+    return new Presentation(other, geometry, check);
+  }
+
+  /** Width in pixels of a picture in which nothing is scaled. */
+  public int width() {
+    return geometry.profile().width() * (sideBySide() ? 2 : 1);
+  }
+
+  /** Height in pixels of a picture in which nothing is scaled. */
+  public int height() {
+    return geometry.profile().height();
+  }
+
+  /** Both eyes' pictures lie side by side, in one window or spread over two. */
+  private boolean sideBySide() {
+    return mode == DisplayMode.SIDE_BY_SIDE || mode == DisplayMode.DUAL;
+  }
+
+  /** How the views are arranged in one target. */
+  public ViewLayout layout() {
+    if (!stereo()) {
+      return ViewLayout.MONO;
+    }
+    return check ? new CheckPattern(stereoLayout()) : stereoLayout();
+  }
+
+  /** The two views; for modes that have them. */
+  public StereoLayout stereoLayout() {
+    return new StereoLayout(
+        geometry,
+        switch (mode) {
+          case QUAD -> StereoLayout.Arrangement.QUAD;
+          case ANAGLYPH -> StereoLayout.Arrangement.ANAGLYPH;
+          default -> StereoLayout.Arrangement.SIDE_BY_SIDE;
+        });
+  }
+
+  /** What a picture of that size shows, in a sentence; for modes of two views. */
+  public String describe(int width, int height) {
+    StereoLayout.Part part = stereoLayout().part(Eye.LEFT, width, height);
+    DisplayProfile profile = geometry.profile();
+    FieldOfView field = profile.fieldOfView();
+    String scaled =
+        part.width() == profile.width()
+            ? ""
+            : String.format(
+                Locale.ROOT, " (the display has %dx%d)", profile.width(), profile.height());
+    String arranged =
+        switch (mode) {
+          case SIDE_BY_SIDE -> "side by side, the left eye's on the left";
+          case DUAL ->
+              "the left eye's on monitor %d, the right eye's on monitor %d"
+                  .formatted(profile.leftScreen(), profile.rightScreen());
+          case ANAGLYPH -> "one over the other, the left eye's in red, the right eye's in cyan";
+          default -> "in the left and right buffers";
+        };
+    return String.format(
+        Locale.ROOT,
+        "%s: two pictures of %dx%d%s, %s, %.1f x %.1f degrees each, eyes %.1f mm apart",
+        profile.name(),
+        part.width(),
+        part.height(),
+        scaled,
+        arranged,
+        field.horizontal(),
+        field.vertical(),
+        geometry.interpupillaryDistance() * 1000);
+  }
+}

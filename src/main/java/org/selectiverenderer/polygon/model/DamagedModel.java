@@ -1,0 +1,107 @@
+package org.selectiverenderer.polygon.model;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * Says what is wrong with a model that Assimp does not read, whose own messages are about its code
+ * more than about the file.
+ */
+final class DamagedModel {
+  private final Path file;
+  private final String ending;
+  private final Problems problems;
+
+  DamagedModel(Path file, Problems problems) {
+    this.file = file;
+    this.problems = problems;
+    String name = file.toString();
+    this.ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+  }
+
+  /** Reports why nothing at all can be read. */
+  void report() throws IOException {
+    if (ending.equals("obj") && obj()) {
+      return;
+    }
+    String kind = ending.startsWith("gl") ? "glTF" : ending.toUpperCase(Locale.ROOT);
+    problems.error(
+        Location.of(file.toString()),
+        "this is no %s model, or it is damaged or cut off; nothing is read of it".formatted(kind));
+  }
+
+  /**
+   * Reports why no face has been read, if the file should have some.
+   *
+   * @return whether there was something to report
+   */
+  boolean reportMissingFaces() throws IOException {
+    long announced = ending.equals("ply") ? announcedFaces() : 0;
+    if (announced > 0) {
+      problems.error(
+          Location.of(file.toString()),
+          "the file announces %s, of which none can be read; it is damaged or cut off"
+              .formatted(Counted.of(announced, "face")));
+    }
+    return announced > 0;
+  }
+
+  /** What the header of a PLY file says. */
+  private long announcedFaces() throws IOException {
+    try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+      String line = lines.readLine();
+      while (line != null && !line.strip().equals("end_header")) {
+        String[] words = line.strip().split("\\s+");
+        if (words.length == 3 && words[0].equals("element") && words[1].equals("face")) {
+          return number(words[2]);
+        }
+        line = lines.readLine();
+      }
+    }
+    return 0;
+  }
+
+  private boolean obj() throws IOException {
+    long vertices = 0;
+    boolean faces = false;
+    int number = 0;
+    try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        number++;
+        String[] words = line.strip().split("\\s+");
+        if (words[0].equals("v")) {
+          vertices++;
+        } else if (words[0].equals("f")) {
+          faces = true;
+          for (int i = 1; i < words.length; i++) {
+            long vertex = number(words[i].split("/", -1)[0]);
+            if (vertex == 0 || Math.abs(vertex) > vertices) {
+              problems.error(
+                  new Location(file.toString(), number, 1),
+                  "the face has vertex %d of %d before it; the model is not read"
+                      .formatted(vertex, vertices));
+              return true;
+            }
+          }
+        }
+      }
+    }
+    if (!faces) {
+      problems.error(
+          Location.of(file.toString()), "the file has no faces, so there is nothing to reduce");
+    }
+    return !faces;
+  }
+
+  /** 0 where there is no number. */
+  private static long number(String text) {
+    return text.matches("-?\\d{1,18}") ? Long.parseLong(text) : 0;
+  }
+}

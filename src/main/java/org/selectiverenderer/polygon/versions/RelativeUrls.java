@@ -1,0 +1,64 @@
+package org.selectiverenderer.polygon.versions;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.SceneElement;
+
+/** Finds the files that a scene names by where it lies itself. */
+final class RelativeUrls {
+  private static final Pattern ABSOLUTE =
+      Pattern.compile("[/#].*|[A-Za-z][A-Za-z0-9+.-]+:.*", Pattern.DOTALL);
+
+  private record Named(Location location, String url) {}
+
+  private RelativeUrls() {}
+
+  /**
+   * Warns if there are any, since the file is to be written to another folder.
+   *
+   * @param apart elements whose urls are looked after
+   */
+  static void warn(
+      SceneSource scene, List<SceneElement> apart, Path outputFolder, Problems problems) {
+    List<Named> found = new ArrayList<>();
+    scene
+        .text()
+        .root()
+        .visit(
+            element -> {
+              NodeView node = element.attribute("USE").isPresent() ? null : scene.node(element);
+              if (node != null && apart.stream().noneMatch(other -> other.contains(element))) {
+                collect(node, element.location(), found);
+              }
+            });
+    if (!found.isEmpty()) {
+      problems.warning(
+          found.get(0).location(),
+          "%s here and %s in all start from this file's folder and will not be found from %s"
+                  .formatted(found.get(0).url(), Counted.of(found.size(), "such url"), outputFolder)
+              + " unless the files are copied too");
+    }
+  }
+
+  private static void collect(NodeView node, Location location, List<Named> found) {
+    for (FieldDefinition field : node.type().fields()) {
+      boolean url = field.name().toLowerCase(Locale.ROOT).endsWith("url");
+      if (url && node.value(field.index()) instanceof String[] urls) {
+        for (String address : urls) {
+          if (!address.isBlank() && !ABSOLUTE.matcher(address.strip()).matches()) {
+            found.add(new Named(location, address));
+            break;
+          }
+        }
+      }
+    }
+  }
+}

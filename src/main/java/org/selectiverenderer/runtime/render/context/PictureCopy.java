@@ -1,0 +1,103 @@
+package org.selectiverenderer.runtime.render.context;
+
+import com.jogamp.common.nio.Buffers;
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.nio.ByteBuffer;
+
+/**
+ * A picture that is carried from one context to another through memory: the screens of an X server
+ * and graphics cards of different makers share nothing else. Its memory is used again for each
+ * picture. Belongs to the thread that owns both contexts.
+ */
+public final class PictureCopy {
+  private static final int BYTES = 4;
+
+  private ByteBuffer pixels = Buffers.newDirectByteBuffer(BYTES);
+  private int width;
+  private int height;
+  private int texture;
+  private int frame;
+
+  /** Whether there is nothing to show yet. */
+  public boolean isEmpty() {
+    return width == 0;
+  }
+
+  public int width() {
+    return width;
+  }
+
+  public int height() {
+    return height;
+  }
+
+  /** Takes a part of the frame buffer that is bound for reading, in the first context. */
+  public void take(GL3 gl, int x, int y, int partWidth, int partHeight) {
+    int bytes = BYTES * partWidth * partHeight;
+    if (pixels.capacity() < bytes) {
+      pixels = Buffers.newDirectByteBuffer(bytes);
+    }
+    width = partWidth;
+    height = partHeight;
+    pixels.clear();
+    gl.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1);
+    gl.glReadPixels(x, y, width, height, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels);
+  }
+
+  /**
+   * Draws it into a part of the frame buffer that is bound for drawing, in the second context,
+   * stretched to fill it.
+   */
+  public void show(GL3 gl, int x, int y, int partWidth, int partHeight) {
+    int[] bound = new int[1];
+    gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+    if (texture == 0) {
+      int[] id = new int[1];
+      gl.glGenTextures(1, id, 0);
+      texture = id[0];
+      gl.glGenFramebuffers(1, id, 0);
+      frame = id[0];
+    }
+    gl.glBindTexture(GL.GL_TEXTURE_2D, texture);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR);
+    gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
+    pixels.rewind();
+    gl.glTexImage2D(
+        GL.GL_TEXTURE_2D,
+        0,
+        GL.GL_RGBA8,
+        width,
+        height,
+        0,
+        GL.GL_RGBA,
+        GL.GL_UNSIGNED_BYTE,
+        pixels);
+    gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, frame);
+    gl.glFramebufferTexture2D(
+        GL3.GL_READ_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_TEXTURE_2D, texture, 0);
+    boolean same = width == partWidth && height == partHeight;
+    gl.glBlitFramebuffer(
+        0,
+        0,
+        width,
+        height,
+        x,
+        y,
+        x + partWidth,
+        y + partHeight,
+        GL.GL_COLOR_BUFFER_BIT,
+        same ? GL.GL_NEAREST : GL.GL_LINEAR);
+    gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, bound[0]);
+    gl.glBindTexture(GL.GL_TEXTURE_2D, 0);
+  }
+
+  /** Frees what it has in the second context. */
+  public void dispose(GL3 gl) {
+    if (texture != 0) {
+      gl.glDeleteTextures(1, new int[] {texture}, 0);
+      gl.glDeleteFramebuffers(1, new int[] {frame}, 0);
+      texture = 0;
+    }
+  }
+}

@@ -1,0 +1,72 @@
+package org.selectiverenderer.runtime.render.window;
+
+import com.jogamp.nativewindow.NativeWindowFactory;
+import com.jogamp.nativewindow.util.RectangleImmutable;
+import com.jogamp.newt.Display;
+import com.jogamp.newt.MonitorDevice;
+import com.jogamp.newt.NewtFactory;
+import com.jogamp.newt.Screen;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import jogamp.nativewindow.x11.X11Lib;
+
+/** The monitors of the desktop. GL must be available ({@code GlAvailability}). */
+public final class Monitors {
+  private Monitors() {}
+
+  /** All monitors, in the order of their screens, from left to right, from top to bottom. */
+  public static List<Monitor> all() {
+    List<Monitor> monitors = new ArrayList<>();
+    Display display = NewtFactory.createDisplay(null);
+    int screens = 1;
+    for (int index = 0; index < screens; index++) {
+      Screen screen = NewtFactory.createScreen(display, index);
+      screen.addReference();
+      try {
+        if (index == 0) {
+          screens = screens(display);
+        } else if (screen.getIndex() != index) {
+          break; // Screens joined into one (Xinerama) all answer as the first.
+        }
+        for (MonitorDevice device : screen.getMonitorDevices()) {
+          RectangleImmutable at = device.getViewportInWindowUnits();
+          monitors.add(
+              new Monitor(
+                  index,
+                  device.getId(),
+                  device.getName(),
+                  at.getX(),
+                  at.getY(),
+                  at.getWidth(),
+                  at.getHeight()));
+        }
+      } finally {
+        screen.removeReference();
+      }
+    }
+    monitors.sort(
+        Comparator.comparingInt(Monitor::screen)
+            .thenComparingInt(Monitor::x)
+            .thenComparingInt(Monitor::y));
+    return monitors;
+  }
+
+  /** NEWT asks for no number of screens, and of one that is not there it answers nonsense. */
+  private static int screens(Display display) {
+    return NativeWindowFactory.TYPE_X11.equals(NativeWindowFactory.getNativeWindowType(true))
+        ? X11Lib.ScreenCount(display.getHandle())
+        : 1;
+  }
+
+  /** The screen that a monitor belongs to. */
+  static Screen screen(Monitor monitor) {
+    return NewtFactory.createScreen(NewtFactory.createDisplay(null), monitor.screen());
+  }
+
+  /** The monitor as NEWT knows it; its screen must be open. */
+  static List<MonitorDevice> device(Screen screen, Monitor monitor) {
+    MonitorDevice device = screen.getMonitorById(monitor.id());
+    return device == null ? screen.getMonitorDevices() : List.of(device);
+  }
+}

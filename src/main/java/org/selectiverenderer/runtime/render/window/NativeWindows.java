@@ -1,0 +1,103 @@
+package org.selectiverenderer.runtime.render.window;
+
+import com.jogamp.nativewindow.NativeWindowException;
+import com.jogamp.nativewindow.WindowClosingProtocol.WindowClosingMode;
+import com.jogamp.newt.Screen;
+import com.jogamp.newt.event.WindowAdapter;
+import com.jogamp.newt.event.WindowEvent;
+import com.jogamp.newt.opengl.GLWindow;
+import com.jogamp.opengl.GLCapabilities;
+import com.jogamp.opengl.GLEventListener;
+import com.jogamp.opengl.GLException;
+import com.jogamp.opengl.GLProfile;
+
+/** Opens windows that the calling thread draws. */
+final class NativeWindows {
+  private NativeWindows() {}
+
+  /** What a window of these options asks of the driver. */
+  static GLCapabilities capabilities(WindowOptions options) {
+    GLCapabilities wanted = new GLCapabilities(GLProfile.get(GLProfile.GL3));
+    wanted.setDepthBits(24);
+    wanted.setStereo(options.quadBuffered());
+    if (options.samples() > 1) {
+      wanted.setSampleBuffers(true);
+      wanted.setNumSamples(options.samples());
+    }
+    return wanted;
+  }
+
+  /**
+   * Makes a window visible whose input goes to a queue.
+   *
+   * @param onClose called on a thread of NEWT when the user closes it
+   */
+  static GLWindow open(
+      WindowOptions options,
+      GLCapabilities wanted,
+      InputQueue queue,
+      Runnable onClose,
+      GLEventListener drawing) {
+    GLWindow window =
+        options
+            .monitor()
+            .map(monitor -> GLWindow.create(Monitors.screen(monitor), wanted))
+            .orElseGet(() -> GLWindow.create(wanted));
+    window.setTitle(options.title());
+    window.setSize(options.width(), options.height());
+    options.monitor().ifPresent(monitor -> window.setPosition(monitor.x(), monitor.y()));
+    window.setDefaultCloseOperation(WindowClosingMode.DO_NOTHING_ON_CLOSE);
+    window.addWindowListener(queue);
+    window.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowDestroyNotify(WindowEvent event) {
+            onClose.run();
+          }
+        });
+    window.addMouseListener(queue);
+    window.addKeyListener(queue);
+    window.addGLEventListener(drawing);
+    // Else NEWT's own thread would draw too, whenever the window system asks for a repaint.
+    window.setExclusiveContextThread(Thread.currentThread());
+    // All windows are drawn before any is shown, so that both eyes change together.
+    window.setAutoSwapBufferMode(false);
+    try {
+      if (options.fullScreen()) {
+        fill(window, options);
+      }
+      window.setVisible(true);
+    } catch (GLException | NativeWindowException e) {
+      window.destroy();
+      throw e;
+    }
+    return window;
+  }
+
+  /** Fills its monitor; returns whether it does. */
+  static boolean fill(GLWindow window, WindowOptions options) {
+    if (options.monitor().isEmpty()) {
+      return window.setFullscreen(true);
+    }
+    Screen screen = window.getScreen();
+    screen.addReference(); // Its monitors are known only while it is open.
+    try {
+      return window.setFullscreen(Monitors.device(screen, options.monitor().get()));
+    } finally {
+      screen.removeReference();
+    }
+  }
+
+  /** Pixels per unit of the desktop. */
+  static float scale(GLWindow window) {
+    return Math.max(1, window.getCurrentSurfaceScale(new float[2])[1]);
+  }
+
+  /** Draws a last time, for the drawing to free what it has, and closes the window. */
+  static void close(GLWindow window) {
+    // This last call frees what the source has, here and not on NEWT's thread.
+    window.setExclusiveContextThread(null);
+    window.display();
+    window.destroy();
+  }
+}

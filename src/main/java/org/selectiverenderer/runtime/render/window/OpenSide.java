@@ -1,0 +1,86 @@
+package org.selectiverenderer.runtime.render.window;
+
+import com.jogamp.newt.opengl.GLWindow;
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLAutoDrawable;
+import com.jogamp.opengl.GLEventListener;
+
+/** A side window that is open. Belongs to the render thread. */
+final class OpenSide {
+  private final SideSource source;
+  private final GLWindow window;
+  private boolean started;
+  private boolean stopping;
+  private boolean drawn;
+
+  OpenSide(SideWindow side, InputQueue queue, Runnable onClose) {
+    source = side.source();
+    window =
+        NativeWindows.open(
+            side.options(),
+            NativeWindows.capabilities(side.options()),
+            queue,
+            onClose,
+            new Drawing());
+  }
+
+  /** Draws what is new, without showing it yet. */
+  void draw() {
+    drawn = false;
+    if (source.wanted()) {
+      window.display();
+    }
+  }
+
+  /** Shows what was drawn. */
+  void swap() {
+    if (drawn) {
+      window.swapBuffers();
+    }
+  }
+
+  void close() {
+    stopping = true;
+    NativeWindows.close(window);
+  }
+
+  private final class Drawing implements GLEventListener {
+    @Override
+    public void init(GLAutoDrawable drawable) {
+      // The main window waits for its display; waiting for another too would halve the rate.
+      drawable.getGL().setSwapInterval(0);
+    }
+
+    @Override
+    public void display(GLAutoDrawable drawable) {
+      GL3 gl = drawable.getGL().getGL3();
+      int width = drawable.getSurfaceWidth();
+      int height = drawable.getSurfaceHeight();
+      if (stopping) {
+        stop(gl);
+      } else if (width > 0 && height > 0) {
+        started = true;
+        gl.glViewport(0, 0, width, height);
+        source.draw(gl, new FrameSize(width, height, NativeWindows.scale(window)));
+        drawn = true;
+      }
+    }
+
+    private void stop(GL3 gl) {
+      if (started) {
+        started = false;
+        source.stop(gl);
+      }
+    }
+
+    @Override
+    public void reshape(GLAutoDrawable drawable, int x, int y, int width, int height) {
+      // Each frame asks for the size.
+    }
+
+    @Override
+    public void dispose(GLAutoDrawable drawable) {
+      stop(drawable.getGL().getGL3());
+    }
+  }
+}

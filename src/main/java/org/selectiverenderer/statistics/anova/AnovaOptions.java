@@ -1,0 +1,45 @@
+package org.selectiverenderer.statistics.anova;
+
+/**
+ * Choices of an analysis. Every report states them.
+ *
+ * @param alpha level of significance, and of equivalence
+ * @param confidence of intervals around means and differences
+ * @param etaConfidence of intervals around eta squared
+ * @param differenceBound of TOST, in standard deviations or, if {@code rawBound}, in the measure's
+ *     own units
+ * @param rawBound whether the bound is in the measure's units
+ * @param etaBound smallest partial eta squared that would matter
+ * @param priorScale of the JZS Bayes factor
+ */
+public record AnovaOptions(
+    double alpha,
+    double confidence,
+    double etaConfidence,
+    double differenceBound,
+    boolean rawBound,
+    double etaBound,
+    double priorScale) {
+  /**
+   * Half a standard deviation and a partial eta squared of 0.06 are the middle of Cohen's 1988
+   * conventions; the prior's scale is that of Morey and Rouder's BayesFactor.
+   */
+  public static final AnovaOptions DEFAULT =
+      new AnovaOptions(0.05, 0.95, 0.90, 0.5, false, 0.06, Math.sqrt(2) / 2);
+
+  /** With TOST's bound in the measure's own units. */
+  public AnovaOptions withRawBound(double bound) {
+    return new AnovaOptions(alpha, confidence, etaConfidence, bound, true, etaBound, priorScale);
+  }
+
+  /** With TOST's bound in standard deviations. */
+  public AnovaOptions withStandardBound(double bound) {
+    return new AnovaOptions(alpha, confidence, etaConfidence, bound, false, etaBound, priorScale);
+  }
+
+  /** With another bound of partial eta squared. */
+  public AnovaOptions withEtaBound(double bound) {
+    return new AnovaOptions(
+        alpha, confidence, etaConfidence, differenceBound, rawBound, bound, priorScale);
+  }
+}

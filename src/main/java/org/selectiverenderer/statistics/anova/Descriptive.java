@@ -1,0 +1,50 @@
+package org.selectiverenderer.statistics.anova;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
+
+/**
+ * Mean and standard deviation of scores, as in Figs 92 and 96 of the thesis.
+ *
+ * @param within the level; empty when the design has one only
+ * @param between the group; empty for all groups together ("Total")
+ * @param sd with n - 1; not a number for one participant
+ * @param n participants
+ */
+public record Descriptive(
+    Optional<String> within, Optional<String> between, double mean, double sd, int n) {
+  /** Level by level, the groups and then all together. */
+  public static List<Descriptive> of(Design design) {
+    List<Descriptive> all = new ArrayList<>();
+    for (int level = 0; level < design.within().levels().size(); level++) {
+      for (int group = 0; group < design.between().levels().size(); group++) {
+        all.add(
+            of(
+                design.group(group),
+                level,
+                design,
+                Optional.of(design.between().levels().get(group))));
+      }
+      if (design.between().varies()) {
+        all.add(of(design.subjects(), level, design, Optional.empty()));
+      }
+    }
+    return all;
+  }
+
+  private static Descriptive of(
+      List<Subject> subjects, int level, Design design, Optional<String> between) {
+    SummaryStatistics summary = new SummaryStatistics();
+    subjects.forEach(subject -> summary.addValue(subject.values().get(level)));
+    return new Descriptive(
+        design.within().varies()
+            ? Optional.of(design.within().levels().get(level))
+            : Optional.empty(),
+        between,
+        summary.getMean(),
+        subjects.size() < 2 ? Double.NaN : summary.getStandardDeviation(),
+        subjects.size());
+  }
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.statistics.data;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.selectiverenderer.csv.CsvFaults;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+
+/** Collects exclusions, and tells the user of each. */
+final class Exclusions implements CsvFaults {
+  private final Problems problems;
+  private final String row;
+  private final List<Exclusion> list = new ArrayList<>();
+
+  /**
+   * None yet.
+   *
+   * @param row what a row of the file is
+   */
+  Exclusions(Problems problems, String row) {
+    this.problems = problems;
+    this.row = row;
+  }
+
+  @Override
+  public void fault(Location location, String message) {
+    error(location, "", message + "; nothing is analysed");
+  }
+
+  @Override
+  public void misfit(Location location, String message) {
+    error(location, "", message + "; " + row + " is left out");
+  }
+
+  /** Data that are wrong. */
+  void error(Location location, String participant, String reason) {
+    problems.error(location, named(participant, reason));
+    list.add(new Exclusion(location, participant, reason));
+  }
+
+  /** Data that are missing. */
+  void warning(Location location, String participant, String reason) {
+    problems.warning(location, named(participant, reason));
+    list.add(new Exclusion(location, participant, reason));
+  }
+
+  private static String named(String participant, String reason) {
+    return participant.isEmpty() ? reason : "participant " + participant + ": " + reason;
+  }
+
+  /** In the order of the file. */
+  List<Exclusion> list() {
+    List<Exclusion> sorted = new ArrayList<>(list);
+    sorted.sort(
+        Comparator.comparing((Exclusion exclusion) -> exclusion.location().file())
+            .thenComparing(exclusion -> exclusion.location().line()));
+    return sorted;
+  }
+}

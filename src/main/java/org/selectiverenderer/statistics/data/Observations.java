@@ -1,0 +1,16 @@
+package org.selectiverenderer.statistics.data;
+
+import java.util.List;
+import org.selectiverenderer.statistics.anova.Design;
+
+/**
+ * Measurements of a file as a design.
+ *
+ * @param design of the subjects with complete data; it may still have an {@link Design#obstacle}
+ * @param exclusions what is not in it
+ */
+public record Observations(String source, Design design, List<Exclusion> exclusions) {
+  public Observations {
+    exclusions = List.copyOf(exclusions);
+  }
+}

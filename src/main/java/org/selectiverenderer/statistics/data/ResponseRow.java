@@ -1,0 +1,117 @@
+package org.selectiverenderer.statistics.data;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.selectiverenderer.csv.CsvNumbers;
+import org.selectiverenderer.csv.CsvRow;
+import org.selectiverenderer.statistics.detection.Response;
+
+/** Reads one row of a file of answers, or says why it cannot be used. */
+final class ResponseRow {
+  static final List<String> COLUMNS =
+      List.of(
+          "participant",
+          "condition",
+          "area",
+          "object",
+          "consistency",
+          "present",
+          "response",
+          "confidence");
+
+  private static final String LEFT_OUT = "; the answer is left out";
+
+  private final CsvRow row;
+  private final Exclusions exclusions;
+  private final String participant;
+
+  ResponseRow(CsvRow row, Exclusions exclusions) {
+    this.row = row;
+    this.exclusions = exclusions;
+    participant = row.cell("participant");
+  }
+
+  /** Empty after an exclusion. */
+  Optional<Response> read() {
+    for (String column : List.of("participant", "condition", "area", "object")) {
+      if (row.cell(column).isEmpty()) {
+        return error(column, "the " + column + " is missing" + LEFT_OUT);
+      }
+    }
+    String type = row.cell("consistency").toLowerCase(Locale.ROOT);
+    if (!Response.TYPES.contains(type)) {
+      return error(
+          "consistency",
+          (type.isEmpty()
+                  ? "the consistency is missing"
+                  : CsvNumbers.quoted(row.cell("consistency")) + " is no consistency")
+              + " (it is consistent, inconsistent or neutral)"
+              + LEFT_OUT);
+    }
+    Optional<Boolean> present = yesOrNo("present");
+    if (present.isEmpty()) {
+      return Optional.empty();
+    }
+    if (row.cell("response").isEmpty()) {
+      exclusions.warning(
+          row.location("response"), participant, "no answer to " + row.cell("object") + LEFT_OUT);
+      return Optional.empty();
+    }
+    Optional<Boolean> yes = yesOrNo("response");
+    Optional<Integer> confidence = yes.isEmpty() ? Optional.empty() : confidence();
+    if (confidence.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Response(
+            participant,
+            row.cell("condition"),
+            row.cell("area"),
+            row.cell("object"),
+            type,
+            present.get(),
+            yes.orElseThrow(),
+            confidence.get(),
+            row.location()));
+  }
+
+  private Optional<Boolean> yesOrNo(String column) {
+    String text = row.cell(column).toLowerCase(Locale.ROOT);
+    if (text.equals("yes") || text.equals("no")) {
+      return Optional.of(text.equals("yes"));
+    }
+    error(
+        column,
+        (text.isEmpty() ? "yes or no is missing" : CsvNumbers.quoted(text) + " is not yes or no")
+            + LEFT_OUT);
+    return Optional.empty();
+  }
+
+  /** 0 when it was not given. */
+  private Optional<Integer> confidence() {
+    String text = row.cell("confidence");
+    if (text.isEmpty()) {
+      exclusions.warning(
+          row.location("confidence"),
+          participant,
+          "the confidence about "
+              + row.cell("object")
+              + " is missing; the answer counts among all, not at the levels 3-5 and 5");
+      return Optional.of(0);
+    }
+    if (text.matches("[1-5]([.]0*)?")) {
+      return Optional.of(text.charAt(0) - '0');
+    }
+    String hint =
+        text.matches("\\d+,\\d+") ? " (write it with a decimal point, not with a comma)" : "";
+    error(
+        "confidence", CsvNumbers.quoted(text) + " is no confidence from 1 to 5" + hint + LEFT_OUT);
+    return Optional.empty();
+  }
+
+  private <T> Optional<T> error(String column, String reason) {
+    exclusions.error(row.location(column), participant, reason);
+    return Optional.empty();
+  }
+}

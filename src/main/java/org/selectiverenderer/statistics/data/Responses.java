@@ -1,0 +1,18 @@
+package org.selectiverenderer.statistics.data;
+
+import java.util.List;
+import org.selectiverenderer.statistics.detection.Response;
+
+/**
+ * A study's answers.
+ *
+ * @param source the file, for reports
+ * @param usable answers, in the order of the file
+ * @param exclusions what is not among them, and what is wanting
+ */
+public record Responses(String source, List<Response> usable, List<Exclusion> exclusions) {
+  public Responses {
+    usable = List.copyOf(usable);
+    exclusions = List.copyOf(exclusions);
+  }
+}

@@ -1,0 +1,198 @@
+package org.selectiverenderer.statistics.data;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.csv.CsvRow;
+import org.selectiverenderer.csv.CsvTable;
+import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * Reads a file of answers: {@code participant,condition,area,object,consistency,present,response,
+ * confidence}, present and response {@code yes} or {@code no}, confidence 1 to 5.
+ */
+public final class ResponsesReader {
+  private static final int NAMED_OBJECTS = 5;
+
+  private record Question(String participant, String area, String object) {}
+
+  private final Exclusions exclusions;
+  private final Optional<Roster> roster;
+
+  private ResponsesReader(Problems problems, Optional<Roster> roster) {
+    exclusions = new Exclusions(problems, "the answer");
+    this.roster = roster;
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param roster those who took part; without one, whoever answers did
+   * @return empty when the file is no such table, which is then in {@code problems}
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<Responses> read(Path path, Optional<Roster> roster, Problems problems)
+      throws IOException {
+    ResponsesReader reader = new ResponsesReader(problems, roster);
+    Optional<CsvTable> table = CsvTable.read(path, reader.exclusions);
+    return table.flatMap(found -> reader.responses(path.getFileName().toString(), found));
+  }
+
+  /** Reads a text of that file name. */
+  public static Optional<Responses> parse(
+      String file, String text, Optional<Roster> roster, Problems problems) {
+    ResponsesReader reader = new ResponsesReader(problems, roster);
+    return CsvTable.parse(file, text, reader.exclusions)
+        .flatMap(table -> reader.responses(file, table));
+  }
+
+  private Optional<Responses> responses(String source, CsvTable table) {
+    if (!table.require(ResponseRow.COLUMNS, String.join(",", ResponseRow.COLUMNS))) {
+      return Optional.empty();
+    }
+    List<Response> responses = new ArrayList<>();
+    Set<Question> rows = new HashSet<>();
+    for (CsvRow row : table.rows()) {
+      rows.add(new Question(row.cell("participant"), row.cell("area"), row.cell("object")));
+      new ResponseRow(row, exclusions).read().ifPresent(responses::add);
+    }
+    List<Response> usable = withoutDoubles(ofOneCondition(known(responses)));
+    if (usable.isEmpty()) {
+      exclusions.fault(Location.of(table.file()), "there is no usable answer");
+      return Optional.empty();
+    }
+    missing(usable, rows);
+    return Optional.of(new Responses(source, usable, exclusions.list()));
+  }
+
+  private List<Response> known(List<Response> responses) {
+    if (roster.isEmpty()) {
+      return responses;
+    }
+    Set<String> unknown = new HashSet<>();
+    Set<String> seen = new HashSet<>();
+    List<Response> known = new ArrayList<>();
+    for (Response response : responses) {
+      seen.add(response.participant());
+      if (roster.get().has(response.participant())) {
+        known.add(response);
+      } else if (unknown.add(response.participant())) {
+        exclusions.error(
+            response.location(),
+            response.participant(),
+            "is not among the study's participants; all answers are left out");
+      }
+    }
+    roster
+        .get()
+        .places()
+        .forEach(
+            (id, place) -> {
+              if (!seen.contains(id)) {
+                exclusions.warning(place, id, "has no answers");
+              }
+            });
+    return known;
+  }
+
+  private List<Response> ofOneCondition(List<Response> responses) {
+    Map<String, String> conditions = new LinkedHashMap<>();
+    Set<String> torn = new LinkedHashSet<>();
+    for (Response response : responses) {
+      String id = response.participant();
+      String condition =
+          conditions.computeIfAbsent(
+              id,
+              first -> roster.flatMap(known -> known.condition(id)).orElse(response.condition()));
+      if (!condition.equals(response.condition()) && torn.add(id)) {
+        exclusions.error(
+            response.location(),
+            id,
+            "is in the condition %s here and in %s elsewhere; all answers are left out"
+                .formatted(response.condition(), condition));
+      }
+    }
+    return responses.stream().filter(response -> !torn.contains(response.participant())).toList();
+  }
+
+  /** Of answers given twice alike one is kept; of those that differ none. */
+  private List<Response> withoutDoubles(List<Response> responses) {
+    Map<Question, Response> first = new LinkedHashMap<>();
+    Set<Question> contradicted = new HashSet<>();
+    for (Response response : responses) {
+      Question question = new Question(response.participant(), response.area(), response.object());
+      Response earlier = first.putIfAbsent(question, response);
+      if (earlier != null) {
+        boolean alike =
+            earlier.yes() == response.yes()
+                && earlier.confidence() == response.confidence()
+                && earlier.present() == response.present()
+                && earlier.type().equals(response.type());
+        exclusions.error(
+            response.location(),
+            response.participant(),
+            "a second answer to %s, as in line %d%s"
+                .formatted(
+                    response.object(),
+                    earlier.location().line(),
+                    alike
+                        ? "; it is left out"
+                        : " but different; both are left out, as nothing tells which one holds"));
+        if (!alike) {
+          contradicted.add(question);
+        }
+      }
+    }
+    first.keySet().removeAll(contradicted);
+    return List.copyOf(first.values());
+  }
+
+  /** Participants without a row for objects that others were asked for in the same area. */
+  private void missing(List<Response> responses, Set<Question> rows) {
+    Map<String, Set<String>> asked = new LinkedHashMap<>();
+    Map<String, Map<String, Set<String>>> answered = new LinkedHashMap<>();
+    Map<String, Location> places = new LinkedHashMap<>();
+    for (Response response : responses) {
+      asked.computeIfAbsent(response.area(), area -> new LinkedHashSet<>()).add(response.object());
+      answered
+          .computeIfAbsent(response.participant(), id -> new LinkedHashMap<>())
+          .computeIfAbsent(response.area(), area -> new HashSet<>())
+          .add(response.object());
+      places.putIfAbsent(response.participant(), response.location());
+    }
+    answered.forEach(
+        (id, areas) ->
+            asked.forEach(
+                (area, objects) -> {
+                  Set<String> wanting = new LinkedHashSet<>(objects);
+                  wanting.removeAll(areas.getOrDefault(area, Set.of()));
+                  wanting.removeIf(object -> rows.contains(new Question(id, area, object)));
+                  if (!wanting.isEmpty()) {
+                    exclusions.warning(places.get(id), id, lacks(area, wanting, objects.size()));
+                  }
+                }));
+  }
+
+  private static String lacks(String area, Set<String> wanting, int asked) {
+    if (wanting.size() == asked) {
+      return "has no answers about the area " + area + "; it is analysed without them";
+    }
+    List<String> named = wanting.stream().limit(NAMED_OBJECTS).toList();
+    return "of %d objects of the area %s %d are not in the file (%s%s); the others count"
+        .formatted(
+            asked,
+            area,
+            wanting.size(),
+            String.join(", ", named),
+            wanting.size() > named.size() ? " ..." : "");
+  }
+}

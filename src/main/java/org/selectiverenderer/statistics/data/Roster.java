@@ -1,0 +1,70 @@
+package org.selectiverenderer.statistics.data;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.csv.CsvRow;
+import org.selectiverenderer.csv.CsvTable;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+
+/** Who took part in a study, and in which condition: {@code participant[,condition]}. */
+public final class Roster {
+  private record Entry(String condition, Location location) {}
+
+  private final Map<String, Entry> entries;
+
+  private Roster(Map<String, Entry> entries) {
+    this.entries = entries;
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @return empty after a fault, which is then in {@code problems}
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<Roster> read(Path path, Problems problems) throws IOException {
+    Problems faults = new Problems(problems::add);
+    Optional<CsvTable> table =
+        CsvTable.read(path, (at, what) -> faults.error(at, what + "; nothing is analysed"));
+    if (table.isEmpty() || !table.get().require(List.of("participant"), "participant,condition")) {
+      return Optional.empty();
+    }
+    Map<String, Entry> entries = new LinkedHashMap<>();
+    for (CsvRow row : table.get().rows()) {
+      String condition = table.get().has("condition") ? row.cell("condition") : "";
+      String id = row.cell("participant");
+      if (id.isEmpty()) {
+        faults.error(
+            row.location("participant"), "the participant is missing; nothing is analysed");
+      } else if (entries.putIfAbsent(id, new Entry(condition, row.location())) != null) {
+        faults.error(
+            row.location("participant"),
+            "participant " + id + " is listed twice; nothing is analysed");
+      }
+    }
+    return faults.any() ? Optional.empty() : Optional.of(new Roster(entries));
+  }
+
+  boolean has(String participant) {
+    return entries.containsKey(participant);
+  }
+
+  /** Empty when the roster does not say. */
+  Optional<String> condition(String participant) {
+    return Optional.ofNullable(entries.get(participant))
+        .map(Entry::condition)
+        .filter(condition -> !condition.isEmpty());
+  }
+
+  /** Participants and their places in the roster's file. */
+  Map<String, Location> places() {
+    Map<String, Location> places = new LinkedHashMap<>();
+    entries.forEach((id, entry) -> places.put(id, entry.location()));
+    return places;
+  }
+}

@@ -1,0 +1,41 @@
+package org.selectiverenderer.statistics.detection;
+
+/** The dependent variables of the study. */
+public enum Measure {
+  D_PRIME("d_prime", "d′", "sensitivity"),
+  LOG_BETA("log_beta", "log β", "bias; above 0: towards “no”"),
+  CRITERION("c", "c", "criterion; above 0: towards “no”");
+
+  private final String key;
+  private final String symbol;
+  private final String meaning;
+
+  Measure(String key, String symbol, String meaning) {
+    this.key = key;
+    this.symbol = symbol;
+    this.meaning = meaning;
+  }
+
+  /** As files name it. */
+  public String key() {
+    return key;
+  }
+
+  /** As tables for people name it. */
+  public String symbol() {
+    return symbol;
+  }
+
+  public String meaning() {
+    return meaning;
+  }
+
+  /** Its value; not a number when it is not defined. */
+  public double of(Detection detection) {
+    return switch (this) {
+      case D_PRIME -> detection.dPrime();
+      case LOG_BETA -> detection.logBeta();
+      case CRITERION -> detection.criterion();
+    };
+  }
+}

@@ -1,0 +1,51 @@
+package org.selectiverenderer.statistics.detection;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Makes scores of answers.
+ *
+ * @param correction of rates of 0 and 1
+ * @param guessing what becomes of answers below a confidence level
+ */
+public record Scoring(Correction correction, Guessing guessing) {
+  /** Hautus's correction; answers below the level left out. */
+  public static final Scoring DEFAULT = new Scoring(Correction.LOG_LINEAR, Guessing.DISCARD);
+
+  private record Key(String participant, String condition, String area, String type) {}
+
+  /** A score for each participant, area, type and level, in the order of the answers. */
+  public List<Score> scores(Collection<Response> responses) {
+    Map<Key, List<Response>> cells = new LinkedHashMap<>();
+    for (Response response : responses) {
+      cells
+          .computeIfAbsent(
+              new Key(
+                  response.participant(), response.condition(), response.area(), response.type()),
+              key -> new ArrayList<>())
+          .add(response);
+    }
+    List<Score> scores = new ArrayList<>();
+    cells.forEach(
+        (key, cell) -> {
+          for (ConfidenceLevel level : ConfidenceLevel.values()) {
+            Counts counts = Counts.of(cell, level, guessing);
+            scores.add(
+                new Score(
+                    key.participant(),
+                    key.condition(),
+                    key.area(),
+                    key.type(),
+                    level,
+                    cell.size(),
+                    counts,
+                    Detection.of(counts, correction)));
+          }
+        });
+    return scores;
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * Signal detection: from answers to hit and false alarm rates, sensitivity d', bias log beta and
+ * criterion c (thesis 6.3.1, 6.4; Macmillan and Creelman 2005, Detection Theory).
+ *
+ * <p>In: {@link org.selectiverenderer.statistics.detection.Response}s. Out: {@link
+ * org.selectiverenderer.statistics.detection.Score}s. Uses Commons Math and, for the places of
+ * answers in their file, {@code x3d.Location}.
+ */
+@NullMarked
+package org.selectiverenderer.statistics.detection;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,177 @@
+package org.selectiverenderer.statistics.report;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Locale;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.Comparison;
+import org.selectiverenderer.statistics.anova.Descriptive;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.anova.EffectSize;
+import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.MarginalMean;
+import org.selectiverenderer.statistics.anova.MultivariateTest;
+import org.selectiverenderer.statistics.anova.Sphericity;
+import org.selectiverenderer.statistics.data.Exclusion;
+
+/** An analysis of variance as JSON; docs/statistics.md lists the keys. */
+final class AnovaJson {
+  private AnovaJson() {}
+
+  static void write(Anova anova, ObjectNode json) {
+    json.put("measure", anova.design().measure());
+    factor(json, "within", anova.design().within());
+    factor(json, "between", anova.design().between());
+    json.put("participants", anova.design().subjects().size());
+    effect(anova.intercept(), json.putObject("intercept"));
+    ArrayNode effects = json.putArray("effects");
+    anova.effects().forEach(effect -> effect(effect, effects.addObject()));
+    descriptives(anova.design(), json);
+    ArrayNode means = json.putArray("marginal_means");
+    anova.means().forEach(mean -> mean(mean, means.addObject()));
+    Json.put(json, "equivalence_bound", anova.bound());
+    ArrayNode comparisons = json.putArray("comparisons");
+    anova.comparisons().forEach(pair -> comparison(pair, comparisons.addObject()));
+  }
+
+  static void options(AnovaOptions options, ObjectNode json) {
+    Json.put(json, "alpha", options.alpha());
+    Json.put(json, "confidence", options.confidence());
+    Json.put(json, "eta_confidence", options.etaConfidence());
+    Json.put(json, "equivalence_bound", options.differenceBound());
+    json.put("equivalence_bound_unit", options.rawBound() ? "measure" : "sd");
+    Json.put(json, "equivalence_eta2", options.etaBound());
+    Json.put(json, "jzs_scale", options.priorScale());
+    json.put("sums_of_squares", "type III");
+    json.put("bayes_factor_effects", "BIC (Wagenmakers 2007; Masson 2011), BF01");
+    json.put("bayes_factor_comparisons", "JZS (Rouder et al. 2009), BF01");
+    json.put("post_hoc", "Holm");
+  }
+
+  static void exclusions(List<Exclusion> exclusions, ObjectNode json) {
+    ArrayNode array = json.putArray("exclusions");
+    for (Exclusion exclusion : exclusions) {
+      array
+          .addObject()
+          .put("file", exclusion.location().file())
+          .put("line", exclusion.location().line())
+          .put("column", exclusion.location().column())
+          .put("participant", exclusion.participant())
+          .put("reason", exclusion.reason());
+    }
+  }
+
+  /** Those of the cells, and beside them those over the groups. */
+  static void descriptives(Design design, ObjectNode json) {
+    ArrayNode cells = json.putArray("descriptives");
+    ArrayNode totals = json.putArray("totals");
+    for (Descriptive found : Descriptive.of(design)) {
+      ObjectNode node = (found.between().isPresent() ? cells : totals).addObject();
+      node.put("within", found.within().orElse(null));
+      if (found.between().isPresent()) {
+        node.put("between", design.between().varies() ? found.between().get() : null);
+      }
+      Json.put(node, "mean", found.mean());
+      Json.put(node, "sd", found.sd());
+      node.put("n", found.n());
+    }
+  }
+
+  private static void factor(ObjectNode json, String key, Factor factor) {
+    if (factor.varies()) {
+      ObjectNode node = json.putObject(key).put("name", factor.name());
+      factor.levels().forEach(node.putArray("levels")::add);
+    } else {
+      json.putNull(key);
+    }
+  }
+
+  private static void effect(Effect effect, ObjectNode json) {
+    json.put("effect", effect.name());
+    Json.put(json, "ss", effect.ss());
+    Json.put(json, "df1", effect.df1());
+    Json.put(json, "df2", effect.df2());
+    Json.put(json, "ms", effect.ms());
+    Json.put(json, "error_ss", effect.errorSs());
+    Json.put(json, "error_ms", effect.errorMs());
+    Json.put(json, "F", effect.f());
+    Json.put(json, "p", effect.p());
+    size(json, "partial_eta2", effect.partialEta());
+    size(json, "generalized_eta2", effect.generalisedEta());
+    if (effect.sphericity().isPresent()) {
+      Sphericity found = effect.sphericity().get();
+      ObjectNode node = json.putObject("sphericity");
+      Json.put(node, "mauchly_w", found.mauchlyW());
+      Json.put(node, "mauchly_p", found.mauchlyP());
+      Json.put(node, "greenhouse_geisser", found.greenhouseGeisser());
+      Json.put(node, "p_greenhouse_geisser", effect.correctedP(found.greenhouseGeisser()));
+      Json.put(node, "huynh_feldt", found.huynhFeldt());
+      Json.put(node, "p_huynh_feldt", effect.correctedP(found.huynhFeldt()));
+    }
+    if (!effect.multivariate().isEmpty()) {
+      ArrayNode tests = json.putArray("multivariate");
+      effect.multivariate().forEach(test -> multivariate(test, tests.addObject()));
+    }
+    ObjectNode equivalence = json.putObject("equivalence");
+    Json.put(equivalence, "partial_eta2_bound", effect.equivalence().bound());
+    Json.put(equivalence, "p", effect.equivalence().p());
+    Json.put(json, "bf01_bic", effect.bayesFactor());
+    effect.flaw().ifPresent(flaw -> json.put("undefined", flaw));
+  }
+
+  private static void size(ObjectNode json, String key, EffectSize size) {
+    Json.put(json, key, size.value());
+    if (Double.isFinite(size.low())) {
+      ArrayNode interval = json.putArray(key + "_ci");
+      ObjectNode bounds = json.objectNode();
+      Json.put(bounds, "low", size.low());
+      Json.put(bounds, "high", size.high());
+      interval.add(bounds.get("low")).add(bounds.get("high"));
+    } else {
+      json.putNull(key + "_ci");
+    }
+  }
+
+  private static void multivariate(MultivariateTest test, ObjectNode json) {
+    json.put("statistic", test.statistic().name().toLowerCase(Locale.ROOT));
+    Json.put(json, "value", test.value());
+    Json.put(json, "F", test.f());
+    Json.put(json, "df1", test.df1());
+    Json.put(json, "df2", test.df2());
+    Json.put(json, "p", test.p());
+    json.put("exact", test.exact());
+  }
+
+  private static void mean(MarginalMean mean, ObjectNode json) {
+    json.put("within", mean.within().orElse(null)).put("between", mean.between().orElse(null));
+    Json.put(json, "mean", mean.mean());
+    Json.put(json, "se", mean.standardError());
+    Json.put(json, "df", mean.df());
+    Json.put(json, "low", mean.low());
+    Json.put(json, "high", mean.high());
+  }
+
+  private static void comparison(Comparison pair, ObjectNode json) {
+    json.put("factor", pair.factor()).put("at", pair.at().orElse(null));
+    json.put("first", pair.first()).put("second", pair.second());
+    Json.put(json, "difference", pair.difference());
+    Json.put(json, "se", pair.standardError());
+    Json.put(json, "low", pair.low());
+    Json.put(json, "high", pair.high());
+    Json.put(json, "t", pair.t());
+    Json.put(json, "df", pair.df());
+    Json.put(json, "p", pair.p());
+    Json.put(json, "p_holm", pair.holm());
+    Json.put(json, "d", pair.d());
+    Json.put(json, "tost_lower_t", pair.tost().lowerT());
+    Json.put(json, "tost_upper_t", pair.tost().upperT());
+    Json.put(json, "tost_p", pair.tost().p());
+    Json.put(json, "bf01_jzs", pair.bayesFactor());
+    if (!Double.isFinite(pair.t())) {
+      json.put("undefined", "the scores compared do not vary, so there is no t");
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.selectiverenderer.statistics.report;
+
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.data.Exclusion;
+import org.selectiverenderer.statistics.report.Block.Items;
+import org.selectiverenderer.statistics.report.Block.Picture;
+import org.selectiverenderer.statistics.report.Block.Section;
+import org.selectiverenderer.statistics.report.Block.Table;
+
+/** One analysis of variance in its forms. */
+public final class AnovaReport {
+  private AnovaReport() {}
+
+  /** Tables for a terminal. */
+  public static String text(Anova anova, List<Exclusion> exclusions) {
+    return TextPage.of(title(anova), blocks(anova, exclusions), true);
+  }
+
+  /** One page that loads nothing. */
+  public static String html(Anova anova, List<Exclusion> exclusions) {
+    List<Block> blocks = new ArrayList<>();
+    blocks.add(
+        new Picture(
+            "Estimated marginal means with 95 % intervals (pooled error), and each participant.",
+            new MeansPlot().svg(anova, anova.design().measure())));
+    blocks.addAll(blocks(anova, exclusions));
+    return HtmlPage.of(title(anova), blocks);
+  }
+
+  /** For programs. */
+  public static String json(Anova anova, List<Exclusion> exclusions) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    AnovaJson.write(anova, json);
+    AnovaJson.options(anova.options(), json.putObject("options"));
+    AnovaJson.exclusions(exclusions, json);
+    return Json.text(json);
+  }
+
+  private static String title(Anova anova) {
+    return "Analysis of variance of " + anova.design().measure();
+  }
+
+  private static List<Block> blocks(Anova anova, List<Exclusion> exclusions) {
+    List<Block> blocks = new ArrayList<>(AnovaBlocks.of(anova));
+    blocks.add(new Section("Methods", false, List.of(new Items(Methods.of(anova.options())))));
+    if (!exclusions.isEmpty()) {
+      blocks.add(exclusions(exclusions));
+    }
+    return blocks;
+  }
+
+  static Table exclusions(List<Exclusion> exclusions) {
+    return new Table(
+        "Data that are missing or left out",
+        List.of("place", "participant", "what"),
+        exclusions.stream()
+            .map(
+                exclusion ->
+                    List.of(
+                        exclusion.location().toString(),
+                        exclusion.participant(),
+                        exclusion.reason()))
+            .toList(),
+        List.of());
+  }
+}

@@ -1,0 +1,198 @@
+package org.selectiverenderer.statistics.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.selectiverenderer.chart.Colour;
+import org.selectiverenderer.chart.Lettering;
+import org.selectiverenderer.chart.SvgCanvas;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.MarginalMean;
+import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.x3d.geometry.text.FontFamily;
+import org.selectiverenderer.x3d.geometry.text.FontLibrary;
+import org.selectiverenderer.x3d.geometry.text.FontStyle;
+
+/**
+ * Estimated marginal means as lines over the groups, one for each level of the within factor, as in
+ * Figs 95, 99 and 100 of the thesis, and beside them what those lack: the intervals and each
+ * participant's point.
+ */
+final class MeansPlot {
+  private static final int WIDTH = 460;
+  private static final int HEIGHT = 330;
+  private static final int LEFT = 52;
+  private static final int RIGHT = 14;
+  private static final int TOP = 46;
+  private static final int BOTTOM = 44;
+  private static final double DODGE = 26;
+  private static final double SPREAD = 8;
+  private static final List<Colour> LINES =
+      List.of(Colour.BLUE, Colour.GREEN, Colour.VERMILION, Colour.ORANGE);
+
+  private final Lettering plain;
+  private final Lettering bold;
+
+  MeansPlot() {
+    FontLibrary fonts = new FontLibrary();
+    plain = new Lettering(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 12, false);
+    bold = new Lettering(fonts.font(FontFamily.SANS, FontStyle.BOLD), 13, true);
+  }
+
+  /** An SVG element of 460 x 330 pixels. */
+  String svg(Anova anova, String title) {
+    SvgCanvas canvas = SvgCanvas.inline(WIDTH, HEIGHT, title);
+    canvas.rectangle(0, 0, WIDTH, HEIGHT, Colour.PAPER);
+    canvas.text(bold.fit(title, WIDTH - LEFT - RIGHT), LEFT, 16, bold, Colour.INK);
+    new Drawing(anova, canvas).draw();
+    return canvas.finish();
+  }
+
+  /** One plot with its scale. */
+  private final class Drawing {
+    private final SvgCanvas canvas;
+    private final Design design;
+    private final List<MarginalMean> means;
+    private final int groups;
+    private final int levels;
+    private final double low;
+    private final double high;
+    private final double step;
+
+    Drawing(Anova anova, SvgCanvas canvas) {
+      this.canvas = canvas;
+      design = anova.design();
+      groups = design.between().levels().size();
+      levels = design.within().levels().size();
+      means =
+          anova.means().stream()
+              .filter(mean -> mean.within().isPresent() == levels > 1)
+              .filter(mean -> mean.between().isPresent() == groups > 1)
+              .toList();
+      double least = Double.POSITIVE_INFINITY;
+      double most = Double.NEGATIVE_INFINITY;
+      for (Subject subject : design.subjects()) {
+        for (double value : subject.values()) {
+          least = Math.min(least, value);
+          most = Math.max(most, value);
+        }
+      }
+      for (MarginalMean mean : means) {
+        least = Math.min(least, mean.low());
+        most = Math.max(most, mean.high());
+      }
+      double range = most > least ? most - least : 1;
+      double power = Math.pow(10, Math.floor(Math.log10(range / 4)));
+      double ratio = range / 4 / power;
+      step = power * (ratio >= 5 ? 5 : ratio >= 2 ? 2 : 1);
+      low = Math.floor(least / step) * step;
+      high = Math.max(Math.ceil(most / step) * step, low + step);
+    }
+
+    void draw() {
+      axes();
+      legend();
+      for (int level = 0; level < levels; level++) {
+        points(level);
+      }
+      for (int level = 0; level < levels; level++) {
+        line(level);
+      }
+    }
+
+    private void axes() {
+      int marks = (int) Math.round((high - low) / step);
+      for (int i = 0; i <= marks; i++) {
+        double value = low + i * step;
+        double y = Math.rint(y(value));
+        canvas.rectangle(LEFT, y, WIDTH - LEFT - RIGHT, 1, Colour.GRID);
+        String number = number(value);
+        canvas.text(number, LEFT - 7 - plain.width(number), y + 4, plain, Colour.FAINT_INK);
+      }
+      if (low < 0 && high > 0) {
+        canvas.rectangle(LEFT, Math.rint(y(0)), WIDTH - LEFT - RIGHT, 1, Colour.GREY);
+      }
+      double slot = (double) (WIDTH - LEFT - RIGHT) / groups;
+      for (int group = 0; group < groups; group++) {
+        String name = plain.fit(design.between().levels().get(group), slot - 8);
+        double x = LEFT + slot * (group + 0.5) - plain.width(name) / 2;
+        canvas.text(name, x, HEIGHT - BOTTOM + 20, plain, Colour.INK);
+      }
+      String axis = plain.fit(design.between().name(), WIDTH - LEFT - RIGHT);
+      double middle = LEFT + (WIDTH - LEFT - RIGHT) / 2.0;
+      canvas.text(axis, middle - plain.width(axis) / 2, HEIGHT - 8, plain, Colour.FAINT_INK);
+    }
+
+    private String number(double value) {
+      int decimals = Math.max(0, (int) Math.ceil(-Math.log10(step) - 1e-9));
+      String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+      return text.matches("-0(\\.0+)?") ? text.substring(1) : text.replace('-', '\u2212');
+    }
+
+    private void legend() {
+      double x = LEFT;
+      for (int level = 0; levels > 1 && level < levels; level++) {
+        String name = design.within().levels().get(level);
+        canvas.rectangle(x, 27, 16, 3, colour(level));
+        canvas.text(name, x + 21, 33, plain, Colour.INK);
+        x += 40 + plain.width(name);
+      }
+    }
+
+    private void points(int level) {
+      List<double[]> points = new ArrayList<>();
+      int[] counts = new int[groups];
+      for (Subject subject : design.subjects()) {
+        // The golden ratio spreads any number of points evenly.
+        double share = (counts[subject.group()]++ * 0.6180339887) % 1;
+        double x = x(subject.group(), level) + (share - 0.5) * 2 * SPREAD;
+        points.add(new double[] {x, y(subject.values().get(level))});
+      }
+      canvas.dots(points, 2.2, colour(level), 0.45);
+    }
+
+    private void line(int level) {
+      double[] before = {};
+      for (int group = 0; group < groups; group++) {
+        MarginalMean mean = mean(group, level);
+        double x = x(group, level);
+        double y = y(mean.mean());
+        if (before.length > 0) {
+          canvas.line(before[0], before[1], x, y, 1.5, colour(level));
+        }
+        canvas.line(x, y(mean.low()), x, y(mean.high()), 2, colour(level));
+        for (double end : new double[] {mean.low(), mean.high()}) {
+          canvas.line(x - 5, y(end), x + 5, y(end), 2, colour(level));
+        }
+        canvas.dots(List.of(new double[] {x, y}), 4.5, colour(level), 1);
+        before = new double[] {x, y};
+      }
+    }
+
+    private MarginalMean mean(int group, int level) {
+      Optional<String> within =
+          levels > 1 ? Optional.of(design.within().levels().get(level)) : Optional.empty();
+      Optional<String> between =
+          groups > 1 ? Optional.of(design.between().levels().get(group)) : Optional.empty();
+      return means.stream()
+          .filter(mean -> mean.within().equals(within) && mean.between().equals(between))
+          .findFirst()
+          .orElseThrow();
+    }
+
+    private double x(int group, int level) {
+      double slot = (double) (WIDTH - LEFT - RIGHT) / groups;
+      return LEFT + slot * (group + 0.5) + DODGE * (level - (levels - 1) / 2.0);
+    }
+
+    private double y(double value) {
+      return TOP + (HEIGHT - TOP - BOTTOM) * (high - value) / (high - low);
+    }
+
+    private Colour colour(int level) {
+      return LINES.get(level % LINES.size());
+    }
+  }
+}

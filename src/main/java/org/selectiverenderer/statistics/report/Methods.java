@@ -1,0 +1,61 @@
+package org.selectiverenderer.statistics.report;
+
+import java.util.List;
+import java.util.Locale;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.detection.Guessing;
+import org.selectiverenderer.statistics.detection.Scoring;
+
+/** What was computed and how, for the reader of a report. */
+final class Methods {
+  private Methods() {}
+
+  static List<String> of(Scoring scoring) {
+    return List.of(
+        "Hits, misses, false alarms and correct rejections are counted per participant, area and"
+            + " object type. d′ = z(H) − z(FA); log β = (z(FA)² − z(H)²)/2, natural logarithm; c ="
+            + " −(z(H) + z(FA))/2. Positive log β and c: a bias towards “no”.",
+        "Correction of rates: " + scoring.correction().description() + ".",
+        "Confidence: all answers (un), those with confidence 3 to 5 (mod), those with 5 (high); "
+            + (scoring.guessing() == Guessing.DISCARD
+                ? "answers below a level are left out."
+                : "answers below a level count as “no”."));
+  }
+
+  static List<String> of(AnovaOptions options) {
+    String bound =
+        options.rawBound()
+            ? "±%s in the measure's units".formatted(number(options.differenceBound()))
+            : "±%s pooled standard deviations of a cell"
+                .formatted(number(options.differenceBound()));
+    return List.of(
+        "Analysis of variance with type III sums of squares; where a within factor has three or more"
+            + " levels, Greenhouse-Geisser and Huynh-Feldt (Lecoutre) corrections and the"
+            + " multivariate tests stand beside F.",
+        ("Intervals: %s %% for means and differences, %s %% for η² (noncentral F; Steiger 2004; they"
+                + " are of the population's value and lie below the sample's where F is very"
+                + " small).")
+            .formatted(percent(options.confidence()), percent(options.etaConfidence())),
+        "Comparisons use the pooled error of the multivariate model; p (Holm) holds each family of"
+            + " comparisons to α = "
+            + number(options.alpha())
+            + ". Nothing is corrected across measures, areas and levels of confidence: of effects that do"
+            + " not exist, that share comes out below α.",
+        "A p above α does not show that there is no difference. Beside it stand: TOST with bounds "
+            + bound
+            + " (Schuirmann 1987), its counterpart for effects with the bound ηp² < "
+            + number(options.etaBound())
+            + " (Campbell and Lakens 2021), and Bayes factors for the null hypothesis (BF01 > 1"
+            + " speaks for it): BIC-based for effects (Wagenmakers 2007; Masson 2011), JZS with scale "
+            + number(options.priorScale())
+            + " for comparisons (Rouder et al. 2009).");
+  }
+
+  private static String percent(double share) {
+    return number(100 * share);
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.3f", value).replaceFirst("\\.?0+$", "");
+  }
+}

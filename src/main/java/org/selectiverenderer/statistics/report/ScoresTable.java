@@ -1,0 +1,110 @@
+package org.selectiverenderer.statistics.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import org.selectiverenderer.statistics.anova.Descriptive;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Score;
+import org.selectiverenderer.statistics.report.Block.Table;
+import org.selectiverenderer.statistics.study.AreaAnalysis;
+import org.selectiverenderer.statistics.study.Study;
+
+/**
+ * Means and standard deviations (in brackets) of d' and log beta at the three levels of confidence:
+ * Tables 6 to 11 of the thesis. c, which they lack, stands in the details.
+ */
+final class ScoresTable {
+  private static final List<Measure> MEASURES = List.of(Measure.D_PRIME, Measure.LOG_BETA);
+  private static final Optional<String> ONE =
+      Optional.of("one participant has no standard deviation");
+  private static final String NONE = "no participant has this score";
+
+  private final Study study;
+  private final String area;
+  private final List<AreaAnalysis> columns;
+
+  private ScoresTable(Study study, String area) {
+    this.study = study;
+    this.area = area;
+    columns =
+        study.analyses(area).filter(analysis -> MEASURES.contains(analysis.measure())).toList();
+  }
+
+  static Table of(Study study, String area) {
+    return new ScoresTable(study, area).table();
+  }
+
+  private Table table() {
+    List<String> header = new ArrayList<>(List.of("condition"));
+    columns.forEach(
+        column -> header.add(column.measure().symbol() + " " + column.level().heading()));
+    Figures figures = new Figures();
+    List<List<String>> rows = new ArrayList<>();
+    for (String type : columns.get(0).design().within().levels()) {
+      rows.add(List.of("%s objects (O = %s)".formatted(type, objects(type))));
+      for (String condition : study.conditions()) {
+        rows.add(row(condition, type, Optional.of(condition), figures));
+      }
+      if (study.conditions().size() > 1) {
+        rows.add(row("total", type, Optional.empty(), figures));
+      }
+    }
+    List<String> notes = new ArrayList<>(figures.notes());
+    notes.add("O: objects asked for, present and absent. " + participants());
+    return new Table(
+        area + ": mean (standard deviation) of d′ and log β by condition", header, rows, notes);
+  }
+
+  /** How many participants each column is of; those without a score are named in the details. */
+  private String participants() {
+    int all = (int) study.scores().stream().map(Score::participant).distinct().count();
+    List<String> fewer = new ArrayList<>();
+    for (AreaAnalysis column : columns) {
+      int n = column.design().subjects().size();
+      if (n < all && column.measure() == Measure.D_PRIME) {
+        fewer.add("%s: n = %d".formatted(column.level().heading(), n));
+      }
+    }
+    return fewer.isEmpty()
+        ? "n = %d participants.".formatted(all)
+        : "Of %d participants not all have every score (%s); named below."
+            .formatted(all, String.join(", ", fewer));
+  }
+
+  private String objects(String type) {
+    TreeSet<Integer> counts = new TreeSet<>();
+    for (Score score : study.scores()) {
+      if (score.area().equals(area) && score.type().equals(type)) {
+        counts.add(score.objects());
+      }
+    }
+    return counts.size() > 1
+        ? counts.first() + " to " + counts.last()
+        : String.valueOf(counts.first());
+  }
+
+  private List<String> row(String name, String type, Optional<String> condition, Figures figures) {
+    List<String> row = new ArrayList<>(List.of(name));
+    for (AreaAnalysis column : columns) {
+      row.add(cell(column.design(), type, condition, figures));
+    }
+    return row;
+  }
+
+  private static String cell(
+      Design design, String type, Optional<String> condition, Figures figures) {
+    boolean types = design.within().varies();
+    for (Descriptive found : Descriptive.of(design)) {
+      boolean own = !types || found.within().equals(Optional.of(type));
+      boolean group =
+          found.between().equals(condition) || condition.isEmpty() && !design.between().varies();
+      if (own && group && found.n() > 0) {
+        return figures.number(found.mean(), 2) + " (" + figures.number(found.sd(), 2, ONE) + ")";
+      }
+    }
+    return figures.dash(NONE);
+  }
+}

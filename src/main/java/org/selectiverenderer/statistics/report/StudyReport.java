@@ -1,0 +1,84 @@
+package org.selectiverenderer.statistics.report;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Locale;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Score;
+import org.selectiverenderer.statistics.study.AreaAnalysis;
+import org.selectiverenderer.statistics.study.Study;
+
+/** A study in its forms. */
+public final class StudyReport {
+  private StudyReport() {}
+
+  /** Tables for a terminal, without the details of each analysis. */
+  public static String text(Study study) {
+    return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study), false);
+  }
+
+  /** One page with everything, that loads nothing. */
+  public static String html(Study study) {
+    return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study));
+  }
+
+  /** Scores, one a row. */
+  public static String tidyCsv(Study study) {
+    return ScoresCsv.tidy(study);
+  }
+
+  /** Scores, one participant a row. */
+  public static String wideCsv(Study study) {
+    return ScoresCsv.wide(study);
+  }
+
+  /** Everything, for programs. */
+  public static String json(Study study) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("source", study.responses().source());
+    ObjectNode options = json.putObject("options");
+    options.put("correction", key(study.scoring().correction()));
+    options.put("guessing", key(study.scoring().guessing()));
+    AnovaJson.options(study.options(), options);
+    ObjectNode participants = json.putObject("participants");
+    study.conditions().forEach(name -> participants.put(name, study.participants(name)));
+    AnovaJson.exclusions(study.responses().exclusions(), json);
+    ArrayNode scores = json.putArray("scores");
+    study.scores().forEach(score -> score(score, scores.addObject()));
+    ArrayNode analyses = json.putArray("analyses");
+    study.analyses().forEach(analysis -> analysis(analysis, analyses.addObject()));
+    return Json.text(json);
+  }
+
+  private static String key(Enum<?> value) {
+    return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  private static void score(Score score, ObjectNode json) {
+    json.put("participant", score.participant()).put("condition", score.condition());
+    json.put("area", score.area()).put("object_type", score.type());
+    json.put("confidence", score.level().spelling()).put("objects", score.objects());
+    json.put("hits", score.counts().hits()).put("misses", score.counts().misses());
+    json.put("false_alarms", score.counts().falseAlarms());
+    json.put("correct_rejections", score.counts().correctRejections());
+    Json.put(json, "hit_rate", score.detection().hitRate());
+    Json.put(json, "false_alarm_rate", score.detection().falseAlarmRate());
+    for (Measure measure : Measure.values()) {
+      Json.put(json, measure.key(), measure.of(score.detection()));
+    }
+    score.detection().flaw().ifPresent(flaw -> json.put("undefined", flaw));
+  }
+
+  private static void analysis(AreaAnalysis analysis, ObjectNode json) {
+    json.put("area", analysis.area()).put("confidence", analysis.level().spelling());
+    json.put("measure", analysis.measure().key());
+    analysis.notes().forEach(json.putArray("notes")::add);
+    if (analysis.anova().isPresent()) {
+      AnovaJson.write(analysis.anova().get(), json);
+    } else {
+      json.putArray("effects");
+      AnovaJson.descriptives(analysis.design(), json);
+    }
+  }
+}

@@ -1,0 +1,83 @@
+package org.selectiverenderer.statistics.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import org.apache.commons.math3.distribution.NormalDistribution;
+import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.x3d.Location;
+
+/**
+ * Answers of simulated participants. Evidence for an object is normal around d'/2 if it is present,
+ * -d'/2 if not; above c the answer is yes; the farther from c, the more certain.
+ */
+public final class SimulatedStudy {
+  private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
+
+  /**
+   * Distances from c from which on the confidence is 2, 3, 4, 5: certain of two answers in five.
+   */
+  private static final double[] CERTAINTY = {0.15, 0.35, 0.6, 0.9};
+
+  private final Model model;
+  private final SplittableRandom random;
+
+  private SimulatedStudy(Model model, long seed) {
+    this.model = model;
+    random = new SplittableRandom(seed);
+  }
+
+  /**
+   * The answers of a study. The first participants of a larger study of that seed are those of a
+   * smaller one.
+   */
+  public static List<Response> responses(Model model, int participants, long seed) {
+    List<Response> responses = new ArrayList<>();
+    for (int i = 0; i < participants; i++) {
+      new SimulatedStudy(model, Seeds.of(seed, i)).participant(i, responses);
+    }
+    return responses;
+  }
+
+  private void participant(int index, List<Response> responses) {
+    int condition = index % model.conditions().size();
+    double sensitivity =
+        model.sensitivities().get(condition) + model.sensitivitySpread() * normal();
+    double criterion = model.criteria().get(condition) + model.criterionSpread() * normal();
+    for (ObjectList list : model.lists()) {
+      boolean inconsistent = list.type().equals("inconsistent");
+      double d = sensitivity + (inconsistent ? model.typeSensitivity() : 0);
+      double c = criterion + (inconsistent ? model.typeCriterion() : 0);
+      for (int object = 0; object < list.objects(); object++) {
+        boolean present = object % 2 == 0;
+        double distance = (present ? d : -d) / 2 + normal() - c;
+        responses.add(
+            new Response(
+                String.format(Locale.ROOT, "sim-%03d", index + 1),
+                model.conditions().get(condition),
+                list.area(),
+                String.format(Locale.ROOT, "%s %s %02d", list.area(), list.type(), object + 1),
+                list.type(),
+                present,
+                distance > 0,
+                confidence(Math.abs(distance)),
+                Location.of("simulated")));
+      }
+    }
+  }
+
+  private static int confidence(double distance) {
+    int confidence = Response.LEAST_CONFIDENCE;
+    for (double from : CERTAINTY) {
+      confidence += distance >= from ? 1 : 0;
+    }
+    return confidence;
+  }
+
+  /** By inversion: the same number on every Java. */
+  private double normal() {
+    double uniform = (random.nextLong() >>> 11) * 0x1.0p-53 + 0x1.0p-54;
+    return NORMAL.inverseCumulativeProbability(uniform);
+  }
+}

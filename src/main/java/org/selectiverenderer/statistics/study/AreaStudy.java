@@ -1,0 +1,139 @@
+package org.selectiverenderer.statistics.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.Responses;
+import org.selectiverenderer.statistics.detection.ConfidenceLevel;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.statistics.detection.Score;
+import org.selectiverenderer.statistics.detection.Scoring;
+
+/** The scores of one area, and the designs that they make. */
+public final class AreaStudy {
+  /** The between factor's name. */
+  public static final String BETWEEN = "condition";
+
+  /** The within factor's name. */
+  public static final String WITHIN = "object type";
+
+  private final String area;
+  private final List<String> conditions;
+  private final List<String> types;
+  private final List<Score> scores;
+
+  AreaStudy(String area, List<String> conditions, List<Score> scores) {
+    this.area = area;
+    this.conditions = conditions;
+    this.scores = scores;
+    types =
+        Response.TYPES.stream()
+            .filter(type -> scores.stream().anyMatch(score -> score.type().equals(type)))
+            .toList();
+  }
+
+  /** The study of an area's answers. */
+  public static AreaStudy of(Responses responses, Scoring scoring, String area) {
+    return new AreaStudy(
+        area,
+        Study.conditions(responses.usable()),
+        scoring.scores(responses.usable()).stream()
+            .filter(score -> score.area().equals(area))
+            .toList());
+  }
+
+  /** One measure at one level of confidence. */
+  public AreaAnalysis analysis(ConfidenceLevel level, Measure measure, AnovaOptions options) {
+    List<String> notes = new ArrayList<>();
+    Map<String, List<Subject>> groups = complete(level, measure, notes);
+    Design design = design(measure, groups, notes);
+    Optional<String> obstacle = design.obstacle();
+    obstacle.ifPresent(reason -> notes.add("Not analysed: " + reason + "."));
+    Optional<Anova> anova =
+        obstacle.isPresent() ? Optional.empty() : Optional.of(Anova.of(design, options));
+    return new AreaAnalysis(area, level, measure, design, anova, notes);
+  }
+
+  /** The participants with a score for every type, by condition; the others are noted. */
+  private Map<String, List<Subject>> complete(
+      ConfidenceLevel level, Measure measure, List<String> notes) {
+    Map<String, Map<String, Score>> participants = new LinkedHashMap<>();
+    for (Score score : scores) {
+      if (score.level() == level) {
+        participants
+            .computeIfAbsent(score.participant(), id -> new LinkedHashMap<>())
+            .put(score.type(), score);
+      }
+    }
+    Map<String, List<Subject>> groups = new LinkedHashMap<>();
+    Map<String, List<String>> left = new LinkedHashMap<>();
+    participants.forEach(
+        (id, own) -> {
+          List<String> flaws = flaws(own, measure);
+          String condition = own.values().iterator().next().condition();
+          if (flaws.isEmpty()) {
+            groups
+                .computeIfAbsent(condition, name -> new ArrayList<>())
+                .add(new Subject(id, conditions.indexOf(condition), values(own, measure)));
+          } else {
+            left.computeIfAbsent(String.join("; ", flaws), why -> new ArrayList<>()).add(id);
+          }
+        });
+    left.forEach(
+        (why, ids) ->
+            notes.add(
+                "Left out because %s: %s (%d)."
+                    .formatted(why, String.join(", ", ids), ids.size())));
+    return groups;
+  }
+
+  /** Of the conditions that have participants; the others are noted. */
+  private Design design(Measure measure, Map<String, List<Subject>> groups, List<String> notes) {
+    List<String> filled = conditions.stream().filter(groups::containsKey).toList();
+    conditions.stream()
+        .filter(condition -> !filled.contains(condition))
+        .forEach(name -> notes.add("The condition " + name + " has no complete participant."));
+    if (filled.size() == 1) {
+      notes.add("There is one condition only, " + filled.get(0) + ": no effect of condition.");
+    }
+    List<Subject> subjects = new ArrayList<>();
+    for (int group = 0; group < filled.size(); group++) {
+      for (Subject subject : groups.get(filled.get(group))) {
+        subjects.add(new Subject(subject.id(), group, subject.values()));
+      }
+    }
+    return new Design(
+        measure.key(),
+        new Factor(WITHIN, types),
+        new Factor(BETWEEN, filled.isEmpty() ? conditions : filled),
+        subjects);
+  }
+
+  private List<String> flaws(Map<String, Score> own, Measure measure) {
+    List<String> flaws = new ArrayList<>();
+    for (String type : types) {
+      Score score = own.get(type);
+      if (score == null) {
+        flaws.add("there is no answer to " + type + " objects");
+      } else if (!Double.isFinite(measure.of(score.detection()))) {
+        flaws.add(score.detection().flaw().orElse("not defined") + " (" + type + " objects)");
+      }
+    }
+    return flaws;
+  }
+
+  private List<Double> values(Map<String, Score> own, Measure measure) {
+    return types.stream()
+        .map(type -> measure.of(Objects.requireNonNull(own.get(type)).detection()))
+        .toList();
+  }
+}

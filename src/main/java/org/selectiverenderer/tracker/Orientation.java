@@ -1,0 +1,47 @@
+package org.selectiverenderer.tracker;
+
+import org.apache.commons.math3.geometry.euclidean.threed.Rotation;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationConvention;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationOrder;
+
+/**
+ * How a head is turned, as angles in degrees.
+ *
+ * <p>The viewer of X3D looks along -Z with +Y up (X3D 4.0, 23.4.6), so that yaw turns about Y,
+ * pitch about X and roll about Z. They are composed in the order YXZ: R = Ry(yaw) Rx(pitch)
+ * Rz(roll), roll applied to the viewer first. {@link ThesisOrientation} is the thesis's own
+ * formula.
+ *
+ * <p>{@link #rotation} is the definition, by Commons Math, whose rotations are immutable. What runs
+ * once per record, {@link PoseSample}, computes the same without allocating; a test holds the two
+ * together.
+ *
+ * @param yaw about Y, positive to the left
+ * @param pitch about X, positive up
+ * @param roll about Z, positive towards the left shoulder
+ */
+public record Orientation(double yaw, double pitch, double roll) {
+  /** The rotation that takes the viewer's frame to the world's. */
+  public Rotation rotation() {
+    return new Rotation(
+        RotationOrder.YXZ,
+        RotationConvention.VECTOR_OPERATOR,
+        Math.toRadians(yaw),
+        Math.toRadians(pitch),
+        Math.toRadians(roll));
+  }
+
+  /** The angles of a rotation; looking straight up or down, roll is 0 and yaw takes it all. */
+  public static Orientation of(Rotation rotation) {
+    PoseSample sample = new PoseSample();
+    // Commons Math's own angles are undefined straight up and down, and its q0 is w, with the
+    // other three of opposite sign to the Hamilton convention.
+    sample.turn(-rotation.getQ1(), -rotation.getQ2(), -rotation.getQ3(), rotation.getQ0());
+    return sample.orientation();
+  }
+
+  /** The same angle between -180 and 180 degrees. */
+  static double wrap(double degrees) {
+    return degrees >= -180 && degrees <= 180 ? degrees : Math.IEEEremainder(degrees, 360);
+  }
+}

@@ -1,0 +1,98 @@
+package org.selectiverenderer.tracker;
+
+import org.joml.Quaterniond;
+
+/**
+ * One orientation of the head and when it arrived. Mutable, so that reading one allocates nothing;
+ * it belongs to the thread that made it.
+ *
+ * <p>Angles are in degrees about the axes of X3D's viewer, who looks along -Z with +Y up: yaw about
+ * Y (positive to the left), pitch about X (positive up), roll about Z (positive tilts the head to
+ * its left shoulder), composed as yaw, then pitch, then roll (order YXZ). See {@link Orientation}.
+ */
+public final class PoseSample {
+  private long number;
+  private long arrival;
+  private double yaw;
+  private double pitch;
+  private double roll;
+
+  /** Copies another sample. */
+  public void set(PoseSample other) {
+    set(other.number, other.arrival, other.yaw, other.pitch, other.roll);
+  }
+
+  /**
+   * Sets all of it.
+   *
+   * @param number of the record, counted from 1
+   * @param arrival as {@link System#nanoTime} told it
+   */
+  public void set(long number, long arrival, double yaw, double pitch, double roll) {
+    this.number = number;
+    this.arrival = arrival;
+    turn(yaw, pitch, roll);
+  }
+
+  /** Sets the angles only, in degrees; each is brought to -180 to 180. */
+  public void turn(double yaw, double pitch, double roll) {
+    this.yaw = Orientation.wrap(yaw);
+    this.pitch = Orientation.wrap(pitch);
+    this.roll = Orientation.wrap(roll);
+  }
+
+  /** Sets the angles only, from a unit quaternion that takes the viewer's frame to the world's. */
+  public void turn(double x, double y, double z, double w) {
+    // The third column and the second row of Ry(yaw) Rx(pitch) Rz(roll) hold the angles.
+    double sin = 2 * (x * w - y * z);
+    if (Math.abs(sin) < 1 - 1e-12) {
+      yaw = Math.toDegrees(Math.atan2(2 * (x * z + y * w), 1 - 2 * (x * x + y * y)));
+      pitch = Math.toDegrees(Math.asin(sin));
+      roll = Math.toDegrees(Math.atan2(2 * (x * y + z * w), 1 - 2 * (x * x + z * z)));
+    } else { // Straight up or down yaw and roll are one: all of it is told as yaw.
+      yaw = Math.toDegrees(Math.atan2(-2 * (x * z - y * w), 1 - 2 * (y * y + z * z)));
+      pitch = Math.copySign(90, sin);
+      roll = 0;
+    }
+  }
+
+  /** Which record it is, counted from 1 since the tracker was opened; 0 before the first. */
+  public long number() {
+    return number;
+  }
+
+  /** When the record arrived, in nanoseconds of {@link System#nanoTime}, which never goes back. */
+  public long arrival() {
+    return arrival;
+  }
+
+  /** About Y, -180 to 180 degrees. */
+  public double yaw() {
+    return yaw;
+  }
+
+  /** About X, -180 to 180 degrees, beyond 90 only if a device says so. */
+  public double pitch() {
+    return pitch;
+  }
+
+  /** About Z, -180 to 180 degrees. */
+  public double roll() {
+    return roll;
+  }
+
+  /** The angles as a value. */
+  public Orientation orientation() {
+    return new Orientation(yaw, pitch, roll);
+  }
+
+  /**
+   * The orientation as a quaternion that takes the viewer's frame to the world's; allocates
+   * nothing.
+   *
+   * @return {@code into}
+   */
+  public Quaterniond orientation(Quaterniond into) {
+    return into.rotationYXZ(Math.toRadians(yaw), Math.toRadians(pitch), Math.toRadians(roll));
+  }
+}

@@ -1,0 +1,16 @@
+package org.selectiverenderer.tracker;
+
+import java.io.IOException;
+
+/** A tracker that cannot be opened or was lost. The message is a whole sentence for the user. */
+public final class TrackerException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  public TrackerException(String sentence) {
+    super(sentence);
+  }
+
+  public TrackerException(String sentence, Throwable cause) {
+    super(sentence, cause);
+  }
+}

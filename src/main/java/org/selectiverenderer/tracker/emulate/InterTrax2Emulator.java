@@ -1,0 +1,182 @@
+package org.selectiverenderer.tracker.emulate;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.selectiverenderer.tracker.PoseSample;
+
+/**
+ * An InterTrax2 at the far end of a serial cable: answers commands and, once told to, sends
+ * records. Two threads, one per direction; both end when the cable does. What it is worth as a test
+ * is said where the protocol comes from: {@code tracker.serial.InterTrax2Source}.
+ *
+ * <p>A pseudo-terminal has no speed: the emulator understands commands at any.
+ */
+public final class InterTrax2Emulator implements AutoCloseable {
+  /** 38400 bits per second carry no more records of 8 bytes. */
+  public static final double FASTEST = 480;
+
+  /**
+   * How it behaves.
+   *
+   * @param rateHz records per second, above 0 and at most {@link #FASTEST}
+   * @param motion of the head
+   */
+  public record Settings(double rateHz, HeadMotion motion) {
+    /**
+     * @throws IllegalArgumentException if the rate is out of range
+     */
+    public Settings {
+      if (!(rateHz > 0 && rateHz <= FASTEST)) {
+        throw new IllegalArgumentException("the rate lies above 0 and at most at 480 records/s");
+      }
+    }
+  }
+
+  private static final String RESET = "*reset";
+
+  private final InputStream fromHost;
+  private final OutputStream toHost;
+  private final Settings settings;
+  private final long begin = System.nanoTime();
+  private final Thread listening;
+  private final Thread sending;
+  private volatile boolean streaming;
+  private volatile boolean closed;
+  private boolean continuous;
+
+  private InterTrax2Emulator(InputStream fromHost, OutputStream toHost, Settings settings) {
+    this.fromHost = fromHost;
+    this.toHost = toHost;
+    this.settings = settings;
+    listening = thread("emulator-commands", this::listen);
+    sending = thread("emulator-records", this::send);
+  }
+
+  /** Plugs one in: it waits for commands. */
+  public static InterTrax2Emulator start(
+      InputStream fromHost, OutputStream toHost, Settings settings) {
+    InterTrax2Emulator emulator = new InterTrax2Emulator(fromHost, toHost, settings);
+    emulator.listening.start();
+    emulator.sending.start();
+    return emulator;
+  }
+
+  private static Thread thread(String name, Runnable work) {
+    Thread thread = new Thread(work, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /** Whether it was told to send records. */
+  public boolean streaming() {
+    return streaming;
+  }
+
+  /** Ends the threads; the streams are to be closed by whoever made them, before or after. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(sending);
+  }
+
+  private void listen() {
+    try {
+      int command = fromHost.read();
+      while (command >= 0 && !closed) {
+        obey(command);
+        command = fromHost.read();
+      }
+    } catch (IOException e) {
+      closed = true; // The cable was pulled.
+    }
+    close();
+  }
+
+  private void obey(int command) throws IOException {
+    switch (command) {
+      case 'c' -> {
+        streaming = false;
+        answer('o');
+      }
+      case 't' -> {
+        continuous = fromHost.read() == 2;
+        answer('t');
+      }
+      case 'b' -> {
+        fromHost.read(); // The speed's code.
+        answer('b');
+      }
+      case 'd' -> {
+        answer('d');
+        streaming = continuous;
+        LockSupport.unpark(sending);
+      }
+      case '3' -> poll();
+      case '*' -> reset();
+      default -> {
+        // A device that does not know a command says nothing.
+      }
+    }
+  }
+
+  private void reset() throws IOException {
+    for (int i = 1; i < RESET.length(); i++) {
+      if (fromHost.read() != RESET.charAt(i)) {
+        return;
+      }
+    }
+    streaming = false;
+    continuous = false;
+  }
+
+  private void poll() throws IOException {
+    PoseSample pose = new PoseSample();
+    settings.motion().at(seconds(), pose);
+    byte[] record = new byte[InterTraxWriter.POLLED_LENGTH];
+    InterTraxWriter.polled(pose, record, 0);
+    write(record);
+  }
+
+  private void answer(char reply) throws IOException {
+    write(new byte[] {(byte) reply});
+  }
+
+  private void send() {
+    PoseSample pose = new PoseSample();
+    byte[] record = new byte[InterTraxWriter.LENGTH];
+    long period = (long) (TimeUnit.SECONDS.toNanos(1) / settings.rateHz());
+    long due = System.nanoTime();
+    try {
+      while (!closed) {
+        if (!streaming) {
+          LockSupport.park(this);
+          due = System.nanoTime();
+          continue;
+        }
+        settings.motion().at(seconds(), pose);
+        InterTraxWriter.continuous(pose, record);
+        write(record);
+        due += period;
+        while (!closed && System.nanoTime() < due) {
+          LockSupport.parkNanos(this, due - System.nanoTime());
+        }
+      }
+    } catch (IOException e) {
+      closed = true; // The cable was pulled.
+    }
+  }
+
+  private double seconds() {
+    return (System.nanoTime() - begin) * 1e-9;
+  }
+
+  private void write(byte[] bytes) throws IOException {
+    synchronized (toHost) {
+      toHost.write(bytes);
+      toHost.flush();
+    }
+  }
+}

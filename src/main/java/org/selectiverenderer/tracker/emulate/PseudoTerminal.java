@@ -1,0 +1,146 @@
+package org.selectiverenderer.tracker.emulate;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.selectiverenderer.tracker.TrackerException;
+
+/**
+ * A pseudo-terminal: a device file that a program opens like a serial port, and the far end of its
+ * cable as two streams. A program that closes and opens it again finds it there; {@link #close} is
+ * like pulling the cable.
+ */
+public final class PseudoTerminal implements AutoCloseable {
+  /** Programs that make pseudo-terminals, the better first. */
+  public enum Maker {
+    /** Made for this; in the package of that name. */
+    SOCAT("socat"),
+    /** Of util-linux, made to log terminal sessions. */
+    SCRIPT("script");
+
+    private final String command;
+
+    Maker(String command) {
+      this.command = command;
+    }
+
+    /** Whether this machine has it. */
+    public boolean installed() {
+      String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
+      return Stream.of(path.split(File.pathSeparator))
+          .filter(folder -> !folder.isEmpty())
+          .anyMatch(folder -> Files.isExecutable(Path.of(folder, command)));
+    }
+  }
+
+  private final Path link;
+  private final Process maker;
+
+  private PseudoTerminal(Path link, Process maker) {
+    this.link = link;
+    this.maker = maker;
+  }
+
+  /**
+   * Makes a terminal with the first program that is installed.
+   *
+   * @param link becomes a symbolic link to the terminal; one that is there is replaced
+   * @throws TrackerException if there is no such program
+   * @throws IOException if it fails, or the link cannot be made
+   */
+  public static PseudoTerminal open(Path link) throws IOException {
+    Maker maker =
+        Stream.of(Maker.values())
+            .filter(Maker::installed)
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    new TrackerException(
+                        "a pseudo-terminal needs the program socat or script; install socat (on"
+                            + " Debian and Ubuntu: sudo apt install socat)"));
+    return open(link, maker);
+  }
+
+  /** Makes a terminal with the given program. */
+  public static PseudoTerminal open(Path link, Maker maker) throws IOException {
+    if (Files.exists(link, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(link)) {
+      throw new TrackerException(link + " exists and is no link; it is not replaced");
+    }
+    Process process =
+        new ProcessBuilder(command(maker, holding(ProcessHandle.current().pid())))
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    try {
+      String device = line(process.getInputStream());
+      Files.deleteIfExists(link);
+      Files.createSymbolicLink(link, Path.of(device));
+      return new PseudoTerminal(link, process);
+    } catch (IOException e) {
+      process.destroyForcibly();
+      throw e;
+    }
+  }
+
+  /**
+   * The shell holds the terminal open, so that it stays when the program at its other end closes
+   * it, says its name, and ends with this program.
+   */
+  private static String holding(long pid) {
+    return "stty raw -echo; tty; while kill -0 " + pid + " 2>/dev/null; do sleep 1; done";
+  }
+
+  private static List<String> command(Maker maker, String shell) {
+    return switch (maker) {
+      case SOCAT -> List.of("socat", "STDIO", "SYSTEM:" + shell + ",pty,setsid,ctty");
+      case SCRIPT -> List.of("script", "-q", "-c", shell, "/dev/null");
+    };
+  }
+
+  private static String line(InputStream from) throws IOException {
+    StringBuilder line = new StringBuilder();
+    int next = from.read();
+    while (next >= 0 && next != '\n') {
+      if (next != '\r') {
+        line.append((char) next);
+      }
+      next = from.read();
+    }
+    if (next < 0) {
+      throw new TrackerException("the pseudo-terminal could not be made");
+    }
+    return line.toString();
+  }
+
+  /** The link by which it is opened. */
+  public Path link() {
+    return link;
+  }
+
+  /** What the program at the other end writes. */
+  public InputStream input() {
+    return maker.getInputStream();
+  }
+
+  /** What that program reads; to be flushed. */
+  public OutputStream output() {
+    return maker.getOutputStream();
+  }
+
+  /**
+   * Takes the terminal away from whoever uses it, and removes the link.
+   *
+   * @throws IOException if the link cannot be removed
+   */
+  @Override
+  public void close() throws IOException {
+    maker.destroyForcibly();
+    Files.deleteIfExists(link);
+  }
+}

@@ -1,0 +1,70 @@
+package org.selectiverenderer.tracker.net;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.ConnectException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.pose.Intake;
+
+/** TCP connections that never wait long. */
+final class Connecting {
+  /** A server on a laboratory's network answers within this, in milliseconds. */
+  private static final int CONNECT_MS = 1000;
+
+  private Connecting() {}
+
+  /**
+   * Connects.
+   *
+   * @throws TrackerException with the reason why not
+   */
+  static Socket to(String host, int port) throws TrackerException {
+    InetSocketAddress address = address(host, port);
+    Socket socket = new Socket();
+    try {
+      socket.connect(address, CONNECT_MS);
+      prepare(socket);
+      return socket;
+    } catch (IOException e) {
+      Closing.quietly(socket);
+      throw new TrackerException(
+          e instanceof ConnectException
+              ? "nothing listens on port " + port + " of " + host + " (is the server started?)"
+              : e instanceof SocketTimeoutException
+                  ? host + " does not answer on port " + port
+                  : "no connection to " + host + ", port " + port + ": " + e.getMessage(),
+          e);
+    }
+  }
+
+  /** Sets up a socket for small records that are wanted at once. */
+  static void prepare(Socket socket) throws IOException {
+    socket.setTcpNoDelay(true);
+    socket.setSoTimeout(Intake.PATIENCE_MS);
+  }
+
+  /**
+   * Looks up a host.
+   *
+   * @throws TrackerException if there is none of that name
+   */
+  static InetSocketAddress address(String host, int port) throws TrackerException {
+    InetSocketAddress address = new InetSocketAddress(host, port);
+    if (address.isUnresolved()) {
+      throw new TrackerException("there is no host " + host);
+    }
+    return address;
+  }
+
+  /** Reads what is there: the number of bytes, 0 when none came in time, -1 at the end. */
+  static int read(InputStream stream, byte[] bytes) throws IOException {
+    try {
+      return stream.read(bytes);
+    } catch (SocketTimeoutException e) {
+      return 0;
+    }
+  }
+}

@@ -1,0 +1,98 @@
+package org.selectiverenderer.tracker.net;
+
+import java.io.IOException;
+import java.net.BindException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.SocketTimeoutException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.pose.PoseSource;
+
+/**
+ * opentrack's "UDP over network" output: datagrams of six little-endian doubles, x, y, z in
+ * centimetres (not used: the head's place comes from the mouse), then yaw, pitch, roll in degrees.
+ * A datagram of another length is a bad record.
+ */
+public final class OpenTrackSource implements PoseSource {
+  private static final int LENGTH = 6 * Double.BYTES;
+  private static final int YAW = 3 * Double.BYTES;
+  private static final int PITCH = 4 * Double.BYTES;
+  private static final int ROLL = 5 * Double.BYTES;
+
+  private final int port;
+  private @Nullable DatagramSocket socket;
+
+  /**
+   * @param port to listen on, on all interfaces
+   */
+  public OpenTrackSource(int port) {
+    this.port = port;
+  }
+
+  @Override
+  public void open() throws TrackerException {
+    try {
+      socket = new DatagramSocket(port);
+      socket.setSoTimeout(Intake.PATIENCE_MS);
+    } catch (IOException e) {
+      throw new TrackerException(
+          e instanceof BindException
+              ? "the UDP port " + port + " is in use by another program, or may not be used"
+              : "the UDP port " + port + " cannot be opened: " + e.getMessage(),
+          e);
+    }
+  }
+
+  @Override
+  public void read(Intake intake) throws IOException {
+    DatagramSocket from = socket;
+    if (from == null) {
+      throw new TrackerException("the UDP port " + port + " is not open");
+    }
+    intake.connected();
+    // One byte longer than a record, so that longer datagrams are noticed.
+    byte[] bytes = new byte[LENGTH + 1];
+    ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    DatagramPacket packet = new DatagramPacket(bytes, bytes.length);
+    while (!intake.closed()) {
+      packet.setLength(bytes.length);
+      if (arrived(from, packet)) {
+        record(numbers, packet.getLength(), intake);
+      }
+      intake.tick();
+    }
+  }
+
+  private static boolean arrived(DatagramSocket from, DatagramPacket packet) throws IOException {
+    try {
+      from.receive(packet);
+      return true;
+    } catch (SocketTimeoutException e) {
+      return false; // Nothing came in time; the caller sees whether to wait on.
+    }
+  }
+
+  private static void record(ByteBuffer numbers, int length, Intake intake) {
+    if (length == LENGTH) {
+      intake.angles(
+          System.nanoTime(),
+          numbers.getDouble(YAW),
+          numbers.getDouble(PITCH),
+          numbers.getDouble(ROLL));
+    } else {
+      intake.bad();
+    }
+  }
+
+  @Override
+  public void close() {
+    if (socket != null) {
+      socket.close();
+      socket = null;
+    }
+  }
+}

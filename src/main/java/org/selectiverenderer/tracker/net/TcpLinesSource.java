@@ -1,0 +1,57 @@
+package org.selectiverenderer.tracker.net;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.text.AngleLine;
+import org.selectiverenderer.tracker.text.LineSplitter;
+
+/**
+ * A server that sends lines of {@code yaw pitch roll} in degrees over TCP: the thesis's TcpClient
+ * (Fig 50). Lines of any other form are bad records.
+ */
+public final class TcpLinesSource implements PoseSource {
+  private final String host;
+  private final int port;
+  private @Nullable Socket socket;
+
+  public TcpLinesSource(String host, int port) {
+    this.host = host;
+    this.port = port;
+  }
+
+  @Override
+  public void open() throws TrackerException {
+    socket = Connecting.to(host, port);
+  }
+
+  @Override
+  public void read(Intake intake) throws IOException {
+    Socket from = socket;
+    if (from == null) {
+      throw new TrackerException("there is no connection to " + host);
+    }
+    intake.connected();
+    InputStream stream = from.getInputStream();
+    LineSplitter lines = new LineSplitter(new AngleLine(), true);
+    byte[] bytes = new byte[4096];
+    while (!intake.closed()) {
+      int count = Connecting.read(stream, bytes);
+      if (count < 0) {
+        throw new TrackerException(host + " has closed the connection on port " + port);
+      }
+      lines.take(bytes, count, System.nanoTime(), intake);
+      intake.tick();
+    }
+  }
+
+  @Override
+  public void close() {
+    Closing.quietly(socket);
+    socket = null;
+  }
+}

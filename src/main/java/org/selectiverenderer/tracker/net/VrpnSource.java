@@ -1,0 +1,137 @@
+package org.selectiverenderer.tracker.net;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.pose.PoseSource;
+
+/**
+ * A client of a VRPN server (Taylor et al., VRST 2001), protocol 07: sensor 0 of one tracker.
+ *
+ * <p>The client asks by a datagram that names its own address and a TCP port; the server connects
+ * back to that port, both send a cookie with their version, and the server sends messages. As the
+ * client names no UDP port for records, they come over the same connection. Not tried with a server
+ * of the VRPN project.
+ */
+public final class VrpnSource implements PoseSource {
+  /** A datagram may be lost; it is sent again after this, in nanoseconds. */
+  private static final long ASK_AGAIN = TimeUnit.MILLISECONDS.toNanos(500);
+
+  private static final long GIVE_UP = TimeUnit.MILLISECONDS.toNanos(1600);
+
+  private final String tracker;
+  private final String host;
+  private final int port;
+  private @Nullable InetSocketAddress server;
+  private @Nullable ServerSocket listening;
+  private @Nullable Socket socket;
+
+  /**
+   * @param tracker its name at the server
+   */
+  public VrpnSource(String tracker, String host, int port) {
+    this.tracker = tracker;
+    this.host = host;
+    this.port = port;
+  }
+
+  @Override
+  public void open() throws TrackerException {
+    server = Connecting.address(host, port);
+    try {
+      listening = new ServerSocket(0);
+      listening.setSoTimeout(Intake.PATIENCE_MS);
+    } catch (IOException e) {
+      throw new TrackerException("no TCP port can be opened here: " + e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public void read(Intake intake) throws IOException {
+    Socket from = accept(intake);
+    if (from == null) {
+      return;
+    }
+    socket = from;
+    Connecting.prepare(from);
+    from.getOutputStream().write(VrpnCookie.OURS.bytes());
+    VrpnStream stream = new VrpnStream(from.getInputStream(), intake);
+    VrpnCookie theirs = VrpnCookie.read(stream);
+    if (intake.closed()) {
+      return;
+    }
+    theirs.check(host);
+    intake.connected();
+    new VrpnMessages(tracker, stream, intake).read();
+  }
+
+  /** Asks the server to connect back; null when the tracker is being closed. */
+  private @Nullable Socket accept(Intake intake) throws IOException {
+    InetSocketAddress to = server;
+    ServerSocket back = listening;
+    if (to == null || back == null) {
+      throw new TrackerException("there is no connection to " + host);
+    }
+    try (DatagramSocket asking = new DatagramSocket()) {
+      asking.connect(to); // Sends nothing, but chooses the address by which the server is reached.
+      byte[] question = question(asking.getLocalAddress(), back.getLocalPort());
+      long begin = System.nanoTime();
+      long next = begin;
+      while (!intake.closed()) {
+        long now = System.nanoTime();
+        if (now - begin > GIVE_UP) {
+          throw silent();
+        }
+        if (now - next >= 0) {
+          ask(asking, question);
+          next = now + ASK_AGAIN;
+        }
+        try {
+          return back.accept();
+        } catch (SocketTimeoutException e) {
+          // The server has not connected yet; the loop ends some time.
+        }
+      }
+    }
+    return null;
+  }
+
+  private static byte[] question(InetAddress own, int port) {
+    return (own.getHostAddress() + " " + port + "\0").getBytes(StandardCharsets.US_ASCII);
+  }
+
+  private void ask(DatagramSocket asking, byte[] question) throws TrackerException {
+    try {
+      asking.send(new DatagramPacket(question, question.length));
+    } catch (IOException e) { // The host said that nobody listens, to the datagram before.
+      throw silent();
+    }
+  }
+
+  private TrackerException silent() {
+    return new TrackerException(
+        "no VRPN server answers at "
+            + host
+            + ", port "
+            + port
+            + " (is it started, and may it connect back to this machine?)");
+  }
+
+  @Override
+  public void close() {
+    Closing.quietly(socket);
+    Closing.quietly(listening);
+    socket = null;
+    listening = null;
+  }
+}

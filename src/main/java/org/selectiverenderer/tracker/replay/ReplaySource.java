@@ -1,0 +1,44 @@
+package org.selectiverenderer.tracker.replay;
+
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.pose.PoseSource;
+
+/** Plays a log at the pace at which it was recorded, from its first row. */
+public final class ReplaySource implements PoseSource {
+  private static final long PATIENCE = TimeUnit.MILLISECONDS.toNanos(Intake.PATIENCE_MS);
+
+  private final ReplayLog log;
+
+  public ReplaySource(ReplayLog log) {
+    this.log = log;
+  }
+
+  /** The log has been read. */
+  @Override
+  public void open() {}
+
+  @Override
+  public void read(Intake intake) {
+    intake.connected();
+    PoseSample angles = new PoseSample();
+    long begin = System.nanoTime();
+    for (int row = 0; row < log.size() && !intake.closed(); row++) {
+      long due = begin + (long) ((log.time(row) - log.time(0)) * 1e9);
+      long left = due - System.nanoTime();
+      while (left > 0 && !intake.closed()) {
+        LockSupport.parkNanos(Math.min(left, PATIENCE));
+        intake.tick();
+        left = due - System.nanoTime();
+      }
+      log.angles(row, angles);
+      intake.angles(System.nanoTime(), angles.yaw(), angles.pitch(), angles.roll());
+    }
+  }
+
+  /** There is nothing to let go of. */
+  @Override
+  public void close() {}
+}

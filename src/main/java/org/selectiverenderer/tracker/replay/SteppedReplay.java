@@ -1,0 +1,94 @@
+package org.selectiverenderer.tracker.replay;
+
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerHealth;
+import org.selectiverenderer.tracker.TrackerHealth.State;
+import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.pose.Boresight;
+import org.selectiverenderer.tracker.pose.NewestPose;
+import org.selectiverenderer.tracker.pose.PoseFilter;
+
+/**
+ * Plays a log at the pace of the frames: the same times give the same poses, whatever the clock on
+ * the wall says. {@link #advanceTo} is called by one thread.
+ */
+public final class SteppedReplay implements HeadTracker {
+  private final TrackerSpec spec;
+  private final ReplayLog log;
+  private final TrackerOptions options;
+  private final NewestPose newest = new NewestPose();
+  private final Boresight boresight = new Boresight(newest);
+  private final PoseSample sample = new PoseSample();
+  private PoseFilter filter;
+  private volatile int next;
+  private volatile boolean closed;
+
+  public SteppedReplay(TrackerSpec.Replay spec, ReplayLog log, TrackerOptions options) {
+    this.spec = spec;
+    this.log = log;
+    this.options = options;
+    filter = PoseFilter.of(options);
+  }
+
+  /**
+   * Makes the last row that is not later the newest pose. Going back plays from the beginning
+   * again.
+   *
+   * @param time in seconds, as the log counts them
+   */
+  public void advanceTo(double time) {
+    int row = next;
+    if (row > 0 && log.time(row - 1) > time) {
+      row = 0;
+      filter = PoseFilter.of(options);
+    }
+    int before = row;
+    while (row < log.size() && log.time(row) <= time) {
+      log.angles(row, sample);
+      // The filters' clock is that of the recording.
+      long recorded = (long) (log.time(row) * 1e9);
+      sample.set(row + 1L, recorded, sample.yaw(), sample.pitch(), sample.roll());
+      filter.apply(sample);
+      row++;
+    }
+    if (row > before) {
+      sample.set(row, System.nanoTime(), sample.yaw(), sample.pitch(), sample.roll());
+      boresight.arriving(sample);
+      newest.publish(sample);
+    }
+    next = row;
+  }
+
+  @Override
+  public TrackerSpec spec() {
+    return spec;
+  }
+
+  @Override
+  public boolean read(PoseSample into) {
+    return boresight.read(into);
+  }
+
+  @Override
+  public void resetHeading() {
+    boresight.reset();
+  }
+
+  @Override
+  public TrackerHealth health() {
+    int row = next;
+    double span = row < 2 ? 0 : log.time(row - 1) - log.time(0);
+    State state =
+        closed
+            ? State.CLOSED
+            : row == 0 ? State.CONNECTING : row < log.size() ? State.STREAMING : State.ENDED;
+    return new TrackerHealth(state, row, span > 0 ? (row - 1) / span : 0, 0, 0, 0, 0, 0);
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+  }
+}

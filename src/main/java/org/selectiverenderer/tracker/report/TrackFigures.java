@@ -1,0 +1,61 @@
+package org.selectiverenderer.tracker.report;
+
+import org.selectiverenderer.tracker.LatencyMeter;
+import org.selectiverenderer.tracker.TrackerHealth;
+
+/**
+ * Figures of a whole recording.
+ *
+ * @param records good ones
+ * @param rateHz from the first to the last record, pauses included; 0 with fewer than two
+ * @param jitterMs standard deviation of the times between records, in milliseconds
+ * @param bad records thrown away
+ * @param dropped records that did not come (see {@link TrackerHealth}) or could not be written in
+ *     time
+ * @param ageMedianMs age of a new record when a display of {@link TrackSession#FRAME_RATE} frames
+ *     per second draws it, in milliseconds
+ * @param ageP99Ms the same, 99th percentile
+ */
+public record TrackFigures(
+    long records,
+    double rateHz,
+    double jitterMs,
+    long bad,
+    long dropped,
+    double ageMedianMs,
+    double ageP99Ms) {
+
+  /** Adds up the times between records, one after the other (Welford 1962). */
+  static final class Intervals {
+    private long records;
+    private long first;
+    private long last;
+    private double mean;
+    private double squares;
+
+    void add(long arrival) {
+      records++;
+      if (records == 1) {
+        first = arrival;
+      } else {
+        double interval = (arrival - last) * 1e-6;
+        double off = interval - mean;
+        mean += off / (records - 1);
+        squares += off * (interval - mean);
+      }
+      last = arrival;
+    }
+
+    TrackFigures figures(TrackerHealth health, long lost, LatencyMeter age) {
+      double span = (last - first) * 1e-9;
+      return new TrackFigures(
+          records + lost,
+          span > 0 ? (records + lost - 1) / span : 0,
+          records > 2 ? Math.sqrt(squares / (records - 2)) : 0,
+          health.bad(),
+          health.dropped() + lost,
+          age.percentileMs(0.5),
+          age.percentileMs(0.99));
+    }
+  }
+}

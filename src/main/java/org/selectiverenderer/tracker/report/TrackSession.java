@@ -1,0 +1,139 @@
+package org.selectiverenderer.tracker.report;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.LatencyMeter;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerHealth.State;
+import org.selectiverenderer.tracker.TrackerListener;
+import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.Trackers;
+import org.selectiverenderer.x3d.Problem;
+
+/**
+ * Watches a tracker for a while: looks at it as often as a display draws, passes on every record,
+ * and sums up.
+ */
+public final class TrackSession {
+  /** Of the display whose looking is imitated, per second. */
+  public static final int FRAME_RATE = 60;
+
+  /** So many frames from one line about the state to the next. */
+  private static final int FRAMES_PER_STATUS = FRAME_RATE / 4;
+
+  private final TrackerSpec spec;
+  private final TrackerOptions options;
+  private final Consumer<Problem> problems;
+  private final List<TrackOutput> outputs;
+  private final SampleQueue queue = new SampleQueue();
+  private final LatencyMeter age = new LatencyMeter();
+  private final TrackFigures.Intervals intervals = new TrackFigures.Intervals();
+  private final CountDownLatch stopping = new CountDownLatch(1);
+  private final PoseSample newest = new PoseSample();
+  private final PoseSample taken = new PoseSample();
+
+  /**
+   * @param problems hears of them on the tracker's thread
+   */
+  public TrackSession(
+      TrackerSpec spec,
+      TrackerOptions options,
+      Consumer<Problem> problems,
+      List<TrackOutput> outputs) {
+    this.spec = spec;
+    this.options = options;
+    this.problems = problems;
+    this.outputs = List.copyOf(outputs);
+  }
+
+  /** Ends {@link #run} soon; may be called from any thread. */
+  public void stop() {
+    stopping.countDown();
+  }
+
+  /**
+   * Opens the tracker and watches it until the time is over, {@link #stop} is called or a recording
+   * has ended.
+   *
+   * @param seconds how long; infinite for until stopped
+   * @throws IOException if the tracker cannot be opened or an output cannot be written
+   */
+  public TrackFigures run(double seconds) throws IOException {
+    long begin = System.nanoTime();
+    HeadTracker tracker = Trackers.open(spec, options, listener());
+    try (tracker) {
+      watch(tracker, begin, seconds);
+    }
+    drain(begin);
+    TrackFigures figures = intervals.figures(tracker.health(), queue.lost(), age);
+    for (TrackOutput output : outputs) {
+      output.end(figures);
+    }
+    return figures;
+  }
+
+  private TrackerListener listener() {
+    return new TrackerListener() {
+      @Override
+      public void sample(PoseSample sample) {
+        queue.add(sample);
+      }
+
+      @Override
+      public void problem(Problem problem) {
+        problems.accept(problem);
+      }
+    };
+  }
+
+  private void watch(HeadTracker tracker, long begin, double seconds) throws IOException {
+    long period = TimeUnit.SECONDS.toNanos(1) / FRAME_RATE;
+    long drawn = 0;
+    boolean over = false;
+    for (long frame = 1; !over; frame++) {
+      over = stopped(begin + frame * period);
+      long now = System.nanoTime();
+      if (tracker.read(newest) && newest.number() > drawn) {
+        drawn = newest.number();
+        age.record(now - newest.arrival());
+      }
+      State state = tracker.health().state();
+      drain(begin);
+      double time = (now - begin) * 1e-9;
+      if (frame % FRAMES_PER_STATUS == 0) {
+        for (TrackOutput output : outputs) {
+          output.status(time, newest, tracker.health());
+        }
+      }
+      over |= time >= seconds || state == State.ENDED;
+    }
+  }
+
+  private void drain(long begin) throws IOException {
+    while (queue.take(taken)) {
+      intervals.add(taken.arrival());
+      double time = (taken.arrival() - begin) * 1e-9;
+      for (TrackOutput output : outputs) {
+        output.sample(time, taken);
+      }
+    }
+    for (TrackOutput output : outputs) {
+      output.flush();
+    }
+  }
+
+  /** Waits for the time of a frame; whether the session is to end instead. */
+  private boolean stopped(long until) {
+    try {
+      return stopping.await(until - System.nanoTime(), TimeUnit.NANOSECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return true;
+    }
+  }
+}

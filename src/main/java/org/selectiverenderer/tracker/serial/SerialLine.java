@@ -1,0 +1,96 @@
+package org.selectiverenderer.tracker.serial;
+
+import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import org.selectiverenderer.tracker.TrackerException;
+
+/**
+ * An open serial port: 8 data bits, no parity, 1 stop bit, no flow control, DTR and RTS off. The
+ * only class that knows jSerialComm.
+ */
+final class SerialLine {
+  /**
+   * A read waits no longer for its first byte, in milliseconds; the system's timers count tenths.
+   */
+  static final int READ_MS = 100;
+
+  private final String name;
+  private final SerialPort port;
+
+  private SerialLine(String name, SerialPort port) {
+    this.name = name;
+    this.port = port;
+  }
+
+  /**
+   * Opens a port.
+   *
+   * @throws TrackerException if it is not there, is in use, or may not be used by this user
+   */
+  static SerialLine open(String name, int baud) throws TrackerException {
+    SerialPort port;
+    try {
+      port = SerialPort.getCommPort(name);
+    } catch (SerialPortInvalidPortException e) {
+      throw new TrackerException(SerialTrouble.absent(name), e);
+    }
+    port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+    port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+    port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, READ_MS, 0);
+    if (!port.openPort(0)) {
+      throw new TrackerException(SerialTrouble.refused(name, port.getLastErrorCode()));
+    }
+    // A pseudo-terminal has no such wires; what they do not do is no fault.
+    port.clearDTR();
+    port.clearRTS();
+    return new SerialLine(name, port);
+  }
+
+  /**
+   * Reads what is there, or waits for it up to {@link #READ_MS}.
+   *
+   * @return the number of bytes read, 0 when none came
+   * @throws TrackerException if the port has gone
+   */
+  int read(byte[] bytes) throws TrackerException {
+    int count = port.readBytes(bytes, bytes.length);
+    if (count < 0) {
+      throw gone();
+    }
+    return count;
+  }
+
+  /**
+   * Writes bytes.
+   *
+   * @throws TrackerException if the port has gone
+   */
+  void write(byte... bytes) throws TrackerException {
+    if (port.writeBytes(bytes, bytes.length) != bytes.length) {
+      throw gone();
+    }
+  }
+
+  /** Changes the speed and throws away what was read at the old one. */
+  void speed(int baud) {
+    port.setBaudRate(baud);
+    port.flushIOBuffers();
+  }
+
+  /**
+   * Sets the RTS wire.
+   *
+   * @return whether this line has one
+   */
+  boolean requestToSend(boolean on) {
+    return on ? port.setRTS() : port.clearRTS();
+  }
+
+  void close() {
+    port.closePort();
+  }
+
+  private TrackerException gone() {
+    return new TrackerException("the serial port " + name + " has gone (cable pulled?)");
+  }
+}

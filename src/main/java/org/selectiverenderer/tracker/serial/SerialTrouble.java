@@ -1,0 +1,101 @@
+package org.selectiverenderer.tracker.serial;
+
+import com.fazecast.jSerialComm.SerialPort;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Sentences about serial ports that cannot be opened. */
+final class SerialTrouble {
+  /** EAGAIN on Linux and macOS, and EBUSY: another program holds the port's lock. */
+  private static final Set<Integer> LOCKED = Set.of(11, 35, 16);
+
+  private SerialTrouble() {}
+
+  /** For a port that is not there; names those that are. */
+  static String absent(String port) {
+    String others =
+        Stream.of(SerialPort.getCommPorts())
+            .map(SerialPort::getSystemPortPath)
+            .sorted()
+            .limit(8)
+            .collect(Collectors.joining(", "));
+    return "there is no serial port "
+        + port
+        + (others.isEmpty()
+            ? " (this machine has none: is the adapter plugged in?)"
+            : " (there is " + others + ")");
+  }
+
+  /**
+   * For a port that is there but does not open.
+   *
+   * @param code of the system's error, as the library tells it
+   */
+  static String refused(String port, int code) {
+    try {
+      Path device = Path.of(port);
+      if (Files.exists(device)) {
+        return refused(port, device, code);
+      }
+    } catch (InvalidPathException e) {
+      // A name such as \\.\COM12: what follows does not need a file.
+    }
+    return "the serial port "
+        + port
+        + " cannot be opened: another program uses it, or this user may not (error "
+        + code
+        + ")";
+  }
+
+  private static String refused(String port, Path device, int code) {
+    if (!Files.isReadable(device) || !Files.isWritable(device)) {
+      return denied(port, device);
+    }
+    if (Files.isRegularFile(device) || Files.isDirectory(device)) {
+      return port + " is no serial port";
+    }
+    return "the serial port "
+        + port
+        + " is in use by another program"
+        + (LOCKED.contains(code) ? "" : ", or is no serial port (error " + code + ")");
+  }
+
+  private static String denied(String port, Path device) {
+    try {
+      PosixFileAttributes attributes =
+          Files.readAttributes(device.toRealPath(), PosixFileAttributes.class);
+      Set<PosixFilePermission> may = attributes.permissions();
+      return may.contains(PosixFilePermission.GROUP_READ)
+              && may.contains(PosixFilePermission.GROUP_WRITE)
+          ? denied(port, attributes.group().getName())
+          : denied(port) + ": only its owner, " + attributes.owner().getName() + ", may use it";
+    } catch (IOException | UnsupportedOperationException e) {
+      return denied(port); // Not a POSIX system, or the device has just gone.
+    }
+  }
+
+  private static String denied(String port) {
+    return "permission denied for the serial port " + port;
+  }
+
+  /**
+   * For a port that this user may not use.
+   *
+   * @param group that may
+   */
+  static String denied(String port, String group) {
+    return denied(port)
+        + ": join the group "
+        + group
+        + " (sudo usermod -aG "
+        + group
+        + " $USER) and log in again";
+  }
+}

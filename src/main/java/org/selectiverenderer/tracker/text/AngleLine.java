@@ -1,0 +1,56 @@
+package org.selectiverenderer.tracker.text;
+
+import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
+import org.selectiverenderer.tracker.pose.Intake;
+
+/** A line of three numbers, {@code yaw pitch roll} in degrees, between them spaces or tabs. */
+public final class AngleLine implements LineSplitter.Records {
+  private final double[] angles = new double[3];
+
+  @Override
+  public boolean read(byte[] line, int length, long arrival, Intake intake) {
+    int at = 0;
+    for (int i = 0; i < angles.length; i++) {
+      at = spaces(line, at, length);
+      int end = word(line, at, length);
+      if (end == at || !number(line, at, end, i)) {
+        return false;
+      }
+      at = end;
+    }
+    if (spaces(line, at, length) != length) {
+      return false;
+    }
+    intake.angles(arrival, angles[0], angles[1], angles[2]);
+    return true;
+  }
+
+  private boolean number(byte[] line, int from, int to, int index) {
+    try {
+      angles[index] = JavaDoubleParser.parseDouble(line, from, to - from);
+      return true;
+    } catch (NumberFormatException e) {
+      return false; // The line is counted as bad.
+    }
+  }
+
+  private static int spaces(byte[] line, int from, int length) {
+    int at = from;
+    while (at < length && blank(line[at])) {
+      at++;
+    }
+    return at;
+  }
+
+  private static int word(byte[] line, int from, int length) {
+    int at = from;
+    while (at < length && !blank(line[at])) {
+      at++;
+    }
+    return at;
+  }
+
+  private static boolean blank(byte b) {
+    return b == ' ' || b == '\t';
+  }
+}

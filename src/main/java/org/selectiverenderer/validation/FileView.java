@@ -1,0 +1,46 @@
+package org.selectiverenderer.validation;
+
+import java.util.Set;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.SceneDocument;
+import org.selectiverenderer.x3d.X3dFile;
+
+/**
+ * What a {@link FileCheck} sees.
+ *
+ * @param document all elements and attributes with their places; {@link SceneDocument#broken()}
+ *     where it ends too early
+ * @param scene the nodes made of it, prototypes expanded, names and routes resolved; a node's
+ *     {@code location()} is that of its element
+ * @param rules ids of all rules
+ */
+public record FileView(
+    NodeCatalogue catalogue, SceneDocument document, X3dFile scene, Set<String> rules) {
+  /** The elements of X3D that are no nodes. */
+  public static final Set<String> STATEMENTS =
+      Set.of(
+          "X3D",
+          "head",
+          "component",
+          "meta",
+          "unit",
+          "Scene",
+          "ROUTE",
+          "IMPORT",
+          "EXPORT",
+          "IS",
+          "connect",
+          "ProtoDeclare",
+          "ProtoInterface",
+          "ProtoBody",
+          "ExternProtoDeclare",
+          "ProtoInstance",
+          "field",
+          "fieldValue");
+
+  /** Whether an element is one of X3D. */
+  public boolean knows(DocumentElement element) {
+    return STATEMENTS.contains(element.name()) || catalogue.find(element.name()).isPresent();
+  }
+}

@@ -1,0 +1,27 @@
+package org.selectiverenderer.validation;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.x3d.SceneDocument;
+
+/**
+ * A comment {@code validate-ignore SR102 SR3: why}, which an author puts before an element whose
+ * findings are not wanted.
+ *
+ * @param ids of rules, or beginnings of ids
+ */
+public record IgnoreComment(List<String> ids) {
+  private static final String WORD = "validate-ignore";
+
+  /** What a comment says; empty for one that says something else. */
+  public static Optional<IgnoreComment> of(SceneDocument.Comment comment) {
+    String text = comment.text().strip();
+    if (!text.startsWith(WORD)) {
+      return Optional.empty();
+    }
+    String ids = text.substring(WORD.length()).split(":", 2)[0].strip();
+    return Optional.of(
+        new IgnoreComment(ids.isEmpty() ? List.of() : Arrays.asList(ids.split("[\\s,]+"))));
+  }
+}

@@ -1,0 +1,63 @@
+package org.selectiverenderer.validation;
+
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.polygon.statistics.Bounds;
+import org.selectiverenderer.polygon.statistics.CountedFile;
+import org.selectiverenderer.polygon.statistics.SceneModel;
+import org.selectiverenderer.polygon.statistics.Size;
+import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.X3dFile;
+
+/** An outline as the polygon counts read it. */
+public final class OutlinedFile implements CountedFile {
+  private final FileOutline outline;
+  private final SceneView scene;
+  private final Map<FileOutline, OutlinedFile> known;
+
+  private OutlinedFile(FileOutline outline, SceneView scene, Map<FileOutline, OutlinedFile> known) {
+    this.outline = outline;
+    this.scene = scene;
+    this.known = known;
+  }
+
+  /** What the polygon counts make of a scene. */
+  public static SceneModel model(SceneView scene) {
+    return SceneModel.of(new OutlinedFile(scene.main(), scene, new IdentityHashMap<>()));
+  }
+
+  @Override
+  public X3dFile file() {
+    return outline.scene();
+  }
+
+  @Override
+  public Size size(ParsedNode geometry) {
+    return outline
+        .measure(geometry)
+        .map(
+            measure ->
+                new Size(
+                    measure.polygons(),
+                    measure.bounds().length == 0 ? Bounds.EMPTY : Bounds.of(measure.bounds())))
+        .orElse(Size.NOTHING);
+  }
+
+  @Override
+  public Optional<OutlinedFile> content(ParsedNode inline) {
+    return inline.bool("load")
+        ? scene
+            .content(inline)
+            .map(content -> known.computeIfAbsent(content, c -> new OutlinedFile(c, scene, known)))
+        : Optional.empty();
+  }
+
+  /** None: the checks of the file speak for it. */
+  @Override
+  public List<Problem> problemList() {
+    return List.of();
+  }
+}

@@ -1,0 +1,36 @@
+package org.selectiverenderer.validation;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/**
+ * What a run found.
+ *
+ * @param files that were checked, Inlines included, by name
+ * @param findings in the order of {@link Finding#ORDER}
+ */
+public record Report(List<SourceFile> files, List<Finding> findings) {
+  public Report {
+    files = List.copyOf(files);
+    findings = List.copyOf(findings);
+  }
+
+  /** Sorts. */
+  static Report of(Collection<SourceFile> files, Collection<Finding> findings) {
+    return new Report(
+        files.stream().sorted(Comparator.comparing(SourceFile::name)).toList(),
+        findings.stream().sorted(Finding.ORDER).toList());
+  }
+
+  /** How many findings are that severe. */
+  public int count(Severity severity) {
+    return (int) findings.stream().filter(finding -> finding.severity() == severity).count();
+  }
+
+  /** Whether anything found is as severe as that, or more so. */
+  public boolean has(Severity least) {
+    return findings.stream().anyMatch(finding -> finding.severity().compareTo(least) <= 0);
+  }
+}

@@ -1,0 +1,6 @@
+package org.selectiverenderer.validation;
+
+/** Looks at a scene with all that it inlines. Without state: one object serves all threads. */
+public interface SceneCheck {
+  void check(SceneView scene, Findings findings);
+}

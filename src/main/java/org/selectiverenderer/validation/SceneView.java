@@ -1,0 +1,44 @@
+package org.selectiverenderer.validation;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.x3d.ContentRoot;
+import org.selectiverenderer.x3d.ParsedNode;
+
+/**
+ * What a {@link SceneCheck} sees: a scene's own file and the files that its Inlines name, directly
+ * or through others.
+ *
+ * @param main the scene's own file
+ * @param root decides which files the scene may name
+ * @param contents the file in each Inline, of whichever file; none for one that cannot be had
+ */
+public record SceneView(
+    FileOutline main,
+    ContentRoot root,
+    Map<ParsedNode, FileOutline> contents,
+    ValidationSettings settings) {
+  /** The file in an Inline; empty if it is not to be loaded or could not be read. */
+  public Optional<FileOutline> content(ParsedNode inline) {
+    return Optional.ofNullable(contents.get(inline));
+  }
+
+  /** All files, the scene's own first, each once. */
+  public List<FileOutline> files() {
+    Set<FileOutline> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    List<FileOutline> files = new ArrayList<>();
+    seen.add(main);
+    files.add(main);
+    for (int i = 0; i < files.size(); i++) {
+      for (ParsedNode node : files.get(i).nodes()) {
+        content(node).filter(seen::add).ifPresent(files::add);
+      }
+    }
+    return files;
+  }
+}

@@ -1,0 +1,48 @@
+package org.selectiverenderer.validation;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/**
+ * What a user decides.
+ *
+ * @param ignored ids of rules, or beginnings of ids ({@code SR2} for a group)
+ * @param severities by id of rule, instead of the rule's own
+ * @param megabytes that a scene and all its files may have
+ */
+public record ValidationSettings(
+    Set<String> ignored, Map<String, Severity> severities, List<Budget> budgets, double megabytes) {
+  public ValidationSettings {
+    ignored = Set.copyOf(ignored);
+    severities = Map.copyOf(severities);
+    budgets = List.copyOf(budgets);
+  }
+
+  /** Some three times what the thesis's apartment has. */
+  public static final double MEGABYTES = 100;
+
+  /** All rules as they are, no budgets. */
+  public static ValidationSettings standard() {
+    return new ValidationSettings(Set.of(), Map.of(), List.of(), MEGABYTES);
+  }
+
+  /** Whether findings of a rule are not wanted. */
+  boolean ignores(String id) {
+    return ignored.stream().anyMatch(id::startsWith);
+  }
+
+  /** The same, with more rules ignored. */
+  public ValidationSettings ignoring(Set<String> more) {
+    Set<String> all = new HashSet<>(ignored);
+    all.addAll(more);
+    return new ValidationSettings(all, severities, budgets, megabytes);
+  }
+
+  /** The severity that findings of a rule are to have. */
+  Severity severity(Rule rule) {
+    return severities.getOrDefault(rule.id(), rule.severity());
+  }
+}

@@ -1,0 +1,90 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.polygon.statistics.SceneModel;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.validation.OutlinedFile;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.x3d.ParsedNode;
+
+/**
+ * A scene as the controller sees it.
+ *
+ * @param areas the ProximitySensors of the scene's own file that name schemas
+ * @param objects the Switches of the scene's own file that name schemas
+ * @param counts what the polygon counts make of it; null where there is neither area nor object
+ */
+record EnrichedScene(
+    SceneView view,
+    Map<ParsedNode, SensorSchemas> areas,
+    Map<ParsedNode, SwitchSchemas> objects,
+    @Nullable SceneModel counts) {
+
+  static EnrichedScene of(SceneView view) {
+    SchemaReader reader = new SchemaReader(problem -> {});
+    Map<ParsedNode, SensorSchemas> areas = new LinkedHashMap<>();
+    Map<ParsedNode, SwitchSchemas> objects = new LinkedHashMap<>();
+    for (ParsedNode node : view.main().nodes()) {
+      NodeMetadata metadata = isArea(node) || isObject(node) ? metadata(node) : null;
+      if (metadata != null && isArea(node)) {
+        reader.sensor(metadata).ifPresent(schemas -> areas.put(node, schemas));
+      } else if (metadata != null) {
+        reader.switchNode(metadata, children(node)).ifPresent(s -> objects.put(node, s));
+      }
+    }
+    boolean nothing = areas.isEmpty() && objects.isEmpty();
+    return new EnrichedScene(view, areas, objects, nothing ? null : OutlinedFile.model(view));
+  }
+
+  private static @Nullable NodeMetadata metadata(ParsedNode node) {
+    return NodeMetadata.of(node).orElse(null);
+  }
+
+  static boolean isArea(ParsedNode node) {
+    return node.type().name().equals("ProximitySensor");
+  }
+
+  static boolean isObject(ParsedNode node) {
+    return node.type().name().equals("Switch");
+  }
+
+  static int children(ParsedNode object) {
+    return object.nodes("children").size();
+  }
+
+  /** All nodes of the scene's own file, parents first. */
+  List<ParsedNode> nodes() {
+    return view.main().nodes();
+  }
+
+  /** Present where there is an area or an object. */
+  Optional<SceneModel> model() {
+    return Optional.ofNullable(counts);
+  }
+
+  /** Whether something may set a field: a route that leads to it, or a script. */
+  boolean driven(ParsedNode node, String field) {
+    int index = node.type().indexOf(field);
+    return scripted()
+        || view.main().scene().routes().stream()
+            .anyMatch(route -> route.to() == node && route.toField() == index);
+  }
+
+  /** Whether a route starts at a node, or a script may listen to it. */
+  boolean heard(ParsedNode node) {
+    return scripted()
+        || view.main().scene().routes().stream().anyMatch(route -> route.from() == node)
+        || view.main().scene().exports().stream().anyMatch(e -> e.localDef().equals(node.name()));
+  }
+
+  private boolean scripted() {
+    return nodes().stream().anyMatch(node -> node.type().name().equals("Script"));
+  }
+}

@@ -1,0 +1,17 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Which of several schemas activated together a Switch follows: the last one that it knows. */
+final class LastNamed {
+  private LastNamed() {}
+
+  static Optional<Integer> choice(List<String> schemas, Map<String, Integer> choices) {
+    return schemas.stream()
+        .filter(choices::containsKey)
+        .reduce((earlier, later) -> later)
+        .map(choices::get);
+  }
+}

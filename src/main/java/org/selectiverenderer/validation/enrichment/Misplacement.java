@@ -1,0 +1,21 @@
+package org.selectiverenderer.validation.enrichment;
+
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.schema.SchemaField.Owner;
+
+/** Why metadata in a place means nothing. */
+final class Misplacement {
+  static final String IN_AREA = "it describes a version of an object, not an area";
+
+  private static final String IN_OBJECT = "it describes an area, not an object";
+  private static final String BESIDE = "it stands beside the sets of the choices, not in one";
+
+  private Misplacement() {}
+
+  static String inSwitch(NodeMetadata metadata) {
+    boolean ofArea =
+        SchemaField.of(metadata.name()).filter(f -> f.owner() == Owner.SENSOR).isPresent();
+    return ofArea ? IN_OBJECT : BESIDE;
+  }
+}

@@ -1,0 +1,48 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.polygon.statistics.SceneModel;
+import org.selectiverenderer.polygon.statistics.SceneModel.SensedArea;
+import org.selectiverenderer.polygon.statistics.SceneModel.VersionedSwitch;
+import org.selectiverenderer.validation.Findings;
+
+/**
+ * Areas that overlap and claim an object for different choices. An area within another one is
+ * always entered last, as a desk in an office is, and left first.
+ */
+final class OverlapCheck implements EnrichmentPart {
+  @Override
+  public void check(EnrichedScene scene, Findings findings) {
+    scene.model().ifPresent(model -> check(model, findings));
+  }
+
+  private static void check(SceneModel model, Findings findings) {
+    List<SensedArea> areas = model.areas();
+    for (int i = 0; i < areas.size(); i++) {
+      for (SensedArea other : areas.subList(i + 1, areas.size())) {
+        SensedArea area = areas.get(i);
+        if (area.shares(other) && !area.surrounds(other) && !other.surrounds(area)) {
+          model.objects().forEach(object -> check(object, area, other, findings));
+        }
+      }
+    }
+  }
+
+  private static void check(
+      VersionedSwitch object, SensedArea area, SensedArea other, Findings findings) {
+    Map<String, Integer> choices = object.schemas().choiceBySchema();
+    Optional<Integer> one = LastNamed.choice(area.schemas().enter(), choices);
+    Optional<Integer> two = LastNamed.choice(other.schemas().enter(), choices);
+    if (one.isPresent() && two.isPresent() && !one.equals(two)) {
+      findings.add(
+          VersionRules.ORDER_DEPENDENT,
+          object.node(),
+          area.name(),
+          other.name(),
+          one.get(),
+          two.get());
+    }
+  }
+}

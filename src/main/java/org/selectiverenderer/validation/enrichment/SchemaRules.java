@@ -1,0 +1,80 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import org.selectiverenderer.validation.Rule;
+
+/** What can be wrong with names: of schemas, and of the metadata that name them. */
+final class SchemaRules {
+  private static final String GOOD = Examples.desk() + Examples.LAMP;
+
+  static final Rule OF_NO_SWITCH =
+      Rule.warning("SR405", "no Switch of the scene belongs to the schema {schema}")
+          .because(
+              """
+              Entering the area activates a schema that no version of any object belongs to: it \
+              has no effect. Exit schemas may be so, for the sake of order.""")
+          .bad(Examples.desk())
+          .good(GOOD)
+          .see("thesis 4.3, Figs 48 and 49");
+
+  static final Rule OF_NO_AREA =
+      Rule.warning("SR406", "no area of the scene activates the schema {schema}")
+          .because(
+              """
+              A version belongs to a schema that nothing activates. It is as well where the schema \
+              says of all its objects what they show from the start, as in a room without areas; \
+              then it is not mentioned.""")
+          .bad(
+              Examples.desk()
+                  + Examples.lamp(
+                      "1",
+                      Examples.choice("low", "Shelf") + Examples.choice("high", "Office"),
+                      Examples.DETAILED + Examples.SIMPLE))
+          .good(GOOD)
+          .see("thesis 5.4.3");
+
+  static final Rule ALMOST_THE_SAME =
+      Rule.warning("SR407", "the schema {schema} has no counterpart; is {other} meant?")
+          .because(
+              """
+              Names of schemas are compared letter by letter. This one is named by areas only or \
+              by objects only, and the other side has nearly the same name.""")
+          .bad(Examples.desk() + Examples.LAMP.replace("\"Office\"", "\"Offise\""))
+          .good(GOOD)
+          .see("thesis 4.3, Fig 49");
+
+  static final Rule OTHER_SPELLING =
+      Rule.info("SR414", "{name} is Fig 40's spelling of {usual}")
+          .because(
+              """
+              The thesis has two sets of names: that of its listings, which other programs know, \
+              and that of its text and Fig 40, which is understood here too.""")
+          .bad(GOOD.replace("enterTimeSchema", "enterTimeSchemaActivation"))
+          .good(GOOD)
+          .see("thesis 4.2.2, Fig 40");
+
+  static final Rule MISPLACED =
+      Rule.warning("SR415", "{field} means nothing here: {reason}")
+          .because(
+              """
+              Schemas are read from the metadata of the ProximitySensors and Switches of the \
+              scene's own file, in the sets of the choices. Elsewhere they have no effect.""")
+          .bad("<Group>\n" + Examples.set("metadata", Examples.ENTER_DESK).indent(2) + "</Group>")
+          .good(GOOD)
+          .see("thesis 4.2.2");
+
+  static final Rule UNKNOWN_NAME =
+      Rule.warning("SR425", "the metadata name {name} means nothing; is {field} meant?")
+          .because(
+              """
+              Metadata may have any name, but this one is nearly that of the vocabulary and is \
+              ignored as it is.""")
+          .bad(GOOD.replace("degreeOfConsistency", "degreeOfConsistancy"))
+          .good(GOOD)
+          .see("thesis 4.2.2");
+
+  static final List<Rule> ALL =
+      List.of(OF_NO_SWITCH, OF_NO_AREA, ALMOST_THE_SAME, OTHER_SPELLING, MISPLACED, UNKNOWN_NAME);
+
+  private SchemaRules() {}
+}

@@ -1,0 +1,82 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import org.selectiverenderer.validation.Rule;
+
+/** What can be wrong with an area. */
+final class SensorRules {
+  static final Rule WITHOUT_SCHEMAS =
+      Rule.warning(
+              "SR403",
+              "the sensor names no schema and has no route, so that entering it does nothing")
+          .because(
+              """
+              An area activates the schemas that the metadata of its ProximitySensor names; a \
+              sensor without them, from which no route leads either, has no effect.""")
+          .bad(
+              "<ProximitySensor DEF='ShelfProx' size='3 2 3'/>\n" + Examples.desk() + Examples.LAMP)
+          .good(Examples.desk() + Examples.LAMP)
+          .see("thesis 4.2.2, Fig 42");
+
+  static final Rule NOT_ENRICHED =
+      Rule.info("SR426", "the sensor names no schema yet, as nothing in this scene does")
+          .because(
+              """
+              Sensors without schemas, in a scene of which nothing is enriched, wait for their \
+              metadata, or for an application.""")
+          .bad("<ProximitySensor DEF='DeskProx' size='3 2 3'/>")
+          .good(Examples.desk() + Examples.LAMP)
+          .see("thesis 5.4.2, Fig 76");
+
+  static final Rule WITHOUT_EXIT =
+      Rule.warning(
+              "SR404",
+              "the sensor has an enterTimeSchema but no exitTimeSchema, so that objects stay as"
+                  + " they are when the viewer leaves")
+          .because(
+              """
+              Leaving an area activates its exitTimeSchema, which is the schema of the place around \
+              it; without one, what entering has changed stays changed.""")
+          .bad(Examples.sensor("3 2 3", Examples.ENTER_DESK) + Examples.LAMP)
+          .good(Examples.desk() + Examples.LAMP)
+          .see("thesis 4.3, Fig 48");
+
+  static final Rule NAMES_NOTHING =
+      Rule.warning("SR408", "{field} names no schema; it is ignored")
+          .because("Metadata without a value has no effect.")
+          .bad(
+              Examples.sensor(
+                      "3 2 3", Examples.string("enterTimeSchema", "") + Examples.EXIT_OFFICE)
+                  + Examples.LAMP)
+          .good(Examples.desk() + Examples.LAMP)
+          .see("thesis 4.2.2");
+
+  static final Rule NO_VOLUME =
+      Rule.warning("SR421", "the sensor's box has no volume, so that nobody can enter it")
+          .because(
+              """
+              A ProximitySensor senses the viewer in a box; where one of its sides is 0, which is \
+              the default, or a Transform above it has a scale of 0, it senses nothing.""")
+          .bad(Examples.desk().replace("3 2 3", "3 0 3") + Examples.LAMP)
+          .good(Examples.desk() + Examples.LAMP)
+          .see("X3D 4.0, 22.4.1");
+
+  static final Rule UNREACHABLE =
+      Rule.warning("SR423", "the viewer never gets into the sensor's box: {reason}")
+          .because(
+              """
+              An area that nobody can enter activates nothing. The box must lie where the scene \
+              is, or where one of its viewpoints stands, and the sensor must be enabled.""")
+          .bad(
+              "<Transform translation='0 900 0'>"
+                  + Examples.desk()
+                  + "</Transform>"
+                  + Examples.LAMP)
+          .good(Examples.desk() + Examples.LAMP)
+          .see("X3D 4.0, 22.4.1");
+
+  static final List<Rule> ALL =
+      List.of(WITHOUT_SCHEMAS, WITHOUT_EXIT, NAMES_NOTHING, NO_VOLUME, UNREACHABLE, NOT_ENRICHED);
+
+  private SensorRules() {}
+}

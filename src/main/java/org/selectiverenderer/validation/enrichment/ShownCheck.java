@@ -1,0 +1,70 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.ParsedNode;
+
+/** Versions that are never shown. */
+final class ShownCheck implements EnrichmentPart {
+  @Override
+  public void check(EnrichedScene scene, Findings findings) {
+    scene.objects().forEach((object, schemas) -> enriched(scene, object, schemas, findings));
+    if (scene.model().isPresent()) {
+      for (ParsedNode node : scene.nodes()) {
+        if (EnrichedScene.isObject(node) && !scene.objects().containsKey(node)) {
+          bare(scene, node, findings);
+        }
+      }
+    }
+  }
+
+  /** A version whose schemas are activated only together with others that overrule them. */
+  private static void enriched(
+      EnrichedScene scene, ParsedNode object, SwitchSchemas schemas, Findings findings) {
+    Map<String, Integer> choices = schemas.choiceBySchema();
+    List<List<String>> activations =
+        scene.areas().values().stream()
+            .flatMap(area -> Stream.of(area.enter(), area.exit()))
+            .toList();
+    for (Choice choice : schemas.choices()) {
+      Set<String> own = new TreeSet<>(choice.schemas());
+      own.removeIf(schema -> choices.get(schema) != choice.index());
+      own.removeIf(schema -> activations.stream().noneMatch(list -> list.contains(schema)));
+      boolean shown =
+          choice.index() == object.integer("whichChoice")
+              || activations.stream()
+                  .flatMap(list -> LastNamed.choice(list, choices).stream())
+                  .anyMatch(index -> index == choice.index());
+      if (!own.isEmpty() && !shown && !scene.driven(object, "whichChoice")) {
+        findings.add(
+            VersionRules.NEVER_SHOWN,
+            object,
+            choice.index(),
+            "later schemas of the same areas overrule " + String.join(", ", own));
+      }
+    }
+  }
+
+  /** Versions of an object, by the looks of it, that nothing ever switches. */
+  private static void bare(EnrichedScene scene, ParsedNode node, Findings findings) {
+    List<? extends NodeView> children = node.nodes("children");
+    int choice = node.integer("whichChoice");
+    boolean versions =
+        children.size() > 1
+            && children.stream().allMatch(child -> child.type().name().equals("Inline"));
+    if (versions && choice >= 0 && !scene.driven(node, "whichChoice")) {
+      for (int i = 0; i < children.size(); i++) {
+        if (i != choice) {
+          findings.add(VersionRules.NEVER_SHOWN, node, i, "the Switch has no metadata of schemas");
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,93 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaProblem;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.ParsedNode;
+
+/** The metadata of each Switch by itself, against its children. */
+final class SwitchMetadataCheck implements EnrichmentPart {
+  @Override
+  public void check(EnrichedScene scene, Findings findings) {
+    for (ParsedNode node : scene.nodes()) {
+      if (EnrichedScene.isObject(node)) {
+        NodeMetadata.of(node).ifPresent(metadata -> check(scene, node, metadata, findings));
+      }
+    }
+  }
+
+  private static void check(
+      EnrichedScene scene, ParsedNode node, NodeMetadata metadata, Findings findings) {
+    List<NodeMetadata> sets = metadata.children().stream().filter(NodeMetadata::isSet).toList();
+    int children = EnrichedScene.children(node);
+    boolean[] ours = {false};
+    SchemaReader reader =
+        new SchemaReader(
+            problem -> {
+              ours[0] = true;
+              report(problem, sets, children, findings);
+            });
+    SwitchSchemas schemas = reader.switchNode(metadata, children).orElse(null);
+    if (schemas != null) {
+      claims(schemas, node, findings);
+    }
+    if (schemas != null || ours[0]) {
+      range(scene, node, children, findings);
+    }
+  }
+
+  private static void report(
+      SchemaProblem problem, List<NodeMetadata> sets, int children, Findings findings) {
+    NodeMetadata at = (NodeMetadata) problem.metadata();
+    NodeView node = at.node();
+    switch (problem.kind()) {
+      case FEWER_SETS_THAN_CHOICES ->
+          findings.add(SwitchRules.FEWER_SETS, node, Counts.sets(sets), Counts.children(children));
+      case MORE_SETS_THAN_CHOICES ->
+          findings.add(SwitchRules.MORE_SETS, node, Counts.sets(sets), Counts.children(children));
+      case NO_SCHEMA -> findings.add(SwitchRules.NO_SCHEMA, node, Math.max(0, sets.indexOf(at)));
+      case UNKNOWN_TYPE -> findings.add(SwitchRules.UNKNOWN_TYPE, node, first(at));
+      case UNKNOWN_DEGREE -> findings.add(SwitchRules.UNKNOWN_DEGREE, node, first(at));
+      case SEVERAL_VALUES -> findings.add(SwitchRules.SEVERAL_VALUES, node, at.name().strip());
+      case MISPLACED ->
+          findings.add(SchemaRules.MISPLACED, node, at.name().strip(), Misplacement.inSwitch(at));
+    }
+  }
+
+  private static String first(NodeMetadata at) {
+    return "'" + at.values().get(0) + "'";
+  }
+
+  /** Schemas that several sets name. */
+  private static void claims(SwitchSchemas schemas, ParsedNode node, Findings findings) {
+    Map<String, List<Integer>> claims = new LinkedHashMap<>();
+    for (Choice choice : schemas.choices()) {
+      for (String schema : choice.schemas()) {
+        claims.computeIfAbsent(schema, key -> new ArrayList<>()).add(choice.index());
+      }
+    }
+    claims.forEach(
+        (schema, choices) -> {
+          if (choices.size() > 1) {
+            String list = choices.stream().map(String::valueOf).collect(Collectors.joining(", "));
+            findings.add(SwitchRules.CLAIMED_TWICE, node, list, schema);
+          }
+        });
+  }
+
+  private static void range(EnrichedScene scene, ParsedNode node, int children, Findings findings) {
+    int choice = node.integer("whichChoice");
+    if ((choice >= children || choice < -1) && !scene.driven(node, "whichChoice")) {
+      findings.add(SwitchRules.OUT_OF_RANGE, node, choice, Counts.children(children));
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.validation.FileOutline;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.Spelling;
+
+/** The names of metadata, wherever they stand: in Fig 40's spelling, misspelt, or misplaced. */
+final class VocabularyCheck implements EnrichmentPart {
+  private static final int SLIPS = 2;
+  private static final List<String> NAMES =
+      Stream.of(SchemaField.values()).map(SchemaField::spelling).toList();
+
+  @Override
+  public void check(EnrichedScene scene, Findings findings) {
+    for (ParsedNode node : scene.nodes()) {
+      boolean ours = EnrichedScene.isArea(node) || EnrichedScene.isObject(node);
+      words(
+          node,
+          at -> {
+            if (ours) {
+              spelling(at, findings);
+            } else if (SchemaField.of(at.name()).isPresent()) {
+              misplaced(at, "only ProximitySensors and Switches have schemas", findings);
+            }
+          });
+    }
+    Set<FileOutline> inlined = new LinkedHashSet<>(scene.view().contents().values());
+    inlined.remove(scene.view().main());
+    inlined.forEach(file -> inlined(file, findings));
+  }
+
+  private static void spelling(NodeMetadata at, Findings findings) {
+    String name = at.name().strip();
+    Optional<SchemaField> field = SchemaField.of(name);
+    if (field.isPresent()) {
+      if (!field.get().spelling().equals(name)) {
+        findings.add(SchemaRules.OTHER_SPELLING, at.node(), name, field.get().spelling());
+      }
+    } else {
+      Spelling.nearest(name, NAMES, SLIPS)
+          .ifPresent(near -> findings.add(SchemaRules.UNKNOWN_NAME, at.node(), name, near));
+    }
+  }
+
+  /** The controller sees the nodes of the scene's own file only. */
+  private static void inlined(FileOutline file, Findings findings) {
+    for (ParsedNode node : file.nodes()) {
+      if (EnrichedScene.isArea(node) || EnrichedScene.isObject(node)) {
+        words(
+            node,
+            at -> {
+              if (SchemaField.of(at.name()).isPresent()) {
+                misplaced(at, "the controller does not look into inlined files", findings);
+              }
+            });
+      }
+    }
+  }
+
+  private static void misplaced(NodeMetadata at, String reason, Findings findings) {
+    findings.add(SchemaRules.MISPLACED, at.node(), at.name().strip(), reason);
+  }
+
+  /** All metadata of a node that is no set. */
+  private static void words(ParsedNode node, Consumer<NodeMetadata> consumer) {
+    if (!node.type().is("X3DMetadataObject")) {
+      NodeMetadata.of(node).ifPresent(metadata -> words(metadata, new HashSet<>(), consumer));
+    }
+  }
+
+  private static void words(
+      NodeMetadata metadata, Set<NodeMetadata> seen, Consumer<NodeMetadata> consumer) {
+    if (seen.add(metadata)) {
+      if (!metadata.isSet()) {
+        consumer.accept(metadata);
+      }
+      metadata.children().forEach(child -> words(child, seen, consumer));
+    }
+  }
+}

@@ -1,0 +1,126 @@
+package org.selectiverenderer.validation.files;
+
+import java.util.List;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.RuleGroup;
+
+/** SR3xx: the files that a scene names. */
+public final class FileRules {
+  private static final String GOOD = "<Inline url='\"inlineNodes/desk.x3d\"'/>";
+
+  static final Rule MISSING =
+      Rule.error("SR301", "url '{url}' is missing")
+          .because(
+              "What the node should show is not there; the paths of a scene start from its folder.")
+          .bad("<Inline url='\"inlineNodes/dsek.x3d\"'/>")
+          .good(GOOD)
+          .see("X3D 4.0, 9.2.1");
+
+  static final Rule CASE =
+      Rule.error("SR302", "url '{url}' differs from the file {file} in upper and lower case")
+          .because(
+              """
+              Windows and macOS take such names for the same, Linux and web servers do not: the \
+              scene works on one machine and is empty on the next.""")
+          .bad("<Inline url='\"inlineNodes/Desk.x3d\"'/>")
+          .good(GOOD)
+          .see("RFC 3986, 6.2.2.1");
+
+  static final Rule OUTSIDE =
+      Rule.warning("SR303", "url '{url}' points outside the scene's folder")
+          .because(
+              """
+              This program opens files in the folder of the scene, below it, and in a folder \
+              inlineNodes beside it; others would be missing where the scene is copied to.""")
+          .bad("<Inline url='\"../../models/desk.x3d\"'/>")
+          .good(GOOD)
+          .see("docs/validate.md");
+
+  static final Rule NETWORK =
+      Rule.warning("SR304", "url '{url}' {reason}")
+          .because("This program fetches nothing. Keep a copy beside the scene and name it first.")
+          .bad("<Inline url='\"https://example.org/desk.x3d\"'/>")
+          .good("<Inline url='\"inlineNodes/desk.x3d\" \"https://example.org/desk.x3d\"'/>")
+          .see("X3D 4.0, 9.2.1");
+
+  static final Rule NO_NAME =
+      Rule.error("SR305", "url '{url}' {reason}")
+          .because("Such a url names nothing that could be opened.")
+          .bad("<Inline url='\"inlineNodes/\"'/>")
+          .good(GOOD)
+          .see("RFC 3986");
+
+  static final Rule EMPTY =
+      Rule.info("SR306", "{node} has no url")
+          .because("It shows nothing until an application gives it one.")
+          .bad("<Inline/>")
+          .good(GOOD)
+          .see("X3D 4.0, 9.4.2");
+
+  static final Rule CIRCLE =
+      Rule.error("SR307", "{file} would be inlined within itself here")
+          .because("There would be no end of it; the inner Inline is left out.")
+          .bad("desk.x3d: <Inline url='\"desk.x3d\"'/>")
+          .good("desk.x3d: <Inline url='\"leg.x3d\"'/>")
+          .see("X3D 4.0, 9.4.2");
+
+  static final Rule SECOND_MISSING =
+      Rule.warning("SR308", "url '{url}' {reason}; another url of the node is used")
+          .because("A url that never works is a slip, or a leftover.")
+          .bad("<Inline url='\"inlineNodes/dsek.x3d\" \"inlineNodes/desk.x3d\"'/>")
+          .good(GOOD)
+          .see("X3D 4.0, 9.2.1");
+
+  static final Rule UNREADABLE =
+      Rule.error("SR309", "url '{url}' cannot be read")
+          .because("The file is there, but this user may not open it.")
+          .bad("<Inline url='\"locked.x3d\"'/>")
+          .good(GOOD)
+          .see("docs/validate.md");
+
+  static final Rule ABSOLUTE =
+      Rule.warning("SR310", "url '{url}' is an absolute path, which no other machine has")
+          .because("Name files relative to the scene, so that its folder can be moved and copied.")
+          .bad("<Inline url='\"file:///home/me/desk.x3d\"'/>")
+          .good(GOOD)
+          .see("X3D 4.0, 9.2.1; RFC 3986, 4.2");
+
+  static final Rule BACKSLASH =
+      Rule.warning("SR311", "url '{url}' has backslashes, which separate folders on Windows only")
+          .because("A url has forward slashes everywhere.")
+          .bad("<Inline url='\"inlineNodes\\desk.x3d\"'/>")
+          .good(GOOD)
+          .see("RFC 3986, 3.3");
+
+  static final Rule SIZE =
+      Rule.warning("SR312", "the scene and its {count} files have {size} MB, more than {most} MB")
+          .because(
+              """
+              A scene of that size is slow to load and may not fit a machine's memory. The limit is \
+              100 MB unless the configuration says another ("megabytes").""")
+          .bad("(a scene that inlines 120 MB)")
+          .good("(a scene that inlines 30 MB)")
+          .see("docs/validate.md");
+
+  private FileRules() {}
+
+  public static RuleGroup group() {
+    return new RuleGroup(
+        "Files",
+        List.of(
+            MISSING,
+            CASE,
+            OUTSIDE,
+            NETWORK,
+            NO_NAME,
+            EMPTY,
+            CIRCLE,
+            SECOND_MISSING,
+            UNREADABLE,
+            ABSOLUTE,
+            BACKSLASH,
+            SIZE),
+        List.of(),
+        List.of(new UrlCheck(), new CircleCheck(), new SizeCheck()));
+  }
+}

@@ -1,0 +1,30 @@
+package org.selectiverenderer.validation.files;
+
+import java.util.List;
+import java.util.Locale;
+import org.selectiverenderer.validation.FileOutline;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.SceneCheck;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.x3d.Location;
+
+/** How much there is to load. */
+final class SizeCheck implements SceneCheck {
+  private static final double MEGABYTE = 1e6;
+
+  @Override
+  public void check(SceneView scene, Findings findings) {
+    List<FileOutline> files = scene.files();
+    long bytes = files.stream().mapToLong(FileOutline::bytes).sum();
+    double most = scene.settings().megabytes();
+    if (bytes > most * MEGABYTE) {
+      findings.add(
+          FileRules.SIZE,
+          Location.of(scene.main().file().name()),
+          "",
+          files.size() - 1,
+          String.format(Locale.ROOT, "%.1f", bytes / MEGABYTE),
+          String.format(Locale.ROOT, most == Math.rint(most) ? "%.0f" : "%s", most));
+    }
+  }
+}

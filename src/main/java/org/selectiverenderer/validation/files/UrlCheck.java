@@ -1,0 +1,150 @@
+package org.selectiverenderer.validation.files;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.validation.FileOutline;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.SceneCheck;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.x3d.ContentRoot.Cause;
+import org.selectiverenderer.x3d.ContentRoot.Target;
+import org.selectiverenderer.x3d.ParsedNode;
+
+/** The urls of Inlines, textures, sounds, scripts and shaders. */
+final class UrlCheck implements SceneCheck {
+  private static final Pattern ABSOLUTE = Pattern.compile("(?i)file:.*|/(?!/).*|[a-z]:[/\\\\].*");
+
+  /** Schemes whose url is the content itself. */
+  private static final Pattern CONTENT =
+      Pattern.compile("(?is)\\s*(data|javascript|ecmascript|vrmlscript):.*");
+
+  private static final Set<String> SHOWN_WITHOUT = Set.of("Anchor", "Script");
+  private static final int SHOWN = 80;
+
+  @Override
+  public void check(SceneView scene, Findings findings) {
+    for (FileOutline file : scene.files()) {
+      for (ParsedNode node : file.nodes()) {
+        if (node.type().is("X3DUrlObject") && node.type().field("url").isPresent()) {
+          new Node(scene, file, node, findings).check();
+        }
+      }
+    }
+  }
+
+  /** A url of a node and what is behind it. */
+  private record Url(String text, Target target) {}
+
+  private record Node(SceneView scene, FileOutline file, ParsedNode node, Findings findings) {
+    void check() {
+      List<Url> urls = new ArrayList<>();
+      for (String text : node.strings("url")) {
+        if (CONTENT.matcher(text).matches()) {
+          return;
+        }
+        urls.add(new Url(text, scene.root().resolve(text, file.file().folder())));
+      }
+      // A link to a place in the scene, or to the web, is what an Anchor is for.
+      if (node.type().name().equals("Anchor")) {
+        urls.removeIf(url -> url.text.startsWith("#") || refused(url, Cause.NETWORK));
+      }
+      if (urls.isEmpty()) {
+        if (!SHOWN_WITHOUT.contains(node.type().name()) && !hasContent()) {
+          findings.add(FileRules.EMPTY, node, node.type().name());
+        }
+        return;
+      }
+      urls.forEach(this::spelling);
+      urls.removeIf(url -> ABSOLUTE.matcher(url.text.strip()).matches());
+      if (!urls.isEmpty()) {
+        targets(urls);
+      }
+    }
+
+    private boolean hasContent() {
+      return node.type().field("sourceCode").isPresent() && !node.string("sourceCode").isBlank()
+          || node.type().field("children").isPresent() && !node.nodes("children").isEmpty();
+    }
+
+    private void spelling(Url url) {
+      if (ABSOLUTE.matcher(url.text.strip()).matches()) {
+        report(FileRules.ABSOLUTE, url);
+      }
+      if (url.text.contains("\\")) {
+        report(FileRules.BACKSLASH, url);
+      }
+    }
+
+    private void targets(List<Url> urls) {
+      boolean found = urls.stream().anyMatch(url -> url.target instanceof Target.File);
+      boolean first = true;
+      for (Url url : urls) {
+        if (url.target instanceof Target.File target) {
+          file(url, target.path());
+        } else if (url.target instanceof Target.Refused refused) {
+          if (!found && first) {
+            refused(url, refused);
+          } else if (found && refused.cause() != Cause.NETWORK) {
+            report(FileRules.SECOND_MISSING, url, refused.reason());
+          }
+        }
+        first = false;
+      }
+    }
+
+    private void file(Url url, Path real) {
+      String actual = caseOf(url.text, real);
+      if (actual != null) {
+        report(FileRules.CASE, url, actual);
+      } else if (!Files.isReadable(real)) {
+        report(FileRules.UNREADABLE, url);
+      }
+    }
+
+    private void refused(Url url, Target.Refused refused) {
+      switch (refused.cause()) {
+        case MISSING -> report(FileRules.MISSING, url);
+        case CASE -> report(FileRules.CASE, url, similar(refused.reason()));
+        case OUTSIDE -> report(FileRules.OUTSIDE, url);
+        case NETWORK -> report(FileRules.NETWORK, url, refused.reason());
+        case NO_FILE_NAME -> report(FileRules.NO_NAME, url, refused.reason());
+      }
+    }
+
+    private static boolean refused(Url url, Cause cause) {
+      return url.target instanceof Target.Refused refused && refused.cause() == cause;
+    }
+
+    private void report(Rule rule, Url url, Object... more) {
+      String shown = url.text.length() <= SHOWN ? url.text : url.text.substring(0, SHOWN) + "...";
+      Object[] words = new Object[more.length + 1];
+      words[0] = shown;
+      System.arraycopy(more, 0, words, 1, more.length);
+      String name = node.name() == null ? "" : " " + node.name();
+      findings.add(rule, file.url(node), node.type().name() + name, words);
+    }
+  }
+
+  /** The name in "is missing (there is Desk.x3d: ...)". */
+  private static String similar(String reason) {
+    int start = reason.indexOf("there is ") + "there is ".length();
+    return reason.substring(start, reason.lastIndexOf(": upper"));
+  }
+
+  /**
+   * The name of a file as it is on a disk that takes upper and lower case for the same, where the
+   * url has it otherwise; null where they agree.
+   */
+  private static @Nullable String caseOf(String url, Path real) {
+    String name = url.strip().replaceFirst("#.*", "").replace('\\', '/');
+    name = name.substring(name.lastIndexOf('/') + 1);
+    String actual = String.valueOf(real.getFileName());
+    return actual.equalsIgnoreCase(name) && !actual.equals(name) ? actual : null;
+  }
+}

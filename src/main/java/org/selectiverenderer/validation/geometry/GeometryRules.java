@@ -1,0 +1,119 @@
+package org.selectiverenderer.validation.geometry;
+
+import java.util.List;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.RuleGroup;
+
+/** SR2xx: geometry. */
+public final class GeometryRules {
+  private static final String GOOD = triangle("0 1 2 -1", "0 0 0, 1 0 0, 0 1 0");
+
+  static final Rule INDEX_OUT_OF_RANGE =
+      Rule.error("SR201", "{field} names {what} {index}, but there are only {count}")
+          .because(
+              """
+              A face with an index beyond its points cannot be drawn; browsers leave it out or \
+              refuse the whole shape. Indices count from 0.""")
+          .bad(triangle("0 1 3 -1", "0 0 0, 1 0 0, 0 1 0"))
+          .good(GOOD)
+          .see("X3D 4.0, 13.3.6");
+
+  static final Rule COUNTS =
+      Rule.warning("SR202", "{field} has {count} {what}, but {needed} are needed")
+          .because(
+              """
+              Normals, colours and heights must be as many as there are points, faces or indices \
+              to have them; what lacks one is drawn as each browser likes.""")
+          .bad(
+              """
+              <Shape><ElevationGrid xDimension='2' zDimension='2' height='0 1 0'/></Shape>""")
+          .good(
+              """
+              <Shape><ElevationGrid xDimension='2' zDimension='2' height='0 1 0 1'/></Shape>""")
+          .see("X3D 4.0, 11.2.3 and 13.3");
+
+  static final Rule NO_AREA =
+      Rule.warning("SR203", "{count} of {all} faces have no area, the first of them face {first}")
+          .because(
+              """
+              A face whose points coincide or lie on a line shows nothing, but is counted, sent to \
+              the graphics card, and has no normal.""")
+          .bad(triangle("0 1 1 -1 0 1 2 -1", "0 0 0, 1 0 0, 0 1 0"))
+          .good(GOOD)
+          .see("X3D 4.0, 11.2.4");
+
+  static final Rule TOO_FAR =
+      Rule.warning(
+              "SR204",
+              "{field} has {value} as its value {index}, where single precision cannot tell places"
+                  + " a unit apart")
+          .because(
+              """
+              Coordinates have some seven digits. Far from the origin neighbouring points fall \
+              together; such values are mostly slips or in another unit.""")
+          .bad(triangle("0 1 2 -1", "0 0 0, 1 0 0, 0 1e8 0"))
+          .good(GOOD)
+          .see("X3D 4.0, 5.3.5");
+
+  static final Rule NORMAL_LENGTH =
+      Rule.warning(
+              "SR205", "{count} of {all} normals are not of length 1, the first of them {first}")
+          .because(
+              """
+              Light is computed with normals of length 1; others make surfaces too bright or too \
+              dark in browsers that do not mend them.""")
+          .bad(normals("0 0 2, 0 0 1, 0 0 1"))
+          .good(normals("0 0 1, 0 0 1, 0 0 1"))
+          .see("X3D 4.0, 11.4.11");
+
+  static final Rule NOTHING =
+      Rule.warning("SR206", "the {type} has no {what} and shows nothing")
+          .because("Geometry without points or faces is a leftover, or lacks what it should show.")
+          .bad("<Shape><IndexedFaceSet><Coordinate point='0 0 0'/></IndexedFaceSet></Shape>")
+          .good(GOOD)
+          .see("X3D 4.0, 11.2.1");
+
+  static final Rule NON_MANIFOLD =
+      Rule.info("SR207", "{count} edges belong to more than two faces, the first of them {edge}")
+          .because(
+              """
+              Surfaces of real things have two faces at an edge. Where more meet, simplification \
+              and radiosity cannot tell inside from outside; this is no fault where it is meant.""")
+          .bad(triangle("0 1 2 -1 1 0 3 -1 0 1 4 -1", "0 0 0, 1 0 0, 0 1 0, 0 0 1, 0 -1 0"))
+          .good(triangle("0 1 2 -1 1 0 3 -1", "0 0 0, 1 0 0, 0 1 0, 0 0 1"))
+          .see("thesis 4.2.1");
+
+  private GeometryRules() {}
+
+  public static RuleGroup group() {
+    return new RuleGroup(
+        "Geometry",
+        List.of(INDEX_OUT_OF_RANGE, COUNTS, NO_AREA, TOO_FAR, NORMAL_LENGTH, NOTHING, NON_MANIFOLD),
+        List.of(
+            new GeometryCheck(
+                List.of(
+                    new IndexCheck(),
+                    new CountCheck(),
+                    new NumberCheck(),
+                    new FaceCheck(),
+                    new EmptyCheck()))),
+        List.of());
+  }
+
+  private static String triangle(String indices, String points) {
+    return """
+        <Shape><IndexedFaceSet coordIndex='%s'>
+          <Coordinate point='%s'/>
+        </IndexedFaceSet></Shape>"""
+        .formatted(indices, points);
+  }
+
+  private static String normals(String vectors) {
+    return """
+        <Shape><IndexedFaceSet coordIndex='0 1 2 -1'>
+          <Coordinate point='0 0 0, 1 0 0, 0 1 0'/>
+          <Normal vector='%s'/>
+        </IndexedFaceSet></Shape>"""
+        .formatted(vectors);
+  }
+}

@@ -1,0 +1,8 @@
+package org.selectiverenderer.validation.geometry;
+
+import org.selectiverenderer.x3d.ParsedNode;
+
+/** Looks at a node of geometry, or at one that holds its points, normals or colours. */
+interface NodeCheck {
+  void check(ParsedNode node, GeometryFindings findings);
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.validation.geometry;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.NodeView;
+
+/** What geometry nodes refer to by index: points, normals, colours, texture coordinates. */
+final class Vertices {
+  private Vertices() {}
+
+  /** The node in a field, if the type has such a field and the file gives it. */
+  static @Nullable NodeView in(NodeView geometry, String field) {
+    return geometry.type().field(field).filter(f -> f.type() == FieldType.SFNode).isPresent()
+        ? geometry.node(field)
+        : null;
+  }
+
+  /** How many tuples a Coordinate, Normal, Color or TextureCoordinate holds; -1 for other nodes. */
+  static int count(NodeView data) {
+    String field =
+        switch (data.type().name()) {
+          case "Coordinate", "CoordinateDouble", "TextureCoordinate" -> "point";
+          case "Normal" -> "vector";
+          case "Color", "ColorRGBA" -> "color";
+          default -> "";
+        };
+    FieldDefinition definition = data.type().field(field).orElse(null);
+    if (definition == null || definition.type().components() == 0) {
+      return -1;
+    }
+    Object value = data.value(definition.index());
+    int length =
+        value instanceof float[] floats
+            ? floats.length
+            : value instanceof double[] doubles ? doubles.length : 0;
+    return length / definition.type().components();
+  }
+}

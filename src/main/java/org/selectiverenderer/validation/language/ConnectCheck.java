@@ -1,0 +1,93 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.Optional;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.FieldAccess;
+
+/** IS: fields of nodes in a prototype's body, connected with those of its interface. */
+final class ConnectCheck implements ScopeCheck {
+  @Override
+  public void check(DocumentElement element, Scopes scopes, Findings findings) {
+    if (!element.name().equals("IS")) {
+      return;
+    }
+    Prototype prototype = around(element).orElse(null);
+    DocumentElement node = element.parent().orElse(null);
+    if (prototype == null || node == null) {
+      findings.add(
+          PrototypeRules.CONNECT, element, "IS has a meaning in the body of a prototype only");
+      return;
+    }
+    for (DocumentElement connect : element.children()) {
+      connect(connect, node, prototype, scopes, findings);
+    }
+  }
+
+  private static Optional<Prototype> around(DocumentElement element) {
+    for (Optional<DocumentElement> at = element.parent(); at.isPresent(); at = at.get().parent()) {
+      if (at.get().name().equals("ProtoDeclare")) {
+        return at.map(Prototype::new);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static void connect(
+      DocumentElement connect,
+      DocumentElement node,
+      Prototype prototype,
+      Scopes scopes,
+      Findings findings) {
+    String nodeField = connect.text("nodeField").orElse("").strip();
+    String protoField = connect.text("protoField").orElse("").strip();
+    if (nodeField.isEmpty() || protoField.isEmpty()) {
+      findings.add(PrototypeRules.CONNECT, connect, "connect needs nodeField and protoField");
+      return;
+    }
+    Interface outer = prototype.fields();
+    Interface inner = scopes.fields(node).orElse(null);
+    Interface.Field declared = outer.own().get(protoField);
+    if (declared == null) {
+      Suggestion suggestion = Suggestion.of(protoField, outer.names());
+      findings.add(
+          PrototypeRules.CONNECT,
+          connect,
+          "the prototype " + prototype.name() + " has no field " + protoField + suggestion);
+      return;
+    }
+    if (inner == null) {
+      return;
+    }
+    // IS may name the event of an exposed field: set_x, x_changed.
+    Interface.Field field =
+        inner
+            .field(nodeField)
+            .or(() -> inner.event(nodeField, true))
+            .or(() -> inner.event(nodeField, false))
+            .orElse(null);
+    if (field == null) {
+      Suggestion suggestion = Suggestion.of(nodeField, inner.names());
+      findings.add(
+          PrototypeRules.CONNECT,
+          connect,
+          inner.owner() + " has no field " + nodeField + suggestion);
+    } else if (field.type() != declared.type()) {
+      findings.add(
+          PrototypeRules.CONNECT,
+          connect,
+          nodeField + " is " + field.type() + " and " + protoField + " is " + declared.type());
+    } else if (!allowed(field.access(), declared.access())) {
+      findings.add(
+          PrototypeRules.CONNECT,
+          connect,
+          "an %s field of a prototype cannot stand for an %s field of a node (%s)"
+              .formatted(declared.access().spelling(), field.access().spelling(), nodeField));
+    }
+  }
+
+  /** X3D 4.0, table 4.4: an inputOutput field of a node may be any of the interface. */
+  private static boolean allowed(FieldAccess node, FieldAccess prototype) {
+    return node == FieldAccess.INPUT_OUTPUT || node == prototype;
+  }
+}

@@ -1,0 +1,73 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.Containment;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.NodeType;
+
+/** Which nodes stand in which fields of a node, and at the top of the scene. */
+final class ContainmentCheck implements ScopeCheck {
+  @Override
+  public void check(DocumentElement parent, Scopes scopes, Findings findings) {
+    if (parent.name().equals("Scene")) {
+      parent.children().forEach(child -> top(child, scopes, findings));
+      return;
+    }
+    NodeType type = scopes.file().catalogue().find(parent.name()).orElse(null);
+    if (type == null) {
+      return;
+    }
+    Set<String> filled = new HashSet<>();
+    for (DocumentElement child : parent.children()) {
+      NodeType childType = scopes.isNode(child) ? scopes.type(child).orElse(null) : null;
+      if (childType != null) {
+        child(type, child, childType, filled, findings);
+      }
+    }
+  }
+
+  private static void top(DocumentElement child, Scopes scopes, Findings findings) {
+    scopes
+        .type(child)
+        .filter(type -> !type.is("X3DChildNode") && !type.is("LayerSet"))
+        .ifPresent(type -> findings.add(ContainmentRules.TOP, child, type));
+  }
+
+  private static void child(
+      NodeType parent,
+      DocumentElement child,
+      NodeType type,
+      Set<String> filled,
+      Findings findings) {
+    @Nullable String asked = child.text("containerField").map(String::strip).orElse(null);
+    Optional<FieldDefinition> wanted = Containment.wanted(parent, type, asked);
+    List<FieldDefinition> fitting = Containment.fitting(parent, type);
+    if (wanted.isEmpty() && fitting.isEmpty()) {
+      findings.add(ContainmentRules.MISPLACED_NODE, child, type, parent);
+      return;
+    }
+    FieldDefinition field =
+        wanted.orElseGet(
+            () ->
+                fitting.stream()
+                    .filter(found -> found.type().multiple() || !filled.contains(found.name()))
+                    .findFirst()
+                    .orElse(fitting.get(0)));
+    if (wanted.isEmpty()) {
+      String name = asked == null ? Containment.usual(parent, type) : asked;
+      String suggestion = "; it is taken as its " + field.name();
+      findings.add(ContainmentRules.CONTAINER_FIELD, child, type, name, parent, suggestion);
+    } else if (asked != null && Containment.isOld(parent, asked)) {
+      findings.add(FieldRules.OLD_SPELLING, child, asked, field.name());
+    }
+    if (!filled.add(field.name()) && !field.type().multiple()) {
+      findings.add(ContainmentRules.TWICE, child, field.name(), parent);
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.List;
+import java.util.Set;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentAttribute;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.FieldParser;
+import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/** The attributes of nodes against the catalogue: names, access and the syntax of values. */
+final class FieldCheck implements FileCheck {
+  /** The XML encoding's own attributes, and those of X3DOM and HTML. */
+  private static final Set<String> GENERAL =
+      Set.of("DEF", "USE", "containerField", "class", "id", "style", "");
+
+  @Override
+  public void check(FileView file, Findings findings) {
+    for (DocumentElement element : file.document().elements()) {
+      file.catalogue()
+          .find(element.name())
+          .ifPresent(
+              type -> element.attributes().forEach(attribute -> check(type, attribute, findings)));
+    }
+  }
+
+  private static void check(NodeType type, DocumentAttribute attribute, Findings findings) {
+    String name = attribute.name();
+    FieldDefinition field = type.field(name).orElse(null);
+    if (field == null) {
+      if (name.equals("collide") && type.is("Collision")) {
+        findings.add(FieldRules.OLD_SPELLING, attribute, "collide", "enabled");
+      } else if (!GENERAL.contains(name)) {
+        List<String> names = type.fields().stream().map(FieldDefinition::name).toList();
+        findings.add(
+            FieldRules.UNKNOWN_ATTRIBUTE, attribute, type, name, Suggestion.of(name, names));
+      }
+    } else if (field.type().isNode()) {
+      findings.add(FieldRules.NODE_AS_ATTRIBUTE, attribute, name, type);
+    } else if (!field.access().initialisable()) {
+      findings.add(FieldRules.ACCESS, attribute, name, type, field.access().spelling());
+    } else {
+      value(attribute, field.type(), findings);
+    }
+  }
+
+  /** Reports what is wrong with a value. */
+  static void value(DocumentAttribute attribute, FieldType type, Findings findings) {
+    for (FieldParser.Flaw flaw : attribute.flaws(type)) {
+      findings.addAt(
+          flaw.severity() == Severity.ERROR ? FieldRules.VALUE : FieldRules.LOOSE_VALUE,
+          attribute,
+          flaw.offset(),
+          attribute.name(),
+          flaw.message());
+    }
+  }
+}

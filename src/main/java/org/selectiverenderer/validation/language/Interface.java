@@ -1,0 +1,97 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.FieldAccess;
+import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.NodeType;
+
+/**
+ * The fields that routes and IS may name: those of a node type, of a script with its own, or of a
+ * prototype.
+ *
+ * @param owner as messages call it
+ * @param type of a node; empty for a prototype
+ * @param own fields that {@code field} elements declare, by name
+ */
+record Interface(String owner, Optional<NodeType> type, Map<String, Field> own) {
+  /** A field. */
+  record Field(String name, FieldType type, FieldAccess access) {
+    static Field of(FieldDefinition definition) {
+      return new Field(definition.name(), definition.type(), definition.access());
+    }
+  }
+
+  /** The field that a {@code field} element declares; empty if it is not complete. */
+  static Optional<Field> declared(DocumentElement element) {
+    String name = element.text("name").orElse("").strip();
+    Optional<FieldType> type = type(element.text("type").orElse(""));
+    Optional<FieldAccess> access = access(element.text("accessType").orElse(""));
+    return name.isEmpty() || type.isEmpty() || access.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new Field(name, type.get(), access.get()));
+  }
+
+  static Optional<FieldType> type(String name) {
+    for (FieldType type : FieldType.values()) {
+      if (type.name().equals(name.strip())) {
+        return Optional.of(type);
+      }
+    }
+    return Optional.empty();
+  }
+
+  static Optional<FieldAccess> access(String name) {
+    for (FieldAccess access : FieldAccess.values()) {
+      if (access.spelling().equals(name.strip())) {
+        return Optional.of(access);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** With the fields that the elements within another declare. */
+  static Interface of(String owner, Optional<NodeType> type, List<DocumentElement> elements) {
+    Map<String, Field> own = new HashMap<>();
+    for (DocumentElement element : elements) {
+      if (element.name().equals("field")) {
+        declared(element).ifPresent(field -> own.put(field.name(), field));
+      }
+    }
+    return new Interface(owner, type, own);
+  }
+
+  /** The field of exactly that name. */
+  Optional<Field> field(String name) {
+    return Optional.ofNullable(own.get(name))
+        .or(() -> type.flatMap(node -> node.field(name)).map(Field::of));
+  }
+
+  /** The field that takes or sends events under a name, such as {@code set_x} for {@code x}. */
+  Optional<Field> event(String name, boolean input) {
+    Optional<Field> exact = field(name);
+    if (exact.isPresent()) {
+      return exact;
+    }
+    if (input && name.startsWith("set_")) {
+      return field(name.substring("set_".length()))
+          .filter(field -> field.access() == FieldAccess.INPUT_OUTPUT);
+    }
+    return !input && name.endsWith("_changed")
+        ? field(name.substring(0, name.length() - "_changed".length()))
+            .filter(field -> field.access() == FieldAccess.INPUT_OUTPUT)
+        : Optional.empty();
+  }
+
+  List<String> names() {
+    List<String> names = new ArrayList<>(own.keySet());
+    type.ifPresent(node -> node.fields().forEach(field -> names.add(field.name())));
+    names.sort(null);
+    return names;
+  }
+}

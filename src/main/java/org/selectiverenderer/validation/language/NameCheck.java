@@ -1,0 +1,125 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentAttribute;
+import org.selectiverenderer.x3d.DocumentElement;
+
+/** DEF, USE, IMPORT and EXPORT. */
+final class NameCheck implements ScopeCheck {
+  private static final Set<String> WITH_USE =
+      Set.of("USE", "DEF", "containerField", "class", "id", "style", "");
+
+  @Override
+  public void check(DocumentElement element, Scopes scopes, Findings findings) {
+    if (element.name().equals("EXPORT") || element.name().equals("IMPORT")) {
+      link(element, scopes, findings);
+    }
+    if (!scopes.isNode(element)) {
+      return;
+    }
+    element.attribute("DEF").ifPresent(def -> define(def, scopes, findings));
+    element.attribute("USE").ifPresent(use -> use(use, scopes, findings));
+  }
+
+  private static void define(DocumentAttribute def, Scopes scopes, Findings findings) {
+    String name = def.text();
+    String why = fault(name);
+    if (!why.isEmpty()) {
+      findings.add(NameRules.BAD_NAME, def, name, why);
+    }
+    List<DocumentElement> all = scopes.of(def.element()).names.getOrDefault(name, List.of());
+    if (all.size() > 1 && all.get(0) != def.element()) {
+      findings.add(NameRules.TWICE, def, name, all.get(0).name());
+    }
+  }
+
+  /** What forbids a name; empty for a good one. */
+  private static String fault(String name) {
+    if (name.isEmpty()) {
+      return "it is empty";
+    }
+    if (Character.isDigit(name.charAt(0)) || "+-.".indexOf(name.charAt(0)) >= 0) {
+      return "it begins with '" + name.charAt(0) + "'";
+    }
+    Optional<String> bad =
+        name.codePoints()
+            .filter(c -> c <= ' ' || c == 127 || "\"#',.[\\]{}".indexOf(c) >= 0)
+            .mapToObj(c -> c <= ' ' ? "white space" : "'" + Character.toString(c) + "'")
+            .findFirst();
+    return bad.map(character -> "it has " + character).orElse("");
+  }
+
+  private static void use(DocumentAttribute use, Scopes scopes, Findings findings) {
+    DocumentElement element = use.element();
+    String name = use.text();
+    DocumentElement named = scopes.before(name, element).orElse(null);
+    if (named == null) {
+      if (!scopes.of(element).imported.contains(name)) {
+        Set<String> names = scopes.of(element).names.keySet();
+        Object hint =
+            names.contains(name) ? "; it is given further down" : Suggestion.of(name, names);
+        findings.add(NameRules.UNKNOWN, use, name, hint);
+      }
+    } else if (holds(named, element)) {
+      findings.add(NameRules.CIRCLE, use, name);
+    } else if (!named.name().equals(element.name())) {
+      findings.add(NameRules.OTHER_TYPE, use, name, named.name(), element.name());
+    }
+    more(element, findings);
+  }
+
+  private static void more(DocumentElement element, Findings findings) {
+    if (element.attribute("DEF").isPresent()) {
+      findings.add(NameRules.MORE_THAN_USE, element, "a DEF too", "gives no second name");
+    }
+    String others =
+        element.attributes().stream()
+            .map(DocumentAttribute::name)
+            .filter(name -> !WITH_USE.contains(name))
+            .filter(name -> !(name.equals("name") && element.name().equals("ProtoInstance")))
+            .collect(Collectors.joining(", "));
+    if (!others.isEmpty()) {
+      findings.add(NameRules.MORE_THAN_USE, element, others, "has no effect");
+    } else if (!element.children().isEmpty()) {
+      findings.add(NameRules.MORE_THAN_USE, element, "child elements", "have no effect");
+    }
+  }
+
+  private static boolean holds(DocumentElement outer, DocumentElement inner) {
+    for (Optional<DocumentElement> at = inner.parent(); at.isPresent(); at = at.get().parent()) {
+      if (at.get() == outer) {
+        return true;
+      }
+      if (at.get().name().equals("Script")) {
+        return false; // A script may know what it stands in.
+      }
+    }
+    return false;
+  }
+
+  private static void link(DocumentElement element, Scopes scopes, Findings findings) {
+    boolean export = element.name().equals("EXPORT");
+    for (String needed : export ? List.of("localDEF") : List.of("inlineDEF", "importedDEF")) {
+      if (element.attribute(needed).isEmpty()) {
+        findings.add(NameRules.LINK, element, element.name() + " needs " + needed);
+        return;
+      }
+    }
+    DocumentAttribute named = element.attribute(export ? "localDEF" : "inlineDEF").orElseThrow();
+    Scopes.Scope scope = scopes.of(element);
+    DocumentElement found = scopes.named(named.text(), element).orElse(null);
+    if (found == null && !scope.imported.contains(named.text())) {
+      findings.add(
+          NameRules.LINK,
+          named,
+          "no node is called " + named.text() + Suggestion.of(named.text(), scope.names.keySet()));
+    } else if (!export && found != null && !found.name().equals("Inline")) {
+      findings.add(
+          NameRules.LINK, named, named.text() + " is a " + found.name() + ", not an Inline");
+    }
+  }
+}

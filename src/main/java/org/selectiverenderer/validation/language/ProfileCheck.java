@@ -1,0 +1,38 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.NodeType;
+
+/** The components that the nodes of a file need against those that it declares. */
+final class ProfileCheck implements FileCheck {
+  @Override
+  public void check(FileView file, Findings findings) {
+    Profile profile =
+        file.document()
+            .root()
+            .flatMap(root -> root.text("profile"))
+            .flatMap(Profile::of)
+            .orElse(null);
+    if (profile == null) {
+      return;
+    }
+    Map<String, Integer> declared = new HashMap<>(file.scene().components());
+    for (DocumentElement element : file.document().elements()) {
+      NodeType type = file.catalogue().find(element.name()).orElse(null);
+      if (type != null) {
+        String component = type.component();
+        int has = Math.max(profile.level(component), declared.getOrDefault(component, 0));
+        if (has < type.level()) {
+          findings.add(
+              HeadRules.NEEDS_COMPONENT, element, type, component, type.level(), profile.name());
+          declared.put(component, type.level());
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,38 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.List;
+import org.selectiverenderer.x3d.DocumentElement;
+
+/**
+ * A declared prototype.
+ *
+ * @param element a ProtoDeclare or an ExternProtoDeclare
+ */
+record Prototype(DocumentElement element) {
+  boolean external() {
+    return element.name().equals("ExternProtoDeclare");
+  }
+
+  String name() {
+    return element.text("name").orElse("").strip();
+  }
+
+  Interface fields() {
+    List<DocumentElement> fields =
+        external()
+            ? element.children()
+            : element.children().stream()
+                .filter(child -> child.name().equals("ProtoInterface"))
+                .flatMap(child -> child.children().stream())
+                .toList();
+    return Interface.of(name(), java.util.Optional.empty(), fields);
+  }
+
+  /** The elements of the body. */
+  List<DocumentElement> body() {
+    return element.children().stream()
+        .filter(child -> child.name().equals("ProtoBody"))
+        .flatMap(child -> child.children().stream())
+        .toList();
+  }
+}

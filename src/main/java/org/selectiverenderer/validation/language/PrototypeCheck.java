@@ -1,0 +1,113 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentAttribute;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.FieldAccess;
+import org.selectiverenderer.x3d.FieldType;
+
+/** Declarations and instances of prototypes. */
+final class PrototypeCheck implements ScopeCheck {
+  @Override
+  public void check(DocumentElement element, Scopes scopes, Findings findings) {
+    switch (element.name()) {
+      case "ProtoDeclare" -> declaration(element, findings);
+      case "ExternProtoDeclare" ->
+          findings.add(
+              PrototypeRules.EXTERNAL, element, element.text("name").orElse("a nameless one"));
+      case "ProtoInstance" -> instance(element, scopes, findings);
+      case "field" -> field(element, findings);
+      default -> {
+        // Other elements have checks of their own.
+      }
+    }
+  }
+
+  private static void declaration(DocumentElement element, Findings findings) {
+    if (element.text("name").orElse("").isBlank()) {
+      findings.add(PrototypeRules.DECLARATION, element, "a name");
+    }
+    if (element.children().stream().noneMatch(child -> child.name().equals("ProtoBody"))) {
+      if (!element.document().broken()) {
+        findings.add(PrototypeRules.DECLARATION, element, "a ProtoBody");
+      }
+    }
+  }
+
+  private static void instance(DocumentElement element, Scopes scopes, Findings findings) {
+    if (element.attribute("USE").isPresent()) {
+      return;
+    }
+    DocumentAttribute name = element.attribute("name").orElse(null);
+    if (name == null) {
+      findings.add(PrototypeRules.UNKNOWN, element, "''", "");
+      return;
+    }
+    Prototype prototype = scopes.prototype(name.text().strip(), element).orElse(null);
+    if (prototype == null) {
+      Suggestion suggestion = Suggestion.of(name.text(), scopes.prototypes(element));
+      findings.add(PrototypeRules.UNKNOWN, name, name.text(), suggestion);
+      return;
+    }
+    for (Optional<DocumentElement> at = element.parent(); at.isPresent(); at = at.get().parent()) {
+      if (at.get() == prototype.element()) {
+        findings.add(PrototypeRules.ITSELF, element, name.text());
+        return;
+      }
+    }
+    values(element, prototype, findings);
+  }
+
+  private static void values(DocumentElement instance, Prototype prototype, Findings findings) {
+    Interface fields = prototype.fields();
+    boolean unknown = prototype.external() && fields.own().isEmpty();
+    for (DocumentElement child : instance.children()) {
+      if (!child.name().equals("fieldValue") || unknown) {
+        continue;
+      }
+      String name = child.text("name").orElse("").strip();
+      Interface.Field field = fields.own().get(name);
+      if (field == null) {
+        Suggestion suggestion = Suggestion.of(name, fields.names());
+        findings.add(PrototypeRules.UNKNOWN_FIELD, child, prototype.name(), name, suggestion);
+      } else {
+        value(child, field.type(), findings);
+      }
+    }
+  }
+
+  private static void field(DocumentElement element, Findings findings) {
+    String name = element.text("name").orElse("").strip();
+    String type = element.text("type").orElse("");
+    String access = element.text("accessType").orElse("");
+    if (name.isEmpty()) {
+      findings.add(PrototypeRules.FIELD, element, "a field needs a name");
+    } else if (Interface.type(type).isEmpty()) {
+      Suggestion suggestion =
+          Suggestion.of(type, List.of(FieldType.values()).stream().map(Enum::name).toList());
+      findings.add(
+          PrototypeRules.FIELD, element, "'" + type + "' is no type of a field" + suggestion);
+    } else if (Interface.access(access).isEmpty()) {
+      Suggestion suggestion =
+          Suggestion.of(
+              access, List.of(FieldAccess.values()).stream().map(FieldAccess::spelling).toList());
+      findings.add(PrototypeRules.FIELD, element, "'" + access + "' is no accessType" + suggestion);
+    } else {
+      value(element, Interface.type(type).orElseThrow(), findings);
+    }
+  }
+
+  private static void value(DocumentElement element, FieldType type, Findings findings) {
+    DocumentAttribute value = element.attribute("value").orElse(null);
+    if (value != null && type.isNode()) {
+      if (!value.text().isBlank() && !value.text().strip().equals("NULL")) {
+        findings.add(
+            PrototypeRules.FIELD, element, "nodes are given as child elements, not as a value");
+      }
+    } else if (value != null) {
+      FieldCheck.value(value, type, findings);
+    }
+  }
+}

@@ -1,0 +1,106 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentAttribute;
+import org.selectiverenderer.x3d.DocumentElement;
+
+/** The ends of routes, their directions and types. One object serves one file. */
+final class RouteCheck implements ScopeCheck {
+  private static final List<String> NEEDED = List.of("fromNode", "fromField", "toNode", "toField");
+
+  /** What a ROUTE connects; scopes are compared by identity. */
+  private record Connection(Scopes.Scope scope, List<String> ends) {}
+
+  private final Set<Connection> seen = new HashSet<>();
+
+  @Override
+  public void check(DocumentElement element, Scopes scopes, Findings findings) {
+    if (!element.name().equals("ROUTE")) {
+      return;
+    }
+    for (String attribute : NEEDED) {
+      if (element.text(attribute).orElse("").isBlank()) {
+        findings.add(RouteRules.INCOMPLETE, element, attribute);
+        return;
+      }
+    }
+    for (DocumentAttribute attribute : element.attributes()) {
+      if (!attribute.name().isEmpty() && !NEEDED.contains(attribute.name())) {
+        findings.add(
+            FieldRules.UNKNOWN_ATTRIBUTE,
+            attribute,
+            "ROUTE",
+            attribute.name(),
+            Suggestion.of(attribute.name(), NEEDED));
+      }
+    }
+    Interface.Field from = end(element, "from", false, scopes, findings);
+    Interface.Field to = end(element, "to", true, scopes, findings);
+    if (from != null && to != null && from.type() != to.type()) {
+      findings.add(
+          RouteRules.TYPES,
+          element,
+          text(element, "from"),
+          from.type(),
+          text(element, "to"),
+          to.type());
+    }
+    repeated(element, scopes, findings);
+  }
+
+  /** The field at an end, or null when there is none or it cannot be known. */
+  private static Interface.@Nullable Field end(
+      DocumentElement route, String end, boolean input, Scopes scopes, Findings findings) {
+    DocumentAttribute node = route.attribute(end + "Node").orElseThrow();
+    DocumentAttribute field = route.attribute(end + "Field").orElseThrow();
+    DocumentElement named = scopes.named(node.text(), route).orElse(null);
+    if (named == null) {
+      Scopes.Scope scope = scopes.of(route);
+      if (!scope.imported.contains(node.text())) {
+        Suggestion suggestion = Suggestion.of(node.text(), scope.names.keySet());
+        findings.add(RouteRules.UNKNOWN_NODE, node, node.text(), suggestion);
+      }
+      return null;
+    }
+    Interface fields = scopes.fields(named).orElse(null);
+    if (fields == null) {
+      return null;
+    }
+    Optional<Interface.Field> found = fields.event(field.text(), input);
+    if (found.isEmpty()) {
+      Suggestion suggestion = Suggestion.of(field.text(), fields.names());
+      findings.add(RouteRules.UNKNOWN_FIELD, field, fields.owner(), field.text(), suggestion);
+      return null;
+    }
+    boolean fits =
+        input ? found.get().access().acceptsEvents() : found.get().access().sendsEvents();
+    if (!fits) {
+      findings.add(
+          RouteRules.DIRECTION,
+          field,
+          text(route, end),
+          found.get().access().spelling(),
+          input ? "takes no events" : "sends no events");
+      return null;
+    }
+    return found.get();
+  }
+
+  private static String text(DocumentElement route, String end) {
+    return route.text(end + "Node").orElse("") + "." + route.text(end + "Field").orElse("");
+  }
+
+  private void repeated(DocumentElement route, Scopes scopes, Findings findings) {
+    Connection connection =
+        new Connection(
+            scopes.of(route), NEEDED.stream().map(name -> route.text(name).orElse("")).toList());
+    if (!seen.add(connection)) {
+      findings.add(RouteRules.REPEATED, route);
+    }
+  }
+}

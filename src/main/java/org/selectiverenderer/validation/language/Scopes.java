@@ -1,0 +1,195 @@
+package org.selectiverenderer.validation.language;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.NodeType;
+
+/**
+ * Which names mean what where: a scope for the scene and one for each prototype (X3D 4.0, 4.4.3 and
+ * 4.4.4.3). Names of a scope are unknown outside; prototypes are known in the scopes within, too.
+ */
+final class Scopes {
+  private static final int DEEPEST = 20;
+
+  /** A scope with all its names, filled once the whole file has been looked at. */
+  static final class Scope {
+    final @Nullable Scope enclosing;
+    final Map<String, List<DocumentElement>> names = new LinkedHashMap<>();
+    final Map<String, List<Prototype>> prototypes = new HashMap<>();
+    final Set<String> imported = new TreeSet<>();
+
+    Scope(@Nullable Scope enclosing) {
+      this.enclosing = enclosing;
+    }
+  }
+
+  private final FileView file;
+  private final Map<DocumentElement, Integer> order = new IdentityHashMap<>();
+  private final Map<DocumentElement, Scope> scopes = new IdentityHashMap<>();
+  private final Map<DocumentElement, Scope> inner = new IdentityHashMap<>();
+
+  Scopes(FileView file) {
+    this.file = file;
+    Scope scene = new Scope(null);
+    int number = 0;
+    for (DocumentElement element : file.document().elements()) {
+      order.put(element, number++);
+      DocumentElement parent = element.parent().orElse(null);
+      Scope outer = parent == null ? scene : inside(parent);
+      scopes.put(element, outer);
+      declare(element, outer);
+      if (element.name().equals("ProtoDeclare")) {
+        inner.put(element, new Scope(outer));
+      }
+    }
+  }
+
+  /** The scope that the children of an element are in. */
+  private Scope inside(DocumentElement element) {
+    Scope own = inner.get(element);
+    return own != null ? own : of(element);
+  }
+
+  private void declare(DocumentElement element, Scope scope) {
+    switch (element.name()) {
+      case "ProtoDeclare", "ExternProtoDeclare" ->
+          element
+              .text("name")
+              .ifPresent(
+                  name ->
+                      scope
+                          .prototypes
+                          .computeIfAbsent(name.strip(), key -> new ArrayList<>(1))
+                          .add(new Prototype(element)));
+      case "IMPORT" ->
+          element.text("AS").or(() -> element.text("importedDEF")).ifPresent(scope.imported::add);
+      default -> {
+        if (isNode(element) && element.attribute("USE").isEmpty()) {
+          element
+              .text("DEF")
+              .ifPresent(
+                  name ->
+                      scope.names.computeIfAbsent(name, key -> new ArrayList<>(1)).add(element));
+        }
+      }
+    }
+  }
+
+  FileView file() {
+    return file;
+  }
+
+  /** The scope that an element stands in. */
+  Scope of(DocumentElement element) {
+    Scope scope = scopes.get(element);
+    if (scope == null) {
+      throw new IllegalArgumentException(element + " is not of this file");
+    }
+    return scope;
+  }
+
+  /** Whether an element stands for a node. */
+  boolean isNode(DocumentElement element) {
+    return element.name().equals("ProtoInstance")
+        || file.catalogue().find(element.name()).isPresent();
+  }
+
+  /** Whether {@code a} begins before {@code b}. */
+  boolean before(DocumentElement a, DocumentElement b) {
+    return order.getOrDefault(a, 0) < order.getOrDefault(b, 0);
+  }
+
+  /** The node that a USE at an element would mean: the last of that name before it. */
+  Optional<DocumentElement> before(String name, DocumentElement at) {
+    List<DocumentElement> all = of(at).names.getOrDefault(name, List.of());
+    // They are in document order, and may be many.
+    int low = 0;
+    int high = all.size();
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (before(all.get(middle), at)) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low == 0 ? Optional.empty() : Optional.of(all.get(low - 1));
+  }
+
+  /** The node that a ROUTE at an element means: the last before it, or else the first after it. */
+  Optional<DocumentElement> named(String name, DocumentElement at) {
+    return before(name, at)
+        .or(() -> of(at).names.getOrDefault(name, List.of()).stream().findFirst());
+  }
+
+  /** The prototype that an instance at an element means. */
+  Optional<Prototype> prototype(String name, DocumentElement at) {
+    for (Scope scope = of(at); scope != null; scope = scope.enclosing) {
+      List<Prototype> all = scope.prototypes.getOrDefault(name, List.of());
+      for (int i = all.size() - 1; i >= 0; i--) {
+        if (before(all.get(i).element(), at)) {
+          return Optional.of(all.get(i));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Names of the prototypes that an instance at an element may be of. */
+  Set<String> prototypes(DocumentElement at) {
+    Set<String> names = new TreeSet<>();
+    for (Scope scope = of(at); scope != null; scope = scope.enclosing) {
+      names.addAll(scope.prototypes.keySet());
+    }
+    return names;
+  }
+
+  /**
+   * The type of the node that an element stands for: of an instance, that of the first node of its
+   * prototype's body. Empty where that cannot be known.
+   */
+  Optional<NodeType> type(DocumentElement element) {
+    return type(element, 0);
+  }
+
+  private Optional<NodeType> type(DocumentElement element, int depth) {
+    if (!element.name().equals("ProtoInstance") || depth > DEEPEST) {
+      return file.catalogue().find(element.name());
+    }
+    DocumentElement instance =
+        element.text("USE").flatMap(name -> before(name, element)).orElse(element);
+    return instance
+        .text("name")
+        .flatMap(name -> prototype(name.strip(), instance))
+        .flatMap(found -> found.body().stream().filter(this::isNode).findFirst())
+        .flatMap(first -> type(first, depth + 1));
+  }
+
+  /** What routes to and from a node may name. Empty where that cannot be known. */
+  Optional<Interface> fields(DocumentElement node) {
+    if (node.name().equals("ProtoInstance")) {
+      return node.text("name")
+          .flatMap(name -> prototype(name.strip(), node))
+          .filter(prototype -> !prototype.external() || !prototype.fields().own().isEmpty())
+          .map(Prototype::fields);
+    }
+    return file.catalogue()
+        .find(node.name())
+        .map(type -> Interface.of(type.name(), Optional.of(type), node.children()));
+  }
+
+  /** Whether nodes of a type declare fields of their own: scripts and shaders. */
+  static boolean hasOwnFields(NodeType type) {
+    return type.field("field").isPresent() || type.is("X3DScriptNode") || type.is("Script");
+  }
+}

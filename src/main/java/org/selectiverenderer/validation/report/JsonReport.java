@@ -1,0 +1,40 @@
+package org.selectiverenderer.validation.report;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import org.selectiverenderer.validation.Finding;
+import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/** The report as {@code report.schema.json} describes it; also what {@code --baseline} reads. */
+final class JsonReport {
+  private JsonReport() {}
+
+  static String of(Report report) {
+    return JsonText.of(json -> write(report, json));
+  }
+
+  private static void write(Report report, JsonGenerator json) throws IOException {
+    json.writeStartObject();
+    json.writeArrayFieldStart("issues");
+    for (Finding finding : report.findings()) {
+      json.writeStartObject();
+      json.writeStringField("rule", finding.rule().id());
+      json.writeStringField("severity", Words.of(finding.severity()));
+      json.writeStringField("file", finding.location().file());
+      json.writeNumberField("line", finding.location().line());
+      json.writeNumberField("column", finding.location().column());
+      json.writeStringField("node", finding.node());
+      json.writeStringField("message", finding.message());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+    json.writeObjectFieldStart("summary");
+    json.writeNumberField("files", report.files().size());
+    json.writeNumberField("errors", report.count(Severity.ERROR));
+    json.writeNumberField("warnings", report.count(Severity.WARNING));
+    json.writeNumberField("infos", report.count(Severity.INFO));
+    json.writeEndObject();
+    json.writeEndObject();
+  }
+}

@@ -1,0 +1,110 @@
+package org.selectiverenderer.validation.report;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.validation.Finding;
+import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/**
+ * JUnit's XML as CI systems read it: each file is a test, which fails when a finding of it makes
+ * the run fail; lesser findings are its output.
+ */
+final class JunitReport {
+  private JunitReport() {}
+
+  /**
+   * @param failOn the least severity that makes a run fail
+   */
+  static String of(Report report, Severity failOn) {
+    Map<String, List<Finding>> byFile = new LinkedHashMap<>();
+    for (SourceFile file : report.files()) {
+      byFile.put(file.name(), new ArrayList<>());
+    }
+    for (Finding finding : report.findings()) {
+      byFile.computeIfAbsent(finding.location().file(), file -> new ArrayList<>()).add(finding);
+    }
+    long failed =
+        byFile.values().stream()
+            .filter(findings -> findings.stream().anyMatch(finding -> fails(finding, failOn)))
+            .count();
+    StringBuilder xml = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    xml.append(
+        "<testsuites>\n  <testsuite name=\"validate\" tests=\"%d\" failures=\"%d\">\n"
+            .formatted(byFile.size(), failed));
+    byFile.forEach((file, findings) -> test(xml, file, findings, failOn));
+    return xml.append("  </testsuite>\n</testsuites>\n").toString();
+  }
+
+  private static void test(
+      StringBuilder xml, String file, List<Finding> findings, Severity failOn) {
+    List<Finding> failures = findings.stream().filter(finding -> fails(finding, failOn)).toList();
+    List<Finding> rest = findings.stream().filter(finding -> !fails(finding, failOn)).toList();
+    xml.append("    <testcase classname=\"validate\" name=\"").append(escape(file)).append('"');
+    if (findings.isEmpty()) {
+      xml.append("/>\n");
+      return;
+    }
+    xml.append(">\n");
+    if (!failures.isEmpty()) {
+      xml.append("      <failure message=\"")
+          .append(Words.count(failures.size(), "finding"))
+          .append("\" type=\"")
+          .append(failures.get(0).rule().id())
+          .append("\">")
+          .append(escape(lines(failures)))
+          .append("</failure>\n");
+    }
+    if (!rest.isEmpty()) {
+      xml.append("      <system-out>").append(escape(lines(rest))).append("</system-out>\n");
+    }
+    xml.append("    </testcase>\n");
+  }
+
+  private static boolean fails(Finding finding, Severity failOn) {
+    return finding.severity().compareTo(failOn) <= 0;
+  }
+
+  private static String lines(List<Finding> findings) {
+    StringBuilder lines = new StringBuilder();
+    for (Finding finding : findings) {
+      lines
+          .append(finding.location())
+          .append(": ")
+          .append(Words.of(finding.severity()))
+          .append(": ")
+          .append(finding.message())
+          .append(" [")
+          .append(finding.rule().id())
+          .append("]\n");
+    }
+    return lines.toString();
+  }
+
+  /** What XML 1.0 cannot hold at all becomes a question mark. */
+  private static String escape(String text) {
+    StringBuilder escaped = new StringBuilder();
+    text.codePoints()
+        .forEach(
+            c -> {
+              switch (c) {
+                case '<' -> escaped.append("&lt;");
+                case '>' -> escaped.append("&gt;");
+                case '&' -> escaped.append("&amp;");
+                case '"' -> escaped.append("&quot;");
+                default ->
+                    escaped.appendCodePoint(
+                        c < ' ' && c != '\n'
+                                || c >= 0xd800 && c < 0xe000
+                                || c == 0xfffe
+                                || c == 0xffff
+                            ? '?'
+                            : c);
+              }
+            });
+    return escaped.toString();
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.validation.report;
+
+import java.util.function.BiFunction;
+import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/** The formats of {@code --format}. */
+public enum ReportFormat {
+  /** For people. */
+  TEXT((report, style) -> new TextReport(style.colours()).of(report)),
+  /** For programs; the schema is {@code report.schema.json} beside this class. */
+  JSON((report, style) -> JsonReport.of(report)),
+  /** SARIF 2.1.0, for code scanning services. */
+  SARIF((report, style) -> SarifReport.of(report, style)),
+  /** JUnit's XML, for CI systems that show tests. */
+  JUNIT((report, style) -> JunitReport.of(report, style.failOn())),
+  /** Annotations of GitHub Actions. */
+  GITHUB((report, style) -> GithubReport.of(report));
+
+  /**
+   * What some formats need besides the report.
+   *
+   * @param colours whether a terminal will show it
+   * @param failOn the least severity that makes a run fail
+   * @param version of the program
+   */
+  public record Style(boolean colours, Severity failOn, String version) {}
+
+  private final BiFunction<Report, Style, String> writer;
+
+  ReportFormat(BiFunction<Report, Style, String> writer) {
+    this.writer = writer;
+  }
+
+  /** The report as text, its last line ended. */
+  public String write(Report report, Style style) {
+    return writer.apply(report, style);
+  }
+}

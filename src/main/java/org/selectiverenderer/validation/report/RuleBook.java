@@ -1,0 +1,114 @@
+package org.selectiverenderer.validation.report;
+
+import java.util.Locale;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.RuleCatalogue;
+import org.selectiverenderer.validation.RuleGroup;
+
+/** The rules as people read them: a list, one explained, and the page {@code docs/rules.md}. */
+public final class RuleBook {
+  private static final int WIDTH = 78;
+
+  private final RuleCatalogue catalogue;
+
+  public RuleBook(RuleCatalogue catalogue) {
+    this.catalogue = catalogue;
+  }
+
+  /** A line for each rule, group by group. */
+  public String list() {
+    StringBuilder text = new StringBuilder();
+    for (RuleGroup group : catalogue.groups()) {
+      text.append(text.isEmpty() ? "" : "\n").append(group.title()).append('\n');
+      for (Rule rule : group.rules()) {
+        text.append(
+            "  %s  %-7s  %s%n"
+                .replace("%n", "\n")
+                .formatted(rule.id(), Words.of(rule.severity()), rule.title()));
+      }
+    }
+    return text.toString();
+  }
+
+  /** One rule with its explanation and examples. */
+  public static String explain(Rule rule) {
+    return rule.id()
+        + " ("
+        + Words.of(rule.severity())
+        + "): "
+        + rule.title()
+        + "\n\n"
+        + wrapped(rule.explanation())
+        + "\n\nBad:\n\n"
+        + rule.bad().indent(4)
+        + "\nGood:\n\n"
+        + rule.good().indent(4)
+        + "\nSource: "
+        + rule.reference()
+        + "\n";
+  }
+
+  /** The page {@code docs/rules.md}. */
+  public String page() {
+    StringBuilder page =
+        new StringBuilder(
+            """
+            # Rules of the validator
+
+            Made from the catalogue in the program by `RuleBookTest`; do not edit it by hand. How to run the
+            validator, to ignore rules and to read its reports: [validate.md](validate.md).
+
+            An error breaks what everybody relies on, or something will not show. A warning works here, but is
+            not meant so or does not work everywhere. A remark (info) never makes a run fail.
+            """);
+    for (RuleGroup group : catalogue.groups()) {
+      page.append("\n## ").append(group.title()).append("\n\n| rule | severity | message |\n");
+      page.append("| --- | --- | --- |\n");
+      for (Rule rule : group.rules()) {
+        page.append(
+            "| [%s](#%s) | %s | %s |\n"
+                .formatted(
+                    rule.id(),
+                    rule.id().toLowerCase(Locale.ROOT),
+                    Words.of(rule.severity()),
+                    markdown(rule.title())));
+      }
+      group.rules().forEach(rule -> section(page, rule));
+    }
+    return page.toString();
+  }
+
+  private static void section(StringBuilder page, Rule rule) {
+    page.append("\n### ").append(rule.id()).append("\n\n");
+    page.append("**").append(markdown(rule.title())).append("** (");
+    page.append(Words.of(rule.severity())).append("; ").append(rule.reference()).append(")\n\n");
+    page.append(markdown(rule.explanation())).append("\n\n");
+    example(page, "Bad", rule.bad());
+    example(page, "Good", rule.good());
+  }
+
+  private static void example(StringBuilder page, String heading, String example) {
+    String language = example.startsWith("<") ? "xml" : "";
+    page.append(heading).append(":\n\n```").append(language).append('\n');
+    page.append(example).append("\n```\n");
+    page.append(heading.equals("Bad") ? "\n" : "");
+  }
+
+  private static String markdown(String text) {
+    return text.replace("<", "&lt;").replace("|", "\\|");
+  }
+
+  private static String wrapped(String text) {
+    StringBuilder lines = new StringBuilder();
+    int column = 0;
+    for (String word : text.split("\\s+")) {
+      if (column > 0 && column + 1 + word.length() > WIDTH) {
+        lines.append('\n');
+        column = 0;
+      }
+      lines.append(column > 0 ? " " : "").append(word);
+      column += word.length() + (column > 0 ? 1 : 0);
+    }
+    return lines.toString();
+  }
+}

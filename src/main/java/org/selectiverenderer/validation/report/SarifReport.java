@@ -1,0 +1,132 @@
+package org.selectiverenderer.validation.report;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.util.List;
+import org.selectiverenderer.validation.Finding;
+import org.selectiverenderer.validation.Fingerprints;
+import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/** SARIF 2.1.0 (OASIS): the rules that were broken, and a result for each finding. */
+final class SarifReport {
+  private static final String SCHEMA =
+      "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
+
+  private final Report report;
+  private final List<Rule> rules;
+
+  private SarifReport(Report report) {
+    this.report = report;
+    this.rules =
+        report.findings().stream()
+            .map(Finding::rule)
+            .distinct()
+            .sorted(java.util.Comparator.comparing(Rule::id))
+            .toList();
+  }
+
+  static String of(Report report, ReportFormat.Style style) {
+    return JsonText.of(json -> new SarifReport(report).write(json, style.version()));
+  }
+
+  private void write(JsonGenerator json, String version) throws IOException {
+    json.writeStartObject();
+    json.writeStringField("$schema", SCHEMA);
+    json.writeStringField("version", "2.1.0");
+    json.writeArrayFieldStart("runs");
+    json.writeStartObject();
+    json.writeObjectFieldStart("tool");
+    json.writeObjectFieldStart("driver");
+    json.writeStringField("name", "selective-renderer validate");
+    json.writeStringField("semanticVersion", version);
+    json.writeArrayFieldStart("rules");
+    for (Rule rule : rules) {
+      write(json, rule);
+    }
+    json.writeEndArray();
+    json.writeEndObject();
+    json.writeEndObject();
+    json.writeStringField("columnKind", "utf16CodeUnits");
+    json.writeArrayFieldStart("results");
+    List<String> fingerprints = Fingerprints.of(report.findings());
+    for (int i = 0; i < fingerprints.size(); i++) {
+      write(json, report.findings().get(i), fingerprints.get(i));
+    }
+    json.writeEndArray();
+    json.writeEndObject();
+    json.writeEndArray();
+    json.writeEndObject();
+  }
+
+  private static void write(JsonGenerator json, Rule rule) throws IOException {
+    json.writeStartObject();
+    json.writeStringField("id", rule.id());
+    text(json, "shortDescription", rule.title());
+    text(json, "fullDescription", rule.explanation());
+    text(json, "help", rule.explanation() + "\nSource: " + rule.reference());
+    json.writeObjectFieldStart("defaultConfiguration");
+    json.writeStringField("level", level(rule.severity()));
+    json.writeEndObject();
+    json.writeEndObject();
+  }
+
+  private void write(JsonGenerator json, Finding finding, String fingerprint) throws IOException {
+    Location at = finding.location();
+    json.writeStartObject();
+    json.writeStringField("ruleId", finding.rule().id());
+    json.writeNumberField("ruleIndex", rules.indexOf(finding.rule()));
+    json.writeStringField("level", level(finding.severity()));
+    text(json, "message", finding.message());
+    json.writeArrayFieldStart("locations");
+    json.writeStartObject();
+    json.writeObjectFieldStart("physicalLocation");
+    json.writeObjectFieldStart("artifactLocation");
+    json.writeStringField("uri", uri(at.file()));
+    json.writeEndObject();
+    if (at.line() > 0) {
+      json.writeObjectFieldStart("region");
+      json.writeNumberField("startLine", at.line());
+      if (at.column() > 0) {
+        json.writeNumberField("startColumn", at.column());
+      }
+      json.writeEndObject();
+    }
+    json.writeEndObject();
+    if (!finding.node().isEmpty()) {
+      json.writeArrayFieldStart("logicalLocations");
+      json.writeStartObject();
+      json.writeStringField("name", finding.node());
+      json.writeEndObject();
+      json.writeEndArray();
+    }
+    json.writeEndObject();
+    json.writeEndArray();
+    json.writeObjectFieldStart("partialFingerprints");
+    json.writeStringField("selectiveRenderer/v1", fingerprint);
+    json.writeEndObject();
+    json.writeEndObject();
+  }
+
+  private static void text(JsonGenerator json, String key, String text) throws IOException {
+    json.writeObjectFieldStart(key);
+    json.writeStringField("text", text);
+    json.writeEndObject();
+  }
+
+  private static String level(Severity severity) {
+    return severity == Severity.INFO ? "note" : Words.of(severity);
+  }
+
+  private static String uri(String file) {
+    try {
+      return new URI(null, null, file, null).toASCIIString();
+    } catch (URISyntaxException e) {
+      throw new IllegalStateException("a relative path is a path of a URI", e);
+    }
+  }
+}

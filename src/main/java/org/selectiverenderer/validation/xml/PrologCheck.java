@@ -1,0 +1,46 @@
+package org.selectiverenderer.validation.xml;
+
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.SceneDocument;
+
+/** The file's name, its DOCTYPE and its root element. */
+final class PrologCheck implements FileCheck {
+  private static final Pattern VERSION = Pattern.compile("DTD X3D (\\d\\.\\d)");
+
+  @Override
+  public void check(FileView file, Findings findings) {
+    SceneDocument document = file.document();
+    String name = document.name().toLowerCase(Locale.ROOT);
+    if (document.isCompressed() && (name.endsWith(".x3d") || name.endsWith(".xml"))) {
+      findings.add(
+          XmlRules.NAME_OF_COMPRESSED,
+          Location.of(document.name()),
+          "",
+          name.substring(name.lastIndexOf('.')));
+    }
+    DocumentElement root = document.root().orElse(null);
+    if (root == null) {
+      return;
+    }
+    if (!root.name().equals("X3D")) {
+      findings.add(XmlRules.ROOT, root, root.name());
+    }
+    document.type().ifPresent(type -> checkType(type, root, findings));
+  }
+
+  private static void checkType(
+      SceneDocument.DocumentType type, DocumentElement root, Findings findings) {
+    Matcher declared = VERSION.matcher(type.publicId());
+    String version = root.text("version").map(String::strip).orElse("");
+    if (declared.find() && !version.isEmpty() && !declared.group(1).equals(version)) {
+      findings.add(XmlRules.DOCTYPE, type.location(), "", declared.group(1), version);
+    }
+  }
+}

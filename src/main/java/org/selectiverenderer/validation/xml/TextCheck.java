@@ -1,0 +1,28 @@
+package org.selectiverenderer.validation.xml;
+
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.DocumentElement;
+
+/** Text between elements. */
+final class TextCheck implements FileCheck {
+  private static final int SHOWN = 40;
+
+  @Override
+  public void check(FileView file, Findings findings) {
+    for (DocumentElement element : file.document().elements()) {
+      boolean script =
+          file.catalogue()
+              .find(element.name())
+              .filter(type -> type.field("sourceCode").isPresent())
+              .isPresent();
+      // Scripts of prototypes and other languages' elements are left alone.
+      if (!element.text().isEmpty() && !script && file.knows(element)) {
+        String text = element.text().strip();
+        String shown = text.length() > SHOWN ? text.substring(0, SHOWN) + "..." : text;
+        findings.add(XmlRules.TEXT, element, "'" + shown + "'");
+      }
+    }
+  }
+}

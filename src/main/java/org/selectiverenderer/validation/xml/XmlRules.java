@@ -1,0 +1,156 @@
+package org.selectiverenderer.validation.xml;
+
+import java.util.List;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.RuleGroup;
+
+/** SR0xx: the file and its XML. */
+public final class XmlRules {
+  static final Rule NOT_WELL_FORMED =
+      Rule.error("SR001", "{fault}")
+          .about("the XML is not well formed")
+          .because(
+              """
+              A file that is not well-formed XML is refused by most programs; this one keeps what \
+              stands before the fault. All other findings of the file are about that part.""")
+          .bad("<Group><Shape></Group>")
+          .good("<Group><Shape/></Group>")
+          .see("XML 1.0, 2.1");
+
+  static final Rule NO_X3D =
+      Rule.error("SR002", "{fault}")
+          .about("the file is no X3D in the XML encoding")
+          .because(
+              """
+              Only the XML encoding of X3D is read. Scenes in the Classic VRML or JSON encoding can \
+              be converted, for example by X3D-Edit or by view3dscene's tovrmlx3d.""")
+          .bad("#X3D V4.0 utf8\nPROFILE Immersive\nShape { geometry Box { } }")
+          .good(
+              "<?xml version='1.0' encoding='UTF-8'?>\n<X3D profile='Immersive' version='4.0'>\n"
+                  + "  <Scene><Shape><Box/></Shape></Scene>\n</X3D>")
+          .see("ISO/IEC 19776-1 (X3D XML encoding)");
+
+  static final Rule COMPRESSION =
+      Rule.error("SR003", "{fault}")
+          .about("the compression is damaged")
+          .because(
+              """
+              A compressed scene ends before its compression does, mostly after a broken download \
+              or a text-mode transfer. Compress it again from the original.""")
+          .bad("(the first half of scene.x3dz)")
+          .good("(all of scene.x3dz)")
+          .see("RFC 1952");
+
+  static final Rule ENCODING =
+      Rule.error("SR004", "{fault}")
+          .about("the bytes are not of the encoding that the file names")
+          .because(
+              """
+              Other programs refuse a file whose bytes are not of the encoding that its first line \
+              names (UTF-8 where it names none), or show other letters. Save it as UTF-8.""")
+          .bad("<?xml version='1.0' encoding='UTF-8'?>  (and an e with acute as the one byte E9)")
+          .good("<?xml version='1.0' encoding='UTF-8'?>  (and an e with acute as the bytes C3 A9)")
+          .see("XML 1.0, 4.3.3");
+
+  static final Rule ENTITY =
+      Rule.error("SR005", "{fault}")
+          .about("an entity of a DOCTYPE, which is never expanded")
+          .because(
+              """
+              Entities of a DOCTYPE are a way to read other files and to exhaust memory, so browsers \
+              and this program expand none but &lt; &gt; &amp; &quot; &apos; and numbers.""")
+          .bad("<Text string='\"&copyright;\"'/>")
+          .good("<Text string='\"&#169;\"'/>")
+          .see("XML 1.0, 4.1");
+
+  static final Rule DOCTYPE =
+      Rule.warning("SR006", "the DOCTYPE is that of X3D {declared}, but the version is {version}")
+          .because(
+              """
+              Programs that check against the DOCTYPE refuse what a later version brought. A DOCTYPE \
+              may be left out altogether.""")
+          .bad(
+              """
+              <?xml version='1.0' encoding='UTF-8'?>
+              <!DOCTYPE X3D PUBLIC 'ISO//Web3D//DTD X3D 3.3//EN' \
+              'https://www.web3d.org/specifications/x3d-3.3.dtd'>
+              <X3D profile='Immersive' version='4.0'><Scene/></X3D>""")
+          .good(
+              """
+              <?xml version='1.0' encoding='UTF-8'?>
+              <!DOCTYPE X3D PUBLIC 'ISO//Web3D//DTD X3D 4.0//EN' \
+              'https://www.web3d.org/specifications/x3d-4.0.dtd'>
+              <X3D profile='Immersive' version='4.0'><Scene/></X3D>""")
+          .see("ISO/IEC 19776-1, 4.3.2");
+
+  static final Rule ROOT =
+      Rule.error("SR007", "the root element of a scene is X3D, not {element}")
+          .because("Nothing of such a file is shown; what it holds may be no scene at all.")
+          .bad("<?xml version='1.0'?>\n<Scene><Shape><Box/></Shape></Scene>")
+          .good(
+              "<?xml version='1.0'?>\n<X3D profile='Immersive' version='4.0'>\n"
+                  + "  <Scene><Shape><Box/></Shape></Scene>\n</X3D>")
+          .see("ISO/IEC 19776-1, 4.3.3");
+
+  static final Rule LIMIT =
+      Rule.error("SR008", "{fault}; nothing is read from here on")
+          .about("more or deeper elements than are read")
+          .because(
+              """
+              Limits keep a hostile file from taking all memory. No real scene that we know comes \
+              near them; a program that wrote this one is probably at fault.""")
+          .bad("(groups in groups, 300 deep)")
+          .good("(groups in groups, 20 deep)")
+          .see("docs/validate.md");
+
+  static final Rule NAME_OF_COMPRESSED =
+      Rule.warning("SR009", "the file is compressed, but its name ends in {ending}")
+          .because(
+              """
+              Programs that go by the name take it for XML and fail. A compressed scene is called \
+              .x3dz (or .x3d.gz).""")
+          .bad("scene.x3d, beginning with the bytes 1F 8B")
+          .good("scene.x3dz, beginning with the bytes 1F 8B")
+          .see("ISO/IEC 19776-1, annex on MIME types and file extensions");
+
+  static final Rule COMMENT =
+      Rule.warning("SR010", "this comment suppresses nothing: {reason}")
+          .because(
+              """
+              A comment 'validate-ignore ID ...' stands directly before the element that it is for \
+              and names rules of the list.""")
+          .bad("<!-- validate-ignore SR999 -->\n<Group/>")
+          .good("<!-- validate-ignore SR114: on purpose -->\n<Group/>")
+          .see("docs/validate.md");
+
+  static final Rule TEXT =
+      Rule.warning("SR011", "text between elements means nothing in X3D: {text}")
+          .because(
+              """
+              All values are attributes; text has a meaning in scripts and shaders only. Often a \
+              comment has lost its marks, or an element its bracket.""")
+          .bad("<Group>the table</Group>")
+          .good("<Group><!-- the table --></Group>")
+          .see("ISO/IEC 19776-1, 4.3");
+
+  private XmlRules() {}
+
+  public static RuleGroup group() {
+    return new RuleGroup(
+        "XML and file",
+        List.of(
+            NOT_WELL_FORMED,
+            NO_X3D,
+            COMPRESSION,
+            ENCODING,
+            ENTITY,
+            DOCTYPE,
+            ROOT,
+            LIMIT,
+            NAME_OF_COMPRESSED,
+            COMMENT,
+            TEXT),
+        List.of(new FaultCheck(), new PrologCheck(), new CommentCheck(), new TextCheck()),
+        List.of());
+  }
+}

@@ -1,0 +1,229 @@
+package org.selectiverenderer.experiment.headlog;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.x3d.Problems;
+
+class HeadLogTest {
+  private static final SceneMap MAP =
+      new SceneMap(
+          List.of(
+              new SceneMap.Area(
+                  "DeskProx",
+                  List.of(new double[] {0, 0}, new double[] {1, 0}, new double[] {1, 1}))),
+          List.of(new SceneMap.Box("Office", new double[] {-2, 0, -2, 2, 3, 2})),
+          List.of(
+              new SceneMap.Box("Switch_Desk", new double[] {-1, 0, -2, 1, 1, -1}),
+              new SceneMap.Box("Switch_Clock", new double[] {-1, 2, 1, 1, 3, 2})));
+
+  private static final HeadLogDescription DESCRIPTION =
+      new HeadLogDescription(
+          "2026-01-01T00:00:00Z",
+          "office.x3d",
+          "selective",
+          0,
+          "ProView 50",
+          "none",
+          0.373,
+          0.28,
+          0.5,
+          10,
+          MAP);
+
+  @TempDir private Path folder;
+
+  private static HeadSample sample(double t, double yaw, double pitch, String object) {
+    return new HeadSample(
+        t,
+        0.1,
+        1.6,
+        -1.0 / 3,
+        yaw,
+        pitch,
+        0,
+        yaw != 0,
+        object,
+        1.25,
+        1,
+        List.of("a", "b"),
+        List.of("OfficeSchema"),
+        16.6667);
+  }
+
+  private Path write(List<HeadSample> samples) throws IOException {
+    Path file = folder.resolve("session.csv");
+    try (HeadLogWriter writer = HeadLogWriter.open(file, DESCRIPTION, problem -> {})) {
+      samples.forEach(writer::add);
+    }
+    return file;
+  }
+
+  private HeadLog read(Path file) throws IOException {
+    Problems problems = new Problems();
+    HeadLog log = HeadLogReader.read(file, problems).orElseThrow();
+    assertThat(problems.any()).isFalse();
+    return log;
+  }
+
+  @Test
+  void whatIsWrittenIsReadAgainToTheLastDigit() throws IOException {
+    List<HeadSample> samples =
+        List.of(
+            sample(0, 12.345678901234567, -3, "Switch_Desk"),
+            new HeadSample(
+                0.1, 0, 0, 0, 0, 0, 0, false, "", Double.NaN, -1, List.of(), List.of(), 5),
+            sample(0.2, 1e-7, 0, "a \"quoted\", one"));
+    HeadLog log = read(write(samples));
+    assertThat(log.samples().get(0).yaw()).isEqualTo(12.345678901234567);
+    assertThat(log.samples().get(0).z()).isEqualTo(-1.0 / 3);
+    assertThat(log.samples().get(1)).isEqualTo(samples.get(1));
+    assertThat(log.samples().get(2).object()).isEqualTo("a \"quoted\", one");
+    assertThat(log.description().map().rooms().get(0).bounds()).containsExactly(-2, 0, -2, 2, 3, 2);
+    assertThat(log.description().tanX()).isEqualTo(0.373);
+  }
+
+  @Test
+  void theDescriptionNamesEveryColumnOfTheFile() throws IOException {
+    Path file = write(List.of(sample(0, 0, 0, "")));
+    JsonNode columns =
+        new ObjectMapper().readTree(folder.resolve("session.json").toFile()).get("columns");
+    List<String> named = new ArrayList<>();
+    columns.fieldNames().forEachRemaining(named::add);
+    assertThat(Files.readAllLines(file).get(0)).isEqualTo(String.join(",", named));
+    assertThat(columns.get("distance").get("units").asText()).isEqualTo("scene unit");
+  }
+
+  @Test
+  void aLineCutOffByACrashIsLeftOut() throws IOException {
+    Path file = write(List.of(sample(0, 0, 0, "A"), sample(0.1, 0, 0, "A")));
+    Files.writeString(file, "0.2,1,2", StandardOpenOption.APPEND);
+    Problems problems = new Problems();
+    assertThat(HeadLogReader.read(file, problems).orElseThrow().samples()).hasSize(2);
+    assertThat(problems.any()).isFalse();
+    assertThat(problems.list().get(0).toString()).contains("session.csv", "cut off");
+  }
+
+  @Test
+  void anotherKindOfFileIsRefusedInASentence() throws IOException {
+    Path file = folder.resolve("other.csv");
+    Files.writeString(file, "t,x\n1,2\n");
+    Problems problems = new Problems();
+    assertThat(HeadLogReader.read(file, problems)).isEmpty();
+    assertThat(problems.list().get(0).toString()).contains("other.csv:1:1", "a column y");
+  }
+
+  @Test
+  void aDiskThatTakesNothingIsToldAtTheBeginning() throws IOException {
+    Path full = Path.of("/dev/full");
+    org.junit.jupiter.api.Assumptions.assumeTrue(Files.exists(full));
+    Path link = folder.resolve("session.csv");
+    Files.createSymbolicLink(link, full);
+    assertThat(
+            org.assertj.core.api.Assertions.catchThrowable(
+                () -> HeadLogWriter.open(link, DESCRIPTION, problem -> {})))
+        .isInstanceOf(IOException.class);
+    Files.delete(link);
+  }
+
+  @Test
+  void samplesOfOneObjectInTurnAreOneLook() throws IOException {
+    List<HeadSample> samples = new ArrayList<>();
+    for (int i = 0; i < 40; i++) {
+      // The desk, for one sample a chair's leg before it, the clock, the desk again.
+      String object =
+          i == 5 ? "Leg" : i < 20 ? "Switch_Desk" : i < 30 ? "Switch_Shelf" : "Switch_Desk";
+      samples.add(sample(i * 0.1, 1, 0, object));
+    }
+    HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(samples)));
+    assertThat(analysis.looks())
+        .extracting(Look::object)
+        .containsExactly("Switch_Desk", "Leg", "Switch_Shelf", "Switch_Desk");
+    assertThat(analysis.looks().get(0).end()).isCloseTo(2, within(1e-9));
+    HeadLogAnalysis.ObjectView desk = analysis.objects().get(0);
+    assertThat(desk.object()).isEqualTo("Switch_Desk");
+    assertThat(desk.looks()).isEqualTo(2);
+    assertThat(desk.seconds()).isCloseTo(3, within(1e-9));
+    assertThat(desk.first()).isZero();
+    assertThat(analysis.unseen()).containsExactly("Switch_Clock");
+  }
+
+  @Test
+  void whoLooksRoundAtEyeLevelSeesTheWallsButNeitherFloorNorCeilingNearby() throws IOException {
+    List<HeadSample> samples = new ArrayList<>();
+    for (int i = 0; i <= 36; i++) {
+      samples.add(sample(i * 0.1, 10 * i - 180, 0, ""));
+    }
+    RoomView room = HeadLogAnalysis.of(read(write(samples))).rooms().get(0);
+    assertThat(room.room()).isEqualTo("Office");
+    assertThat(room.seconds()).isCloseTo(3.7, within(1e-6));
+    assertThat(room.seen()).isBetween(0.2, 0.5);
+    assertThat(room.unseen()).containsExactly("floor", "ceiling");
+  }
+
+  @Test
+  void whoLooksStraightAheadSeesOneWallOnly() throws IOException {
+    RoomView room =
+        HeadLogAnalysis.of(read(write(List.of(sample(0, 0, 0, ""), sample(1, 0, 0, "")))))
+            .rooms()
+            .get(0);
+    assertThat(room.unseen()).containsExactly("wall -X", "wall +X", "floor", "ceiling", "wall +Z");
+  }
+
+  @Test
+  void aHeadThatLooksEverywhereHasSeenAll() throws IOException {
+    List<HeadSample> samples = new ArrayList<>();
+    for (int pitch = -90; pitch <= 90; pitch += 10) {
+      for (int yaw = -180; yaw < 180; yaw += 10) {
+        samples.add(sample(samples.size() * 0.01, yaw, pitch, ""));
+      }
+    }
+    RoomView room = HeadLogAnalysis.of(read(write(samples))).rooms().get(0);
+    assertThat(room.seen()).isEqualTo(1);
+    assertThat(room.unseen()).isEmpty();
+  }
+
+  @Test
+  void bidsDataAreMetresAndQuaternionsAsTheChannelsSay() throws IOException {
+    HeadLog log = read(write(List.of(sample(2, 90, 0, "A"), sample(2.5, 90, 0, "A"))));
+    Path data = Bids.write(log, folder.resolve("bids"), "07");
+    assertThat(data.getFileName()).hasToString("sub-07_task-viewing_tracksys-head_motion.tsv");
+    assertThat(Files.readAllLines(data))
+        .containsExactly(
+            "0.050000\t0.800000\t-0.166667\t0.000000\t0.707107\t0.000000\t0.707107\t0.000000",
+            "0.050000\t0.800000\t-0.166667\t0.000000\t0.707107\t0.000000\t0.707107\t0.500000");
+    List<String> channels =
+        Files.readAllLines(data.resolveSibling("sub-07_task-viewing_tracksys-head_channels.tsv"));
+    assertThat(channels).hasSize(1 + 8);
+    assertThat(channels.get(1)).isEqualTo("head_POS_x\tx\tPOS\thead\tm\t2.0\tscene");
+    JsonNode sidecar =
+        new ObjectMapper()
+            .readTree(
+                data.resolveSibling("sub-07_task-viewing_tracksys-head_motion.json").toFile());
+    assertThat(sidecar.get("SamplingFrequency").asDouble()).isEqualTo(2);
+    assertThat(sidecar.get("TaskName").asText()).isEqualTo("viewing");
+  }
+
+  @Test
+  void aPlotShowsRoomsAreasAndWhatWasLookedAt() throws IOException {
+    List<HeadSample> samples = new ArrayList<>();
+    for (int i = 0; i < 30; i++) {
+      samples.add(sample(i * 0.1, i, 0, i < 10 ? "Switch_Desk" : "A<b>"));
+    }
+    HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(samples)));
+    assertThat(HeadLogPlot.svg(analysis))
+        .startsWith("<svg ")
+        .contains("DeskProx", "Office: ", "Switch_Desk", "A&lt;b&gt;")
+        .endsWith("</svg>\n");
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.experiment.headlog;
+
+import org.jspecify.annotations.NullMarked;

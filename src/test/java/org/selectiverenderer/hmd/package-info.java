@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.hmd;
+
+import org.jspecify.annotations.NullMarked;

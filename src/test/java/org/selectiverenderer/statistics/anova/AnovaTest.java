@@ -1,0 +1,176 @@
+package org.selectiverenderer.statistics.anova;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+
+class AnovaTest {
+  private static final Offset<Double> EXACT = within(1e-12);
+
+  /** Groups 1 2 3 and 3 4 8: means 2 and 5, SS between 13.5, within 2 + 14. */
+  @Test
+  void aOneWayDesignByHand() {
+    Anova anova = Anova.of(oneWay(new double[][] {{1, 2, 3}, {3, 4, 8}}), AnovaOptions.DEFAULT);
+    assertThat(anova.effects()).hasSize(1);
+    Effect group = anova.effects().get(0);
+    assertThat(group.name()).isEqualTo("group");
+    assertThat(group.ss()).isEqualTo(13.5, EXACT);
+    assertThat(group.errorSs()).isEqualTo(16, EXACT);
+    assertThat(group.df1()).isEqualTo(1);
+    assertThat(group.df2()).isEqualTo(4);
+    assertThat(group.f()).isEqualTo(3.375, EXACT);
+    assertThat(group.partialEta().value()).isEqualTo(13.5 / 29.5, EXACT);
+    Comparison pair = anova.comparisons().get(0);
+    assertThat(pair.difference()).isEqualTo(-3, EXACT);
+    assertThat(pair.t() * pair.t()).isEqualTo(3.375, EXACT);
+    assertThat(pair.p()).isEqualTo(group.p(), EXACT);
+  }
+
+  @Test
+  void generalisedEtaOfAOneWayDesignIsThePartialOneWithSteigersInterval() {
+    Effect group =
+        Anova.of(oneWay(new double[][] {{1, 2, 3}, {3, 4, 8}}), AnovaOptions.DEFAULT)
+            .effects()
+            .get(0);
+    assertThat(group.generalisedEta().value()).isEqualTo(group.partialEta().value(), EXACT);
+    assertThat(group.generalisedEta().low()).isEqualTo(group.partialEta().low(), EXACT);
+    assertThat(group.generalisedEta().high()).isEqualTo(group.partialEta().high(), EXACT);
+  }
+
+  @Test
+  void scoresThatDoNotVaryWithinGroupsHaveNoFAndSayWhy() {
+    Effect group =
+        Anova.of(oneWay(new double[][] {{0.1, 0.1, 0.1}, {0.7, 0.7, 0.7}}), AnovaOptions.DEFAULT)
+            .effects()
+            .get(0);
+    assertThat(group.f()).isNaN();
+    assertThat(group.flaw()).hasValueSatisfying(why -> assertThat(why).contains("zero variance"));
+  }
+
+  @Test
+  void aDifferenceThatIsTheSameForAllHasNoWithinFButABetweenF() {
+    Design design =
+        new Design(
+            "y",
+            new Factor("level", List.of("a", "b")),
+            new Factor("group", List.of("x", "y")),
+            List.of(
+                new Subject("1", 0, List.of(0.1, 0.4)),
+                new Subject("2", 0, List.of(0.2, 0.5)),
+                new Subject("3", 1, List.of(1.7, 2.0)),
+                new Subject("4", 1, List.of(1.2, 1.5))));
+    Anova anova = Anova.of(design, AnovaOptions.DEFAULT);
+    assertThat(anova.effect(EffectKind.BETWEEN).orElseThrow().f()).isFinite();
+    Effect within = anova.effect(EffectKind.WITHIN).orElseThrow();
+    assertThat(within.f()).isNaN();
+    assertThat(within.multivariate()).isEmpty();
+    assertThat(within.flaw()).isPresent();
+    assertThat(
+            anova.comparisons().stream()
+                .filter(pair -> pair.factor().equals("level"))
+                .map(Comparison::t))
+        .isNotEmpty()
+        .allMatch(t -> t.isNaN());
+  }
+
+  @Test
+  void moreLevelsThanParticipantsLeaveTheMultivariateTestsOut() {
+    Design design =
+        new Design(
+            "y",
+            new Factor("level", List.of("a", "b", "c", "d")),
+            new Factor("group", List.of("all")),
+            List.of(
+                new Subject("1", 0, List.of(1.0, 2.0, 4.0, 3.0)),
+                new Subject("2", 0, List.of(2.0, 2.5, 3.0, 5.0)),
+                new Subject("3", 0, List.of(0.5, 2.0, 1.0, 4.0))));
+    Effect level = Anova.of(design, AnovaOptions.DEFAULT).effects().get(0);
+    assertThat(level.f()).isFinite();
+    assertThat(level.multivariate()).isEmpty();
+    assertThat(level.flaw()).hasValueSatisfying(why -> assertThat(why).contains("multivariate"));
+    assertThat(level.sphericity().orElseThrow().mauchlyP()).isNaN();
+  }
+
+  @Test
+  void fewerParticipantsThanGroupsOrNothingToCompareIsAnObstacle() {
+    assertThat(oneWay(new double[][] {{1}, {2}}).obstacle())
+        .contains("2 participants in 2 groups leave no degrees of freedom for the error");
+    assertThat(oneWay(new double[][] {{1, 2, 3}}).obstacle())
+        .hasValueSatisfying(why -> assertThat(why).contains("nothing to compare"));
+    assertThat(oneWay(new double[][] {{1, 2}, {}}).obstacle())
+        .contains("there is no participant with complete data in the group g1");
+    Design design = oneWay(new double[][] {{1}, {2}});
+    assertThatThrownBy(() -> Anova.of(design, AnovaOptions.DEFAULT))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  /** With two levels and two groups the interaction is one difference of differences: F = t². */
+  @Test
+  void theInteractionOfTwoByTwoIsItsOnlyDifferenceOfDifferences() {
+    Design design =
+        new Design(
+            "y",
+            new Factor("level", List.of("a", "b")),
+            new Factor("group", List.of("x", "y")),
+            List.of(
+                new Subject("1", 0, List.of(0.1, 0.4)),
+                new Subject("2", 0, List.of(0.2, 0.9)),
+                new Subject("3", 1, List.of(1.7, 1.1)),
+                new Subject("4", 1, List.of(1.2, 1.5)),
+                new Subject("5", 1, List.of(1.0, 0.5))));
+    Anova anova = Anova.of(design, AnovaOptions.DEFAULT);
+    Comparison last = anova.comparisons().get(anova.comparisons().size() - 1);
+    Effect interaction = anova.effect(EffectKind.INTERACTION).orElseThrow();
+    assertThat(last.factor()).isEqualTo("level x group");
+    assertThat(last.first()).isEqualTo("x (a − b)");
+    assertThat(last.t() * last.t()).isEqualTo(interaction.f(), EXACT);
+    assertThat(last.p()).isEqualTo(interaction.p(), EXACT);
+  }
+
+  @Test
+  void holmTakesTheSmallestPTimesTheirNumberAndNeverFallsBack() {
+    assertThat(Holm.adjusted(List.of(0.04, 0.01, 0.03)))
+        .containsExactly(new double[] {0.06, 0.03, 0.06}, EXACT);
+    assertThat(Holm.adjusted(List.of(0.9, 0.8))).containsExactly(1, 1);
+  }
+
+  /** Difference 0 with SE 0.2 and bounds of 0.5: both tests have t = 2.5. */
+  @Test
+  void equivalenceNeedsBothOneSidedTests() {
+    Tost none = Tost.of(0, 0.2, 30, 0.5);
+    assertThat(none.lowerT()).isEqualTo(2.5, EXACT);
+    assertThat(none.upperT()).isEqualTo(-2.5, EXACT);
+    assertThat(none.p()).isEqualTo(0.0090578, within(1e-7));
+    assertThat(Tost.of(0.45, 0.2, 30, 0.5).p()).isGreaterThan(0.05);
+    assertThat(Tost.of(0.7, 0.2, 30, 0.5).p()).isGreaterThan(0.5);
+  }
+
+  @Test
+  void aSmallFSpeaksForTheNullInEveryWay() {
+    double[][] same = {{1, 2, 3, 4, 5, 2, 4}, {1.1, 2, 3, 4, 4.9, 2.1, 3.9}};
+    Effect group = Anova.of(oneWay(same), AnovaOptions.DEFAULT.withEtaBound(0.5)).effects().get(0);
+    assertThat(group.p()).isGreaterThan(0.9);
+    assertThat(group.equivalence().p()).isLessThan(0.05);
+    assertThat(group.bayesFactor()).isGreaterThan(3);
+    assertThat(Anova.of(oneWay(same), AnovaOptions.DEFAULT).comparisons().get(0).bayesFactor())
+        .isGreaterThan(1.5);
+  }
+
+  private static Design oneWay(double[][] groups) {
+    List<Subject> subjects = new ArrayList<>();
+    List<String> names = new ArrayList<>();
+    for (int group = 0; group < groups.length; group++) {
+      names.add("g" + group);
+      for (double value : groups[group]) {
+        subjects.add(new Subject(group + "-" + subjects.size(), group, List.of(value)));
+      }
+    }
+    return new Design(
+        "y", new Factor("level", List.of("all")), new Factor("group", names), subjects);
+  }
+}

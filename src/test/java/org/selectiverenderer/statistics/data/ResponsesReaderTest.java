@@ -1,0 +1,170 @@
+package org.selectiverenderer.statistics.data;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.x3d.Problems;
+
+class ResponsesReaderTest {
+  private static final String HEADER =
+      "participant,condition,area,object,consistency,present,response,confidence\n";
+  private static final String CUP = "p1,high,kitchen,cup,consistent,yes,yes,4\n";
+  private static final String KITE = "p1,high,kitchen,kite,inconsistent,no,no,2\n";
+
+  private final Problems problems = new Problems();
+
+  @Test
+  void goodAnswersAreReadWithoutAWord() {
+    Responses found = parse(HEADER + CUP + KITE);
+    assertThat(found.usable())
+        .extracting(Response::object, Response::present, Response::yes, Response::confidence)
+        .containsExactly(tuple("cup", true, true, 4), tuple("kite", false, false, 2));
+    assertThat(problems.list()).isEmpty();
+  }
+
+  /** Row 2 is bad: its place and reason; it is flagged in the report, and row 3 is used. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '~',
+      value = {
+        "p1,high,kitchen,cup,consistent,yes,yes,6|2:40: participant p1: '6' is no confidence from 1",
+        "p1,high,kitchen,cup,consistent,yes,yes,0|2:40: participant p1: '0' is no confidence",
+        "p1,high,kitchen,cup,consistent,yes,yes,\"3,5\"|2:40: participant p1: '3,5' is no confidence"
+            + " from 1 to 5 (write it with a decimal point",
+        "p1,high,kitchen,cup,consistent,yes,yes,3,5|2:1: the row has 9 values where the header names"
+            + " 8 columns (a number is written with a decimal point",
+        "p1,high,kitchen,cup,consistent,yes,,4|2:36: participant p1: no answer to cup; the answer is",
+        "p1,high,kitchen,cup,consistent,yes,maybe,4|2:36: participant p1: 'maybe' is not yes or no",
+        "p1,high,kitchen,cup,consistent,,yes,4|2:32: participant p1: yes or no is missing",
+        "p1,high,kitchen,cup,expected,yes,yes,4|2:21: participant p1: 'expected' is no consistency",
+        ",high,kitchen,cup,consistent,yes,yes,4|2:1: the participant is missing",
+        "p1,,kitchen,cup,consistent,yes,yes,4|2:4: participant p1: the condition is missing",
+      })
+  void aBadAnswerIsLeftOutWithItsPlaceAndFlagged(String row, String message) {
+    Responses found = parse(HEADER + row + "\n" + KITE);
+    assertThat(problems.list().get(0)).asString().startsWith("r.csv:" + message);
+    assertThat(found.usable()).extracting(Response::object).containsExactly("kite");
+    assertThat(found.exclusions()).isNotEmpty();
+    assertThat(found.exclusions().get(0).location().line()).isEqualTo(2);
+  }
+
+  @Test
+  void anAnswerWithoutConfidenceCountsAmongAll() {
+    Responses found = parse(HEADER + "p1,high,kitchen,cup,consistent,yes,yes,\n" + KITE);
+    assertThat(found.usable()).hasSize(2);
+    assertThat(found.usable().get(0).confidence()).isZero();
+    assertThat(found.exclusions()).singleElement().asString().contains("counts among all");
+  }
+
+  @Test
+  void ofTwoAnswersAlikeOneIsKept() {
+    Responses found = parse(HEADER + CUP + KITE + CUP);
+    assertThat(found.usable()).hasSize(2);
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo(
+            "r.csv:4:1: participant p1: a second answer to cup, as in line 2; it is left out");
+  }
+
+  @Test
+  void ofTwoAnswersThatDifferNoneIsKept() {
+    Responses found = parse(HEADER + CUP + KITE + CUP.replace(",4", ",5"));
+    assertThat(found.usable()).extracting(Response::object).containsExactly("kite");
+    assertThat(problems.list().get(0)).asString().contains("but different; both are left out");
+  }
+
+  @Test
+  void aParticipantInTwoConditionsIsLeftOut() {
+    Responses found =
+        parse(HEADER + CUP + KITE.replace("high", "selective") + CUP.replace("p1", "p2"));
+    assertThat(found.usable()).extracting(Response::participant).containsExactly("p2");
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo(
+            "r.csv:3:1: participant p1: is in the condition selective here and in high elsewhere;"
+                + " all answers are left out");
+  }
+
+  @Test
+  void anObjectThatOthersWereAskedForIsFlagged() {
+    parse(HEADER + CUP + KITE + CUP.replace("p1", "p2"));
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo(
+            "r.csv:4:1: participant p2: of 2 objects of the area kitchen 1 are not in the file"
+                + " (kite); the others count");
+  }
+
+  @Test
+  void participantsThatTheRosterDoesNotKnowAreLeftOut(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("participants.csv");
+    Files.writeString(file, "participant,condition\np1,high\np3,selective\n");
+    Roster roster = Roster.read(file, problems).orElseThrow();
+    Responses found =
+        ResponsesReader.parse(
+                "r.csv",
+                HEADER + CUP + KITE + CUP.replace("p1", "px"),
+                Optional.of(roster),
+                problems)
+            .orElseThrow();
+    assertThat(found.usable()).extracting(Response::participant).containsOnly("p1");
+    assertThat(problems.list())
+        .extracting(Object::toString)
+        .anyMatch(line -> line.startsWith("r.csv:4:1: participant px: is not among"))
+        .anyMatch(line -> line.endsWith("participants.csv:3:1: participant p3: has no answers"));
+  }
+
+  @Test
+  void aFileInAnotherEncodingIsRefusedAtTheByte(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("r.csv");
+    Files.write(
+        file, (HEADER + CUP + "p1,high,kitchen,caf\u00e9,").getBytes(StandardCharsets.ISO_8859_1));
+    assertThat(ResponsesReader.read(file, Optional.empty(), problems)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("r.csv:3:20: the file is not UTF-8 text (byte E9");
+    Files.write(file, (HEADER + CUP).getBytes(StandardCharsets.UTF_16));
+    assertThat(ResponsesReader.read(file, Optional.empty(), problems)).isEmpty();
+    assertThat(problems.list().get(1)).asString().contains("r.csv:1:1: ", "UTF-16");
+  }
+
+  @Test
+  void aHeaderThatLacksColumnsIsRefused() {
+    assertThat(
+            ResponsesReader.parse(
+                "r.csv", "participant;condition;area\n", Optional.empty(), problems))
+        .isEmpty();
+    assertThat(problems.list().get(0)).asString().contains("r.csv:1:1: ", "semicolons");
+    assertThat(ResponsesReader.parse("r.csv", "participant,area\n", Optional.empty(), problems))
+        .isEmpty();
+    assertThat(problems.list().get(1)).asString().contains("the header lacks condition, object");
+  }
+
+  @Test
+  void aFileWithoutAUsableAnswerIsRefused() {
+    assertThat(ResponsesReader.parse("r.csv", HEADER, Optional.empty(), problems)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo("r.csv: there is no usable answer; nothing is analysed");
+  }
+
+  private Responses parse(String text) {
+    return ResponsesReader.parse("r.csv", text, Optional.empty(), problems).orElseThrow();
+  }
+}

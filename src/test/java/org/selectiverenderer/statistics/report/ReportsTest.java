@@ -1,0 +1,188 @@
+package org.selectiverenderer.statistics.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.data.ResponsesReader;
+import org.selectiverenderer.statistics.detection.Scoring;
+import org.selectiverenderer.statistics.simulation.Model;
+import org.selectiverenderer.statistics.simulation.ObjectList;
+import org.selectiverenderer.statistics.simulation.SimulatedStudy;
+import org.selectiverenderer.statistics.study.Study;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * Reports against golden files. After a change that is meant, {@code mvn test -Dtest=ReportsTest
+ * -Dreports.update=true} writes them anew.
+ */
+class ReportsTest {
+  private static final Path GOLDEN =
+      Path.of("src/test/resources/org/selectiverenderer/statistics/report");
+
+  @Test
+  void aStudyAsText() throws IOException {
+    assertGolden("study.txt", StudyReport.text(study()));
+  }
+
+  @Test
+  void aStudyAsJson() throws IOException {
+    assertGolden("study.json", StudyReport.json(study()));
+  }
+
+  @Test
+  void scoresAsTidyAndWideCsv() throws IOException {
+    assertGolden("tidy.csv", StudyReport.tidyCsv(study()));
+    assertGolden("wide.csv", StudyReport.wideCsv(study()));
+  }
+
+  @Test
+  void aRepeatedMeasuresDesignOfThreeLevels() throws IOException {
+    Anova anova = Anova.of(threeLevels(), AnovaOptions.DEFAULT.withRawBound(1));
+    assertGolden("anova.txt", AnovaReport.text(anova, List.of()));
+    assertGolden("anova.json", AnovaReport.json(anova, List.of()));
+  }
+
+  @Test
+  void theHtmlPageLoadsNothingAndHasItsPlots() {
+    String html = StudyReport.html(study());
+    assertThat(html)
+        .startsWith("<!DOCTYPE html>")
+        .doesNotContain("src=", "<script", "<link", "@import", "url(")
+        .contains("<svg", "kitchen, d′, all answers", "sim-001");
+    assertThat(html.replace("http://www.w3.org/2000/svg", "")).doesNotContain("http");
+  }
+
+  /** Bad data end in footnotes, never in NaN. */
+  @Test
+  void noReportShowsANumberThatIsNone() {
+    Study bad =
+        read(
+            "participant,condition,area,object,consistency,present,response,confidence\n"
+                + "a,high,kitchen,cup,consistent,yes,yes,4\n"
+                + "a,high,kitchen,fork,consistent,no,no,4\n"
+                + "b,selective,kitchen,cup,consistent,yes,yes,4\n"
+                + "b,selective,kitchen,fork,consistent,no,no,4\n"
+                + "c,selective,kitchen,cup,consistent,yes,yes,4\n"
+                + "c,selective,kitchen,fork,consistent,no,no,1\n"
+                + "d,high,office,cup,consistent,yes,yes,4\n");
+    Anova constant =
+        Anova.of(
+            new Design(
+                "y",
+                new Factor("type", List.of("a", "b")),
+                new Factor("group", List.of("x", "y")),
+                List.of(
+                    new Subject("1", 0, List.of(1.0, 1.0)),
+                    new Subject("2", 0, List.of(1.0, 1.0)),
+                    new Subject("3", 1, List.of(1.0, 1.0)))),
+            AnovaOptions.DEFAULT);
+    for (String report :
+        List.of(
+            StudyReport.text(bad),
+            StudyReport.html(bad),
+            StudyReport.json(bad),
+            StudyReport.tidyCsv(bad),
+            StudyReport.wideCsv(bad),
+            AnovaReport.text(constant, List.of()),
+            AnovaReport.html(constant, List.of()),
+            AnovaReport.json(constant, List.of()))) {
+      assertThat(report).doesNotContain("NaN", "Infinity", "\u221e");
+    }
+    assertThat(StudyReport.text(bad)).contains("(a) ");
+    assertThat(AnovaReport.text(constant, List.of())).contains("zero variance");
+    assertThat(AnovaReport.json(constant, List.of())).contains("\"F\" : null", "\"undefined\"");
+  }
+
+  @Test
+  void oneConditionOnlyIsAnalysedWithoutItsEffectAndSaidSo() {
+    Study study =
+        Study.of(
+            ResponsesReader.parse(
+                    "r.csv", answers(List.of("high")), Optional.empty(), new Problems())
+                .orElseThrow(),
+            Scoring.DEFAULT,
+            AnovaOptions.DEFAULT);
+    assertThat(StudyReport.json(study))
+        .contains("There is one condition only, high: no effect of condition.")
+        .contains("\"effect\" : \"object type\"")
+        .doesNotContain("\"effect\" : \"condition\"");
+  }
+
+  private static Design threeLevels() {
+    double[][] rows = {
+      {1.2, 2.1, 2.9},
+      {0.8, 1.9, 3.5},
+      {1.5, 1.4, 2.2},
+      {0.4, 2.5, 2.0},
+      {1.1, 1.7, 4.1},
+      {2.0, 2.2, 2.6},
+      {1.9, 3.1, 2.8}
+    };
+    List<Subject> subjects = new ArrayList<>();
+    for (double[] row : rows) {
+      subjects.add(
+          new Subject("s" + subjects.size(), subjects.size() % 2, List.of(row[0], row[1], row[2])));
+    }
+    return new Design(
+        "score",
+        new Factor("level", List.of("low", "middle", "high")),
+        new Factor("group", List.of("first", "second")),
+        subjects);
+  }
+
+  /** Fourteen simulated participants; one answer is missing, one is out of range. */
+  private static Study study() {
+    String text =
+        answers(List.of("high", "high-low", "selective"))
+            .replaceFirst("(sim-001,.*,)\\d\n", "$19\n")
+            .replaceFirst("(sim-005,.*,)(yes|no),\\d\n", "$1,\n");
+    return read(text);
+  }
+
+  private static Study read(String text) {
+    return Study.of(
+        ResponsesReader.parse("r.csv", text, Optional.empty(), new Problems()).orElseThrow(),
+        Scoring.DEFAULT,
+        AnovaOptions.DEFAULT);
+  }
+
+  private static String answers(List<String> conditions) {
+    List<Double> ones = conditions.stream().map(name -> 1.0).toList();
+    Model model =
+        new Model(
+            conditions,
+            ones,
+            ones.stream().map(one -> 0.1).toList(),
+            0.3,
+            0.2,
+            -0.2,
+            0.3,
+            List.of(
+                new ObjectList("kitchen", "consistent", 12),
+                new ObjectList("kitchen", "inconsistent", 8),
+                new ObjectList("office", "neutral", 10)));
+    return ResponsesCsv.of(SimulatedStudy.responses(model, 14, 5));
+  }
+
+  private static void assertGolden(String name, String text) throws IOException {
+    Path file = GOLDEN.resolve(name);
+    if (Boolean.getBoolean("reports.update")) {
+      Files.createDirectories(GOLDEN);
+      Files.writeString(file, text, StandardCharsets.UTF_8);
+    }
+    assertThat(text).isEqualTo(Files.readString(file).replace("\r\n", "\n"));
+  }
+}

@@ -1,0 +1,127 @@
+package org.selectiverenderer.statistics.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ForkJoinPool;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.data.Responses;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.data.ResponsesReader;
+import org.selectiverenderer.statistics.detection.ConfidenceLevel;
+import org.selectiverenderer.statistics.detection.Correction;
+import org.selectiverenderer.statistics.detection.Counts;
+import org.selectiverenderer.statistics.detection.Detection;
+import org.selectiverenderer.statistics.detection.Guessing;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.statistics.detection.Scoring;
+import org.selectiverenderer.statistics.study.AreaStudy;
+import org.selectiverenderer.x3d.Problems;
+
+class SimulationTest {
+  private static final Model ALIKE = model(List.of(1.1, 1.1, 1.1));
+
+  @Test
+  void theSensitivityAndCriterionPutInComeOut() {
+    Model model =
+        new Model(
+            List.of("high"),
+            List.of(1.4),
+            List.of(0.3),
+            0,
+            0,
+            0,
+            0,
+            List.of(new ObjectList("kitchen", "consistent", 20)));
+    List<Response> answers = SimulatedStudy.responses(model, 2000, 7);
+    Detection found =
+        Detection.of(
+            Counts.of(answers, ConfidenceLevel.ALL, Guessing.DISCARD), Correction.LOG_LINEAR);
+    assertThat(found.dPrime()).isEqualTo(1.4, within(0.03));
+    assertThat(found.criterion()).isEqualTo(0.3, within(0.02));
+  }
+
+  @Test
+  void simulatedAnswersSurviveTheirFile() {
+    List<Response> answers = SimulatedStudy.responses(ALIKE, 9, 3);
+    Problems problems = new Problems();
+    Responses read =
+        ResponsesReader.parse("r.csv", ResponsesCsv.of(answers), Optional.empty(), problems)
+            .orElseThrow();
+    assertThat(problems.list()).isEmpty();
+    assertThat(read.usable()).hasSameSizeAs(answers);
+    assertThat(new Scoring(Correction.LOG_LINEAR, Guessing.DISCARD).scores(read.usable()))
+        .isEqualTo(new Scoring(Correction.LOG_LINEAR, Guessing.DISCARD).scores(answers));
+  }
+
+  @Test
+  void aLargerStudyBeginsWithTheParticipantsOfASmallerOne() {
+    List<Response> small = SimulatedStudy.responses(ALIKE, 5, 3);
+    assertThat(SimulatedStudy.responses(ALIKE, 8, 3)).startsWith(small.toArray(new Response[0]));
+    assertThat(SimulatedStudy.responses(ALIKE, 5, 4)).isNotEqualTo(small);
+  }
+
+  @Test
+  void powerIsTheSameOnOneCoreAndOnFour() throws ExecutionException, InterruptedException {
+    PowerAnalysis analysis = analysis(ALIKE, 60);
+    List<Power> found = new ArrayList<>();
+    for (int cores : new int[] {1, 4}) {
+      ForkJoinPool pool = new ForkJoinPool(cores);
+      try {
+        found.add(pool.submit(() -> analysis.power(12)).get());
+      } finally {
+        pool.shutdown();
+      }
+    }
+    assertThat(found.get(0)).isEqualTo(found.get(1));
+  }
+
+  /** The whole way from answers to p holds its level of error: 0.05, with SE 0.009. */
+  @Test
+  void withoutADifferenceOneStudyInTwentyFindsOne() {
+    Power power = analysis(ALIKE, 600).power(54);
+    assertThat(power.share(AreaStudy.BETWEEN)).isEqualTo(0.05, within(0.025));
+    assertThat(power.share(AreaStudy.WITHIN + " x " + AreaStudy.BETWEEN))
+        .isEqualTo(0.05, within(0.025));
+  }
+
+  @Test
+  void moreParticipantsFindALargeDifference() {
+    PowerAnalysis analysis = analysis(model(List.of(0.4, 1.2, 2.0)), 100);
+    int needed = analysis.needed(AreaStudy.BETWEEN, 0.8, 200).orElseThrow();
+    assertThat(needed % 3).isZero();
+    assertThat(analysis.power(needed).share(AreaStudy.BETWEEN)).isGreaterThanOrEqualTo(0.8);
+    assertThat(analysis.power(needed - 3).share(AreaStudy.BETWEEN)).isLessThan(0.8);
+    assertThat(analysis(ALIKE, 40).needed(AreaStudy.BETWEEN, 0.8, 24)).isEmpty();
+  }
+
+  private static PowerAnalysis analysis(Model model, int studies) {
+    return new PowerAnalysis(
+        model,
+        "kitchen",
+        Measure.D_PRIME,
+        Scoring.DEFAULT,
+        AnovaOptions.DEFAULT,
+        studies,
+        11,
+        line -> {});
+  }
+
+  private static Model model(List<Double> sensitivities) {
+    return new Model(
+        List.of("high", "high-low", "selective"),
+        sensitivities,
+        List.of(0.0, 0.0, 0.0),
+        0.3,
+        0.25,
+        0,
+        0.4,
+        ObjectList.THESIS);
+  }
+}

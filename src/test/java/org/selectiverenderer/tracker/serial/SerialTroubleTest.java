@@ -1,0 +1,78 @@
+package org.selectiverenderer.tracker.serial;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.Trackers;
+import org.selectiverenderer.tracker.Watching;
+
+class SerialTroubleTest {
+  @TempDir Path folder;
+
+  @Test
+  void aPortThatIsNotThereIsNamed() {
+    Path none = folder.resolve("ttyUSB9");
+    assertThatThrownBy(() -> open(none))
+        .isInstanceOf(TrackerException.class)
+        .hasMessageContaining("there is no serial port " + none);
+  }
+
+  @Test
+  void aFileIsNoSerialPort() throws IOException {
+    Path file = Files.writeString(folder.resolve("file"), "text");
+    assertThatThrownBy(() -> open(file))
+        .isInstanceOf(TrackerException.class)
+        .hasMessage(file + " is no serial port");
+  }
+
+  @Test
+  void aPortInUseIsNamed() throws IOException {
+    Path link = folder.resolve("tracker");
+    try (FarEnd device = new FarEnd(link, (command, far) -> {})) {
+      SerialLine line = SerialLine.open(link.toString(), 9600);
+      try {
+        assertThatThrownBy(() -> open(link))
+            .isInstanceOf(TrackerException.class)
+            .hasMessageContaining("the serial port " + link + " is in use by another program");
+        assertThat(device.heard()).isEmpty();
+      } finally {
+        line.close();
+      }
+    }
+  }
+
+  @Test
+  void whoMayNotIsToldWhichGroupMay() {
+    assertThat(SerialTrouble.denied("/dev/ttyUSB0", "uucp"))
+        .isEqualTo(
+            "permission denied for the serial port /dev/ttyUSB0: join the group uucp"
+                + " (sudo usermod -aG uucp $USER) and log in again");
+  }
+
+  /** A device file's own permissions say who may; for the administrator there are none. */
+  @Test
+  void theGroupIsThatOfTheDevice() throws IOException {
+    Path file = Files.writeString(folder.resolve("ttyS9"), "");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---rw----"));
+    assumeTrue(!Files.isReadable(file), "the administrator may read everything");
+    assertThat(SerialTrouble.refused(file.toString(), 13))
+        .contains("permission denied for the serial port " + file + ": join the group ");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---------"));
+    assertThat(SerialTrouble.refused(file.toString(), 13)).contains(": only its owner, ");
+  }
+
+  private static void open(Path port) throws IOException {
+    Trackers.open(new TrackerSpec.InterTrax2(port.toString()), TrackerOptions.NONE, new Watching())
+        .close();
+  }
+}
