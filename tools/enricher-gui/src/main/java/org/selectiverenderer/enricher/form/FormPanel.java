@@ -1,0 +1,198 @@
+package org.selectiverenderer.enricher.form;
+
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.Scrollable;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.enricher.help.HelpTopic;
+import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+
+/**
+ * The form of the selected node (thesis Figs 44, 46): a Switch with a row for each choice, a
+ * ProximitySensor with its schemas; of other elements what they are and what can be done. Each
+ * change is one edit of the document; the form follows the document and the selection.
+ *
+ * <p>For the event dispatch thread.
+ */
+public final class FormPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final transient EnricherSession session;
+  private final transient VersionPictures pictures;
+  private final transient SelectionListener onSelection = (element, origin) -> selected();
+  private final transient DocumentListener onChange = change -> changed();
+  private transient Consumer<DocumentElement> makeVersions = element -> {};
+  private final Body body = new Body();
+  private final JLabel title = new JLabel();
+  private final JLabel place = new JLabel();
+  private final FindingsBox findings;
+  private transient @Nullable DocumentElement element;
+  private transient @Nullable Form form;
+
+  /**
+   * @param pictures of versions; stay with who made them
+   */
+  public FormPanel(EnricherSession session, VersionPictures pictures) {
+    super(new MigLayout("insets 0", "[grow,fill]", "[grow,fill]"));
+    this.session = session;
+    this.pictures = pictures;
+    this.findings = new FindingsBox(session);
+    title.putClientProperty("FlatLaf.styleClass", "h3");
+    title.getAccessibleContext().setAccessibleDescription("The selected node");
+    place.getAccessibleContext().setAccessibleDescription("Where the selected node stands");
+    place.setEnabled(false);
+    JScrollPane scroll = new JScrollPane(body);
+    scroll.setBorder(null);
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    scroll.getVerticalScrollBar().setUnitIncrement(16);
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
+    add(scroll, "wmin 0, hmin 0");
+    getAccessibleContext().setAccessibleName("Form of the selected node");
+    session.addSelectionListener(onSelection);
+    session.document().addListener(onChange);
+    rebuild();
+  }
+
+  /** What to do when the author wants versions of an element. */
+  public void onMakeVersions(Consumer<DocumentElement> action) {
+    makeVersions = action;
+  }
+
+  /** Writes what has been typed so far: before saving, and before undoing. */
+  public void commit() {
+    if (form != null) {
+      form.commit();
+    }
+  }
+
+  private void selected() {
+    if (session.selection().orElse(null) != element) {
+      commit();
+      rebuild();
+    }
+  }
+
+  private void changed() {
+    if (session.selection().orElse(null) != element || form == null || !form.fits()) {
+      rebuild();
+      return;
+    }
+    form.follow();
+    head();
+  }
+
+  private void rebuild() {
+    if (form != null) {
+      Form old = form;
+      form = null; // Its controls lose the focus now, and have nothing to say any more.
+      old.dispose();
+    }
+    element = session.selection().orElse(null);
+    body.removeAll();
+    body.add(title, "wmin 0");
+    body.add(place, "wmin 0");
+    body.add(findings, "wmin 0");
+    if (element != null) {
+      Form made = form(element);
+      form = made;
+      body.add(made.component(), "wmin 0");
+    } else {
+      body.add(Labels.sentences(hint()), "wmin 0");
+    }
+    head();
+    body.scrollRectToVisible(new Rectangle(0, 0, 1, 1));
+    body.revalidate();
+    body.repaint();
+  }
+
+  private String hint() {
+    return session
+        .document()
+        .fault()
+        .map(
+            fault -> "The text is not well formed: " + fault.message() + ". Mend it in the source.")
+        .orElse("Choose a Switch (an object) or a ProximitySensor (an area) to describe it here.");
+  }
+
+  private Form form(DocumentElement of) {
+    Optional<Form> known =
+        session
+            .enrichment()
+            .switchNode(of)
+            .<Form>map(node -> new SwitchForm(session, pictures, node))
+            .or(
+                () ->
+                    session.enrichment().sensorNode(of).map(node -> new SensorForm(session, node)));
+    Form made =
+        known.orElseGet(() -> new SummaryForm(session, of, wanted -> makeVersions.accept(wanted)));
+    if (known.isPresent()) {
+      (of.name().equals("Switch") ? HelpTopic.SWITCH : HelpTopic.SENSOR).mark(made.component());
+    }
+    return made;
+  }
+
+  private void head() {
+    DocumentElement of = element;
+    title.setText(of == null ? "Nothing is selected" : name(of));
+    place.setText(of == null ? " " : of.name() + " at " + session.document().location(of.start()));
+    place.setToolTipText(place.getText());
+    findings.show(Optional.ofNullable(of));
+  }
+
+  private static String name(DocumentElement of) {
+    return of.def().or(of::use).orElse(of.name() + " without a name");
+  }
+
+  /** Follows nothing any more. */
+  public void dispose() {
+    session.removeSelectionListener(onSelection);
+    session.document().removeListener(onChange);
+    if (form != null) {
+      form.dispose();
+    }
+  }
+
+  /** As wide as there is room, as high as it needs. */
+  private static final class Body extends JPanel implements Scrollable {
+    private static final long serialVersionUID = 1L;
+
+    Body() {
+      super(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+      return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+      return getFontMetrics(getFont()).getHeight();
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+      return visible.height;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+      return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+      return false;
+    }
+  }
+}

@@ -1,0 +1,78 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.enrichment.SensorNode;
+import org.selectiverenderer.enricher.help.HelpTopic;
+import org.selectiverenderer.enricher.session.EnricherSession;
+
+/** The form of a ProximitySensor (thesis Fig 47): its schemas. */
+final class SensorForm implements Form {
+  private final EnricherSession session;
+  private final SensorNode node;
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
+  private final List<FormField> fields = new ArrayList<>();
+
+  SensorForm(EnricherSession session, SensorNode node) {
+    this.session = session;
+    this.node = node;
+    SensorEditing editing = new SensorEditing(session, node.element());
+    add("On entering", 'N', HelpTopic.ENTER, editing::enter, editing::enter);
+    add("On leaving", 'L', HelpTopic.EXIT, editing::exit, editing::exit);
+  }
+
+  private void add(
+      String title,
+      char mnemonic,
+      HelpTopic topic,
+      Supplier<String> read,
+      Function<String, Optional<String>> write) {
+    SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
+    schemas.setName(title);
+    schemas.getAccessibleContext().setAccessibleName("Schemas " + title.toLowerCase(Locale.ROOT));
+    schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
+    schemas.setEditable(session.document().locked().isEmpty());
+    topic.explain(schemas);
+    JLabel label = Labels.of(title, schemas);
+    label.setDisplayedMnemonic(mnemonic);
+    JLabel complaint = Labels.complaint();
+    panel.add(label);
+    panel.add(schemas, "wmin 0");
+    panel.add(complaint, "wmin 0");
+    fields.add(FormField.of(schemas, complaint, new FormField.Source(read, write)));
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public boolean fits() {
+    return session.enrichment().sensorNode(node.element()).isPresent();
+  }
+
+  @Override
+  public void follow() {
+    fields.forEach(FormField::follow);
+  }
+
+  @Override
+  public void commit() {
+    fields.forEach(FormField::commit);
+  }
+
+  @Override
+  public void dispose() {
+    fields.forEach(FormField::close);
+  }
+}

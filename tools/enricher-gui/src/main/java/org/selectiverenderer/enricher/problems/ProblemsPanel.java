@@ -1,0 +1,253 @@
+package org.selectiverenderer.enricher.problems;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentCheck;
+import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/**
+ * What is wrong with the scene, live. A click or Enter goes to the place; Alt+Enter or the button
+ * mends what has an obvious fix. Buttons with the counts hide and show severities.
+ *
+ * <p>For the event dispatch thread.
+ */
+public final class ProblemsPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final transient EnricherSession session;
+  private final transient ProblemsModel model;
+  private final transient ProblemsFeed feed;
+  private final ProblemsTableModel rows;
+  private final JTable table;
+  private final JButton fix = new JButton("Fix");
+  private final JLabel checking = new JLabel(" ");
+  private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
+  private final transient Action goTo = action("Go to place", this::go);
+  private final transient Action mend = action("Fix", this::fix);
+  private transient Consumer<Counts> onCounts = counts -> {};
+  private transient IntConsumer onPlace = offset -> {};
+
+  /**
+   * @param checks to be run in the background after each pause in editing
+   */
+  public ProblemsPanel(EnricherSession session, List<DocumentCheck> checks) {
+    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill]"));
+    this.session = session;
+    model = new ProblemsModel(session.document(), session.enrichment());
+    rows = new ProblemsTableModel(session.document());
+    table = new ProblemsTable(rows);
+    JPanel bar = new JPanel(new MigLayout("insets 2 6 2 6", "[][][]push[][]"));
+    for (Severity severity : Severity.values()) {
+      bar.add(filter(severity));
+    }
+    checking.setEnabled(false);
+    checking.getAccessibleContext().setAccessibleName("State of the checks");
+    bar.add(checking);
+    fix.setMnemonic('X');
+    fix.setEnabled(false);
+    fix.addActionListener(mend);
+    bar.add(fix);
+    JScrollPane scroll = new JScrollPane(table);
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
+    add(bar);
+    add(scroll, "wmin 0, hmin 0");
+    getAccessibleContext().setAccessibleName("Problems");
+    keys();
+    feed =
+        new ProblemsFeed(
+            session,
+            model,
+            checks,
+            this::refreshed,
+            busy -> checking.setText(busy ? "Checking\u2026" : " "));
+    feed.begin();
+  }
+
+  private JToggleButton filter(Severity severity) {
+    JToggleButton button = new JToggleButton(new SeverityIcon(severity), true);
+    button.setMnemonic(
+        switch (severity) {
+          case ERROR -> 'R';
+          case WARNING -> 'W';
+          case INFO -> 'O';
+        });
+    button.setToolTipText("Show or hide these");
+    button.addActionListener(event -> rows.show(severity, button.isSelected()));
+    filters.put(severity, button);
+    return button;
+  }
+
+  private void keys() {
+    table.getSelectionModel().setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.getSelectionModel().addListSelectionListener(event -> chosen());
+    key("ENTER", "goTo", goTo);
+    key("alt ENTER", "fix", mend);
+    Action copy = action("Copy", this::copy);
+    key("ctrl C", "copyProblem", copy);
+    JPopupMenu menu = new JPopupMenu("Problem");
+    menu.add(goTo);
+    menu.add(mend);
+    menu.add(copy);
+    table.setComponentPopupMenu(menu);
+    table.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mousePressed(MouseEvent event) {
+            int row = table.rowAtPoint(event.getPoint());
+            if (event.isPopupTrigger() && row >= 0) {
+              table.setRowSelectionInterval(row, row);
+            }
+          }
+
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            if (event.getButton() == MouseEvent.BUTTON1
+                && table.rowAtPoint(event.getPoint()) >= 0) {
+              go();
+            }
+          }
+        });
+  }
+
+  private void key(String stroke, String name, Action action) {
+    table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(stroke), name);
+    table.getActionMap().put(name, action);
+  }
+
+  private static Action action(String name, Runnable does) {
+    return new AbstractAction(name) {
+      private static final long serialVersionUID = 1L;
+
+      @Override
+      public void actionPerformed(ActionEvent event) {
+        does.run();
+      }
+    };
+  }
+
+  /** Hears the counts, now and whenever they may have changed. */
+  public void onCounts(Consumer<Counts> listener) {
+    onCounts = listener;
+    listener.accept(model.counts());
+  }
+
+  /** Hears the offset in the text that the author goes to, after the element is selected. */
+  public void onPlace(IntConsumer listener) {
+    onPlace = listener;
+  }
+
+  private Optional<Entry> chosenEntry() {
+    int row = table.getSelectedRow();
+    return row < 0 || row >= rows.getRowCount() ? Optional.empty() : Optional.of(rows.entry(row));
+  }
+
+  private void chosen() {
+    Optional<Finding.Fix> found = chosenEntry().flatMap(Entry::fix);
+    fix.setText(found.map(Finding.Fix::name).orElse("Fix"));
+    fix.setEnabled(found.isPresent());
+    mend.setEnabled(found.isPresent());
+    goTo.setEnabled(chosenEntry().flatMap(Entry::offset).isPresent());
+  }
+
+  /** Goes to the place of the chosen problem. */
+  public void go() {
+    chosenEntry()
+        .filter(Entry::current)
+        .ifPresent(
+            entry -> {
+              entry.element().ifPresent(element -> session.select(element, this));
+              entry.offset().ifPresent(onPlace::accept);
+            });
+  }
+
+  /** Mends the chosen problem, if there is an obvious way. */
+  public void fix() {
+    chosenEntry()
+        .flatMap(Entry::fix)
+        .ifPresent(found -> session.attempt(() -> session.perform(found.edit().get())));
+  }
+
+  /** Goes to the problem behind the chosen one; from the last to the first. */
+  public void next() {
+    step(+1);
+  }
+
+  /** Goes to the problem before the chosen one; from the first to the last. */
+  public void previous() {
+    step(-1);
+  }
+
+  private void step(int by) {
+    int count = rows.getRowCount();
+    if (count > 0) {
+      int from = table.getSelectedRow();
+      int row = from < 0 ? (by > 0 ? 0 : count - 1) : Math.floorMod(from + by, count);
+      table.setRowSelectionInterval(row, row);
+      table.scrollRectToVisible(table.getCellRect(row, 0, true));
+      go();
+    }
+  }
+
+  private void copy() {
+    chosenEntry()
+        .ifPresent(
+            entry ->
+                Toolkit.getDefaultToolkit()
+                    .getSystemClipboard()
+                    .setContents(
+                        new StringSelection(
+                            entry.location(session.document()) + ": " + entry.message()),
+                        null));
+  }
+
+  private void refreshed() {
+    Optional<Entry> before = chosenEntry();
+    rows.entries(model.entries());
+    for (int row = 0; before.isPresent() && row < rows.getRowCount(); row++) {
+      if (rows.entry(row).repeats(before.get())) {
+        table.setRowSelectionInterval(row, row);
+        break;
+      }
+    }
+    Counts counts = model.counts();
+    filters.forEach(
+        (severity, button) -> {
+          button.setText(counts.words(severity));
+          button.getAccessibleContext().setAccessibleName("Show " + counts.words(severity));
+        });
+    chosen();
+    onCounts.accept(counts);
+  }
+
+  JTable table() {
+    return table;
+  }
+
+  /** Ends its checks. */
+  public void dispose() {
+    feed.dispose();
+  }
+}
