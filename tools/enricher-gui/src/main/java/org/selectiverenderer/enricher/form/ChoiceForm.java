@@ -59,6 +59,7 @@ final class ChoiceForm {
     url = new JLabel(where(choice));
     url.setToolTipText(where(choice));
     url.getAccessibleContext().setAccessibleName("Model of " + name + ": " + where(choice));
+    polygons.setName("Polygons of " + name);
     polygons.getAccessibleContext().setAccessibleName("Polygons of " + name);
     boolean writable = session.document().locked().isEmpty();
     type.setEnabled(writable);

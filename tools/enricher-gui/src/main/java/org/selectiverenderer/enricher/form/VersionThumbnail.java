@@ -6,12 +6,12 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
 
 /** The picture of a version; a plain field until there is one. */
-final class VersionThumbnail extends JComponent {
+final class VersionThumbnail extends JPanel {
   private static final long serialVersionUID = 1L;
   private static final int WIDTH = 96;
   private static final int HEIGHT = 72;
@@ -19,6 +19,7 @@ final class VersionThumbnail extends JComponent {
   private transient @Nullable BufferedImage image;
 
   VersionThumbnail(String name) {
+    setOpaque(false);
     getAccessibleContext().setAccessibleName(name);
     Dimension size = new Dimension(UIScale.scale(WIDTH), UIScale.scale(HEIGHT));
     setPreferredSize(size);

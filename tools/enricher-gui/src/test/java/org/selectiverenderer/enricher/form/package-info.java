@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.enricher.form;
+
+import org.jspecify.annotations.NullMarked;
