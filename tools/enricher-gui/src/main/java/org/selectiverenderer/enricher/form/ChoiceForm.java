@@ -21,7 +21,7 @@ final class ChoiceForm {
   private final VersionPictures pictures;
   private final ChoiceNode choice;
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 2", "[][grow,fill]"));
+      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][grow,fill]"));
   private final VersionThumbnail thumbnail;
   private final JLabel polygons = new JLabel("\u2026");
   private final JLabel title;
@@ -47,6 +47,7 @@ final class ChoiceForm {
     JComponent typed = (JComponent) degree.getEditor().getEditorComponent();
     name(degree, "Degree of " + name, HelpTopic.DEGREE);
     name(typed, "Degree of " + name, HelpTopic.DEGREE);
+    typed.setName("Typed degree of " + name);
     SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
     name(schemas, "Schemas of " + name, HelpTopic.SCHEMAS);
     schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
@@ -56,7 +57,7 @@ final class ChoiceForm {
       title.setDisplayedMnemonic('0' + choice.index());
     }
     thumbnail = new VersionThumbnail("Picture of " + name);
-    url = new JLabel(where(choice));
+    url = new JLabel(shortly(choice));
     url.setToolTipText(where(choice));
     url.getAccessibleContext().setAccessibleName("Model of " + name + ": " + where(choice));
     polygons.setName("Polygons of " + name);
@@ -73,19 +74,17 @@ final class ChoiceForm {
     JPanel facts = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
     facts.add(url, "wmin 0");
     facts.add(polygons, "wmin 0");
-    JPanel words = new JPanel(new MigLayout("insets 0", "[][grow,fill][][grow,fill]"));
-    words.add(Labels.of("Type", type));
-    words.add(type, "wmin 0");
-    words.add(Labels.of("Degree", degree));
-    words.add(degree, "wmin 0");
-    facts.add(words, "gaptop push");
-    panel.add(thumbnail, "aligny top");
-    panel.add(facts, "growy");
+    panel.add(thumbnail, "split 2, span, growx 0");
+    panel.add(facts, "growx, wmin 0");
+    panel.add(Labels.of("Type", type));
+    panel.add(type, "wmin 0");
+    panel.add(Labels.of("Degree", degree));
+    panel.add(degree, "wmin 0");
     panel.add(Labels.of("Schemas", schemas));
-    panel.add(schemas, "wmin 0");
-    panel.add(typeComplaint, "skip 1, wmin 0");
-    panel.add(degreeComplaint, "skip 1, wmin 0");
-    panel.add(schemasComplaint, "skip 1, wmin 0");
+    panel.add(schemas, "spanx 3, wmin 0");
+    panel.add(typeComplaint, "skip 1, spanx 3, wmin 0");
+    panel.add(degreeComplaint, "skip 1, spanx 3, wmin 0");
+    panel.add(schemasComplaint, "skip 1, spanx 3, wmin 0");
     panel.getAccessibleContext().setAccessibleName("Choice " + choice.index());
     fields =
         List.of(
@@ -107,6 +106,12 @@ final class ChoiceForm {
 
   private static String where(ChoiceNode choice) {
     return choice.url().isEmpty() ? choice.element() + ", in the scene itself" : choice.url();
+  }
+
+  /** The file's name: folders would push it out of view. */
+  private static String shortly(ChoiceNode choice) {
+    String where = where(choice);
+    return choice.url().isEmpty() ? where : where.substring(where.lastIndexOf('/') + 1);
   }
 
   JComponent component() {

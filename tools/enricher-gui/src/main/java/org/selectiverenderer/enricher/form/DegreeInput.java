@@ -18,8 +18,7 @@ final class DegreeInput {
     Optional<Degree> degree = Degree.of(word);
     return degree.isPresent()
         ? new Input.Valid<>(degree)
-        : new Input.Wrong<>(
-            "A degree is low, high or a number from 0 (low) to 1 (high), not " + word);
+        : new Input.Wrong<>("Write low, high or a number from 0 to 1");
   }
 
   static String format(Optional<Degree> degree) {

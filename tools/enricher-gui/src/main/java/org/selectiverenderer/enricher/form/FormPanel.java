@@ -144,7 +144,10 @@ public final class FormPanel extends JPanel {
   private void head() {
     DocumentElement of = element;
     title.setText(of == null ? "Nothing is selected" : name(of));
-    place.setText(of == null ? " " : of.name() + " at " + session.document().location(of.start()));
+    place.setText(
+        of == null
+            ? " "
+            : "%s in line %d".formatted(of.name(), session.document().location(of.start()).line()));
     place.setToolTipText(place.getText());
     findings.show(Optional.ofNullable(of));
   }

@@ -30,8 +30,7 @@ final class SchemaList {
       } else if (c == ',' && !quoted) {
         add(name, names);
       } else if (Character.isISOControl(c)) {
-        return new Input.Wrong<>(
-            "The name of a schema is of letters, digits and signs on one line");
+        return new Input.Wrong<>("Names of schemas are on one line");
       } else {
         name.append(c);
       }

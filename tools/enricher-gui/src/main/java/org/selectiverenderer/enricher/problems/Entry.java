@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.Problem.Severity;
 /**
  * A line of the list of problems.
  *
- * @param place in the document; another file is named by the message
+ * @param place in the document; or in another file
  * @param fix where one is obvious
  */
 record Entry(Severity severity, String message, Place place, Optional<Finding.Fix> fix) {
@@ -70,7 +70,12 @@ record Entry(Severity severity, String message, Place place, Optional<Finding.Fi
     return place.equals(other.place) && message.equals(other.message)
         || element().isPresent()
             && element().equals(other.element())
-            && stem().equals(other.stem());
+            && (stem().startsWith(other.stem()) || other.stem().startsWith(stem()));
+  }
+
+  /** The same, taken at least as seriously. */
+  Entry atLeast(Severity other) {
+    return other.compareTo(severity) < 0 ? new Entry(other, message, place, fix) : this;
   }
 
   /** The message without the rule that a validator names behind it. */

@@ -43,8 +43,7 @@ final class ProblemsModel {
   private Entry entry(Problem problem) {
     boolean here = problem.location().file().equals(document.name());
     Place place = here ? place(problem) : new Place.Elsewhere(problem.location());
-    String message = here ? problem.message() : problem.location() + ": " + problem.message();
-    return new Entry(problem.severity(), message, place, Optional.empty());
+    return new Entry(problem.severity(), problem.message(), place, Optional.empty());
   }
 
   private Place place(Problem problem) {
@@ -68,23 +67,29 @@ final class ProblemsModel {
     document.fault().map(this::entry).ifPresent(now::add);
     boolean wellFormed = document.tree().isPresent();
     if (wellFormed) {
-      enrichment.findings().forEach(finding -> now.add(Entry.of(finding)));
-      // Of two that say the same the one that can be mended stays.
-      Map<Object, List<Entry>> known = new HashMap<>();
-      now.forEach(entry -> known.computeIfAbsent(key(entry), k -> new ArrayList<>()).add(entry));
-      for (Entry entry : checked) {
-        List<Entry> others = known.computeIfAbsent(key(entry), k -> new ArrayList<>());
-        if (entry.current() && others.stream().noneMatch(entry::repeats)) {
-          others.add(entry);
-          now.add(entry);
-        }
-      }
+      Map<Object, List<Integer>> known = new HashMap<>();
+      enrichment.findings().forEach(finding -> add(Entry.of(finding), known, now));
+      checked.stream().filter(Entry::current).forEach(entry -> add(entry, known, now));
     }
     now.sort(
         Comparator.comparingInt((Entry entry) -> entry.offset().orElse(Integer.MAX_VALUE))
             .thenComparing(Entry::severity)
             .thenComparing(Entry::message));
     all = List.copyOf(now);
+  }
+
+  /** Of two that say the same the first stays, which may have a fix, as severe as the worse. */
+  private static void add(Entry entry, Map<Object, List<Integer>> known, List<Entry> now) {
+    List<Integer> others = known.computeIfAbsent(key(entry), k -> new ArrayList<>());
+    for (int index : others) {
+      Entry other = now.get(index);
+      if (entry.repeats(other)) {
+        now.set(index, other.atLeast(entry.severity()));
+        return;
+      }
+    }
+    others.add(now.size());
+    now.add(entry);
   }
 
   private Entry entry(Fault fault) {

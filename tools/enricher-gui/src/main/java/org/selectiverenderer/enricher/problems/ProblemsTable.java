@@ -21,11 +21,11 @@ final class ProblemsTable extends JTable {
     getTableHeader().setReorderingAllowed(false);
     TableColumn severity = getColumnModel().getColumn(ProblemsTableModel.SEVERITY);
     severity.setCellRenderer(new SeverityRenderer());
-    width(ProblemsTableModel.SEVERITY, 90);
+    width(ProblemsTableModel.SEVERITY, 105);
     width(ProblemsTableModel.MESSAGE, 640);
     width(ProblemsTableModel.PLACE, 220);
     width(ProblemsTableModel.FIX, 200);
-    severity.setMaxWidth(UIScale.scale(110));
+    severity.setMaxWidth(UIScale.scale(140));
   }
 
   private void width(int column, int pixels) {

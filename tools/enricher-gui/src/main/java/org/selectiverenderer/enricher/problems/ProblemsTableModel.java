@@ -78,6 +78,9 @@ final class ProblemsTableModel extends AbstractTableModel {
 
   private String place(Entry entry) {
     Location at = entry.location(document);
+    if (entry.place() instanceof Entry.Place.Elsewhere) {
+      return at.toString();
+    }
     String line = at.line() + ":" + at.column();
     return entry.element().map(element -> element + "  " + line).orElse(line);
   }

@@ -7,7 +7,9 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import javax.accessibility.Accessible;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -136,7 +138,7 @@ class FormPanelTest {
   @Test
   void otherElementsSayWhatCanBeDone() throws Exception {
     try (FormWindow window = open(false)) {
-      List<String> wanted = new java.util.concurrent.CopyOnWriteArrayList<>();
+      List<String> wanted = new CopyOnWriteArrayList<>();
       FormWindow.edt(() -> window.form.onMakeVersions(e -> wanted.add(e.toString())));
       window.select("Table");
       AbstractButton make =
@@ -171,7 +173,7 @@ class FormPanelTest {
         FormWindow.edt(
             () ->
                 assertThat(
-                        java.util.stream.Stream.of(window.form, window.problems, window.help)
+                        Stream.of(window.form, window.problems, window.help)
                             .flatMap(FormWindow::all)
                             .filter(FormPanelTest::control)
                             .filter(FormPanelTest::nameless))
@@ -205,7 +207,7 @@ class FormPanelTest {
             FormWindow.get(
                 () -> window.session.enrichment().switches().get(0).element().def().orElseThrow());
         window.select(name);
-        JLabel polygons = (JLabel) window.named("Polygons of choice 0");
+        JLabel polygons = (JLabel) window.named("Polygons of choice 1");
         while (!FormWindow.get(polygons::getText).endsWith("polygons")) {
           window.robot.waitForIdle();
         }

@@ -25,6 +25,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.help.HelpPanel;
@@ -76,9 +77,7 @@ final class FormWindow implements AutoCloseable {
     JTabbedPane side = new JTabbedPane();
     side.add("Help", help);
     made.getContentPane()
-        .setLayout(
-            new net.miginfocom.swing.MigLayout(
-                "", "[380!,fill][grow,fill]", "[grow][" + "200!,fill]"));
+        .setLayout(new MigLayout("", "[380!,fill][grow,fill]", "[grow][" + "200!,fill]"));
     made.add(form, "growy");
     made.add(side, "wrap, growy, wmin 0");
     made.add(problems, "span, grow");

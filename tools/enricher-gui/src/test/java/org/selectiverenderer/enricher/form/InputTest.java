@@ -27,7 +27,7 @@ class InputTest {
     assertThat(DegreeInput.parse(text))
         .isInstanceOfSatisfying(
             Input.Wrong.class,
-            wrong -> assertThat(wrong.why()).contains("low, high or a number from 0"));
+            wrong -> assertThat(wrong.why()).contains("low, high or a number from 0 to 1"));
   }
 
   @Test
