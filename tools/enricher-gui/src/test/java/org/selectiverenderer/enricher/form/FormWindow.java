@@ -154,9 +154,13 @@ final class FormWindow implements AutoCloseable {
     }
   }
 
+  /** Nothing is waited for while the key is down: the display would repeat it. */
   void press(int key) {
+    robot.setAutoWaitForIdle(false);
     robot.keyPress(key);
     robot.keyRelease(key);
+    robot.setAutoWaitForIdle(true);
+    robot.waitForIdle();
   }
 
   /** Replaces what a text control has. */
