@@ -179,7 +179,8 @@ public final class EnricherWindow {
   private void adopt(DocumentFile file) {
     letGo();
     EnricherSession session = new EnricherSession(file, catalogue, tasks, status::say);
-    Workbench opened = new Workbench(session, settings, recovery);
+    Workbench opened =
+        new Workbench(session, settings, recovery, status::count, this::makeVersions);
     bench = opened;
     saving = new Saving(session, questions);
     session.document().addListener(titles);
@@ -268,14 +269,20 @@ public final class EnricherWindow {
 
   /** Makes versions of the object that the selection is or is part of. */
   void makeVersions() {
+    session()
+        .flatMap(EnricherSession::selection)
+        .flatMap(EnricherWindow::object)
+        .ifPresentOrElse(
+            this::makeVersions,
+            () -> status.say("Choose an object with a DEF name first, then make versions of it"));
+  }
+
+  private void makeVersions(DocumentElement object) {
     commit();
-    Optional<DocumentElement> object =
-        session().flatMap(EnricherSession::selection).flatMap(EnricherWindow::object);
-    object.ifPresentOrElse(
-        each ->
-            session()
-                .ifPresent(session -> new VersionsDialog(frame, session, each).setVisible(true)),
-        () -> status.say("Choose an object with a DEF name first, then make versions of it"));
+    if (bench != null && object.attached()) {
+      new VersionsDialog(frame, bench.session(), object).setVisible(true);
+      bench.lookAtFilesAgain();
+    }
   }
 
   private static Optional<DocumentElement> object(DocumentElement element) {

@@ -64,6 +64,7 @@ final class WindowMenus {
     menu.addSeparator();
     menu.add(new Command("&Search Nodes", "ctrl shift F", with(Workbench::searchTree)));
     menu.add(new Command("&Next Problem", "F8", with(Workbench::nextProblem)));
+    menu.add(new Command("&Previous Problem", "shift F8", with(Workbench::previousProblem)));
     menu.add(new Command("&Mend Problem", "alt ENTER", with(Workbench::fixProblem)));
     return menu;
   }

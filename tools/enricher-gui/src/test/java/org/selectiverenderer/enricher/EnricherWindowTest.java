@@ -17,7 +17,6 @@ import java.util.concurrent.TimeUnit;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JTree;
@@ -197,8 +196,8 @@ class EnricherWindowTest {
           return true;
         });
     JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
-    var picture = Hands.named(content(), "Picture of choice 0", JLabel.class);
-    hands.await("the picture", () -> picture.getIcon() != null);
+    JComponent picture = Hands.named(content(), "Picture of choice 0", JComponent.class);
+    hands.await("the picture", () -> colours(picture) > 10);
     for (String view : List.of("Preview", "Schemas", "Source", "Help")) {
       Hands.onEdt(
           () -> {
