@@ -59,8 +59,9 @@ public final class ControlNames {
 
   /** A control that is painted by hand, such as a 3D picture. */
   private static boolean ownKeys(JComponent component) {
-    return component.getKeyListeners().length > 0
-        || component.getInputMap().size() > 0 && !(component instanceof JTableHeader);
+    boolean header = component instanceof JTableHeader; // the cells are what has the focus
+    return !header
+        && (component.getKeyListeners().length > 0 || component.getInputMap().size() > 0);
   }
 
   private static boolean divider(Container in, Component child) {
