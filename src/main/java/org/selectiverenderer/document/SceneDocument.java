@@ -185,6 +185,18 @@ public final class SceneDocument {
     history.markSaved();
   }
 
+  /**
+   * The text as it was then is in the file now. After changes meanwhile all is unsaved, whatever is
+   * undone.
+   */
+  public void markSaved(Snapshot then) {
+    if (then.revision() == revision) {
+      history.markSaved();
+    } else {
+      history.markUnsaved();
+    }
+  }
+
   /** The text is in no file, such as one recovered after a crash. */
   public void markUnsaved() {
     history.markUnsaved();
