@@ -81,7 +81,7 @@ public final class DocumentFile {
 
   /** What has become of the file since. */
   public DiskState state() throws IOException {
-    return state(path, stamp);
+    return guard().state();
   }
 
   private static DiskState state(Path file, @Nullable Stamp stamp) throws IOException {
@@ -90,17 +90,22 @@ public final class DocumentFile {
         : stamp.compare(file);
   }
 
-  /** What tells whether somebody else has written a file. */
+  /** Tells whether somebody else has written a file; any thread may ask. */
   @FunctionalInterface
-  interface Guard {
+  public interface Guard {
     DiskState state() throws IOException;
+  }
+
+  /** Tells what becomes of the file from now on. */
+  public Guard guard() {
+    Path file = path;
+    Stamp expected = stamp;
+    return () -> state(file, expected);
   }
 
   /** The document as it is now, to be written to its file by any thread. */
   public Writing writing() {
-    Stamp expected = stamp;
-    Path file = path;
-    return new Writing(actions, file, document.snapshot(), () -> state(file, expected));
+    return new Writing(actions, path, document.snapshot(), guard());
   }
 
   /** The same, to another file, which is the document's from {@link #written} on. */

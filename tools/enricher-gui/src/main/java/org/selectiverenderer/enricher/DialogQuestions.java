@@ -23,7 +23,7 @@ final class DialogQuestions implements Questions {
   private int choose(String sentence, String... choices) {
     return JOptionPane.showOptionDialog(
         owner,
-        "<html><body width=360>" + sentence.replace("<", "&lt;"),
+        "<html><body width=360>" + sentence.replace("&", "&amp;").replace("<", "&lt;"),
         TITLE,
         JOptionPane.DEFAULT_OPTION,
         JOptionPane.QUESTION_MESSAGE,
@@ -38,6 +38,15 @@ final class DialogQuestions implements Questions {
       case 0 -> Unsaved.SAVE;
       case 1 -> Unsaved.DISCARD;
       default -> Unsaved.CANCEL;
+    };
+  }
+
+  @Override
+  public Left left(String sentence) {
+    return switch (choose(sentence, "Restore", "Discard the Kept Copy", "Decide Later")) {
+      case 0 -> Left.RESTORE;
+      case 1 -> Left.DISCARD;
+      default -> Left.LATER;
     };
   }
 

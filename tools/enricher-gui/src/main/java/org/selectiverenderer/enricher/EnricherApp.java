@@ -30,7 +30,7 @@ public final class EnricherApp {
         () -> {
           EnricherWindow window = new EnricherWindow(settings, closed::countDown);
           window.show();
-          scene.ifPresentOrElse(window::open, window::offerRecovery);
+          window.begin(scene);
         });
     closed.await();
   }

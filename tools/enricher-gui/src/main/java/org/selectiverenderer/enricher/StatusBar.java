@@ -64,7 +64,7 @@ final class StatusBar {
     List<Task> slow =
         tasks.running().stream().filter(task -> now - task.begun() > PATIENCE_NANOSECONDS).toList();
     bar.setVisible(!slow.isEmpty());
-    cancel.setVisible(!slow.isEmpty());
+    cancel.setVisible(slow.stream().anyMatch(Task::stoppable));
     if (!slow.isEmpty()) {
       Task first = slow.get(0);
       bar.setString(

@@ -24,6 +24,7 @@ final class WindowMenus {
   private final JCheckBoxMenuItem review = new JCheckBoxMenuItem("Show Changes Before Saving");
   private final Command save;
   private final Command saveAs;
+  private final Command changes;
   private final Command undo;
   private final Command redo;
 
@@ -32,6 +33,7 @@ final class WindowMenus {
     this.settings = settings;
     save = new Command("&Save", "ctrl S", window::save);
     saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
+    changes = new Command("Show &Changes...", "ctrl D", window::showChanges);
     undo = new Command("&Undo", "ctrl Z", window::undo);
     redo = new Command("&Redo", "ctrl shift Z", window::redo);
     bar.add(file());
@@ -46,9 +48,11 @@ final class WindowMenus {
     menu.add(new Command("&Open...", "ctrl O", window::chooseAndOpen));
     recent.addMenuListener(new Opening(this::listRecent));
     menu.add(recent);
+    menu.add(new Command("&Kept Changes...", "", window::askAboutKept));
     menu.addSeparator();
     menu.add(save);
     menu.add(saveAs);
+    menu.add(changes);
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
     menu.add(review);
@@ -155,6 +159,7 @@ final class WindowMenus {
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());
     save.setEnabled(open);
     saveAs.setEnabled(open);
+    changes.setEnabled(open);
     name(undo, "Undo", history.flatMap(UndoHistory::undoName));
     name(redo, "Redo", history.flatMap(UndoHistory::redoName));
   }

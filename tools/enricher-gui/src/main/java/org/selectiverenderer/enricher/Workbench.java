@@ -93,6 +93,8 @@ final class Workbench {
     disposals.add(overview::dispose);
     disposals.add(pictures::close);
     disposals.add(session::dispose);
+    int before = tabs.indexOfTab(settings.word("tab", ""));
+    tabs.setSelectedIndex(Math.max(0, before));
     if (session.document().fault().isPresent()) {
       tabs.setSelectedComponent(source.component());
       source.showFault();
@@ -137,8 +139,9 @@ final class Workbench {
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
 
-  /** Remembers where the borders are. */
+  /** Remembers where the borders are, and which view is in front. */
   void remember() {
+    settings.put("tab", tabs.getTitleAt(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
