@@ -31,9 +31,10 @@ public final class OverviewPanel extends JPanel {
   private final JTextField name = new JTextField(14);
   private final JComboBox<RowFilter.Which> which = new JComboBox<>(RowFilter.Which.values());
   private final JLabel status = new JLabel(" ");
-  private final org.selectiverenderer.document.DocumentListener changes = change -> refresh();
+  private final org.selectiverenderer.document.DocumentListener changes = change -> changed();
   private final SelectionListener selection = this::selected;
   private boolean following;
+  private boolean stale;
 
   public OverviewPanel(EnricherSession session) {
     super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][]"));
@@ -58,6 +59,13 @@ public final class OverviewPanel extends JPanel {
             });
     session.document().addListener(changes);
     session.addSelectionListener(selection);
+    addHierarchyListener(
+        event -> {
+          if (stale && isShowing()) {
+            refresh();
+            selected(session.selection(), session);
+          }
+        });
     findings.show(model.marks());
     count();
     selected(session.selection(), session);
@@ -166,7 +174,17 @@ public final class OverviewPanel extends JPanel {
     count();
   }
 
+  /** What nobody sees is read again when it is looked at: of many objects that takes a while. */
+  private void changed() {
+    if (isShowing()) {
+      refresh();
+    } else {
+      stale = true;
+    }
+  }
+
   private void refresh() {
+    stale = false;
     follow(() -> table.keepingSelection(model::refresh));
     findings.show(model.marks());
     count();
@@ -195,7 +213,7 @@ public final class OverviewPanel extends JPanel {
   }
 
   private void selected(Optional<DocumentElement> element, Object origin) {
-    if (!following) {
+    if (!following && !stale) {
       element.ifPresent(selected -> follow(() -> table.show(selected)));
     }
   }

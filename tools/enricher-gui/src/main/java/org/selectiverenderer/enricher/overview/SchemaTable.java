@@ -11,6 +11,7 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
 import javax.swing.event.TableModelEvent;
+import javax.swing.table.DefaultTableColumnModel;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
 import org.selectiverenderer.document.DocumentElement;
@@ -102,16 +103,19 @@ final class SchemaTable extends JTable {
   }
 
   private void setColumns() {
-    while (getColumnCount() > 0) {
-      getColumnModel().removeColumn(getColumnModel().getColumn(0));
-    }
+    // All at once: a table lays itself out after each column that comes or goes.
+    DefaultTableColumnModel columns = new DefaultTableColumnModel();
+    columns.setSelectionModel(getColumnModel().getSelectionModel());
+    columns.getSelectionModel().clearSelection();
+    columns.setColumnSelectionAllowed(getColumnModel().getColumnSelectionAllowed());
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));
       int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mmm");
       column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
-      getColumnModel().addColumn(column);
+      columns.addColumn(column);
     }
+    setColumnModel(columns);
   }
 
   @Override
