@@ -62,6 +62,14 @@ public final class SchemaUse<N> {
     }
   }
 
+  /** Whether all that the other one says of schemas and nodes is so here, too. */
+  public boolean sameAs(SchemaUse<N> other) {
+    return entered.equals(other.entered)
+        && left.equals(other.left)
+        && known.equals(other.known)
+        && changing.equals(other.changing);
+  }
+
   /** The schemas that areas activate. */
   public Set<String> activated() {
     Set<String> activated = new LinkedHashSet<>(entered.keySet());

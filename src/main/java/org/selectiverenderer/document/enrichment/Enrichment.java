@@ -36,7 +36,8 @@ public final class Enrichment {
   private @Nullable List<SwitchNode> switchNodes;
   private @Nullable List<SensorNode> sensorNodes;
   private @Nullable SchemaUse<DocumentElement> use;
-  private @Nullable Map<String, Finding> schemaFindings;
+  private @Nullable SchemaUse<DocumentElement> judged;
+  private Map<String, Finding> schemaFindings = Map.of();
   private @Nullable List<Finding> findings;
 
   public Enrichment(SceneDocument document, NodeCatalogue catalogue) {
@@ -160,14 +161,14 @@ public final class Enrichment {
 
   /** What is wrong with schemas, by schema: those that no area or no object has. */
   public Map<String, Finding> schemaFindings() {
-    list();
-    if (schemaFindings == null) {
+    SchemaUse<DocumentElement> now = use();
+    if (judged == null || judged != now && !judged.sameAs(now)) {
       Map<String, Finding> found = new LinkedHashMap<>();
-      use()
-          .unmatched()
+      now.unmatched()
           .forEach(unmatched -> found.putIfAbsent(unmatched.schema(), finding(unmatched)));
       schemaFindings = Collections.unmodifiableMap(found);
     }
+    judged = now;
     return schemaFindings;
   }
 
@@ -218,7 +219,6 @@ public final class Enrichment {
     use = null;
     switchNodes = null;
     sensorNodes = null;
-    schemaFindings = null;
     findings = null;
     List<DocumentElement> foundSwitches =
         document.tree().map(ElementTree::switches).orElse(List.of());
