@@ -23,7 +23,7 @@ final class DialogQuestions implements Questions {
   private int choose(String sentence, String... choices) {
     return JOptionPane.showOptionDialog(
         owner,
-        "<html><body width=360>" + sentence.replace("&", "&amp;").replace("<", "&lt;"),
+        "<html><body width=420>" + sentence.replace("&", "&amp;").replace("<", "&lt;"),
         TITLE,
         JOptionPane.DEFAULT_OPTION,
         JOptionPane.QUESTION_MESSAGE,

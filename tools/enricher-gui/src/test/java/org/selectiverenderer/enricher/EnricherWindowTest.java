@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
 import java.awt.Graphics2D;
-import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -14,7 +13,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
@@ -121,9 +119,9 @@ class EnricherWindowTest {
     clickRow(1);
     fill("Schemas on entering", "KITCHEN");
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
-    hands.await("the changes", () -> dialog() != null);
-    JButton save = Hands.named(dialog(), "Save", JButton.class);
-    hands.click(save);
+    DiffDialog changes = hands.dialog(DiffDialog.class);
+    Hands.picture(changes.getContentPane(), "window-diff-light", 1);
+    hands.choose(changes, "Save");
     hands.await("the saved file", () -> !session.document().modified());
 
     Enrichment again =
@@ -133,15 +131,6 @@ class EnricherWindowTest {
     assertThat(first.type()).isPresent();
     assertThat(again.sensors().get(0).schemas().enter()).containsExactly("kitchen");
     assertThat(session.file().backup()).exists();
-  }
-
-  private static DiffDialog dialog() {
-    return Arrays.stream(Window.getWindows())
-        .filter(DiffDialog.class::isInstance)
-        .filter(Window::isShowing)
-        .map(DiffDialog.class::cast)
-        .findFirst()
-        .orElse(null);
   }
 
   @Test

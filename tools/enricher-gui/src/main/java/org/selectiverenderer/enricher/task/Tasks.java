@@ -21,6 +21,7 @@ public final class Tasks implements AutoCloseable {
   private final ExecutorService workers;
   private final ExecutorService writer;
   private final List<Task> running = new CopyOnWriteArrayList<>();
+  private volatile boolean closed;
 
   /** Work that tells how far it is. */
   @FunctionalInterface
@@ -92,7 +93,7 @@ public final class Tasks implements AutoCloseable {
     running.remove(task);
     eventThread.execute(
         () -> {
-          if (!task.cancelled()) {
+          if (!closed && !task.cancelled()) {
             last.run();
           }
         });
@@ -104,9 +105,10 @@ public final class Tasks implements AutoCloseable {
     return List.copyOf(running);
   }
 
-  /** Cancels what can be cancelled and takes no more. */
+  /** Cancels what can be cancelled and takes no more; nobody hears of results any more. */
   @Override
   public void close() {
+    closed = true;
     running.forEach(Task::cancel);
     workers.shutdownNow();
     writer.shutdown();
