@@ -201,6 +201,7 @@ public final class EnricherWindow {
     content.revalidate();
     frame.validate();
     opened.layOut(content.getWidth(), content.getHeight());
+    opened.focus();
     recent.add(file.path());
     status.say("Opened " + file.path());
     refresh();

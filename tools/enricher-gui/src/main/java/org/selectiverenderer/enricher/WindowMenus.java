@@ -53,6 +53,7 @@ final class WindowMenus {
     menu.add(save);
     menu.add(saveAs);
     menu.add(changes);
+    review.setMnemonic('B');
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
     menu.add(review);
@@ -90,6 +91,7 @@ final class WindowMenus {
     ButtonGroup group = new ButtonGroup();
     for (Theme theme : Theme.values()) {
       JRadioButtonMenuItem item = new JRadioButtonMenuItem(theme.title() + " Colours");
+      item.setMnemonic(theme.title().charAt(0));
       item.setSelected(theme == Theme.of(settings.word("theme", "")));
       item.addActionListener(event -> window.use(theme));
       group.add(item);

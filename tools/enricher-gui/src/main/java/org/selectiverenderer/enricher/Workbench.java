@@ -168,6 +168,12 @@ final class Workbench {
     preview.reload();
   }
 
+  /** Puts the focus where the author begins: at the fault, else at the nodes. */
+  void focus() {
+    boolean broken = session.document().fault().isPresent();
+    (broken ? source.area() : tree.tree()).requestFocusInWindow();
+  }
+
   void searchTree() {
     tree.searchField().requestFocusInWindow();
     tree.searchField().selectAll();

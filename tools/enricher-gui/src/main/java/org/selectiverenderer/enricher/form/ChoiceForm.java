@@ -5,6 +5,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.enrichment.SwitchNode;
@@ -21,7 +22,7 @@ final class ChoiceForm {
   private final VersionPictures pictures;
   private final ChoiceNode choice;
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][grow,fill]"));
+      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][fill]"));
   private final VersionThumbnail thumbnail;
   private final JLabel polygons = new JLabel("\u2026");
   private final JLabel title;
@@ -44,7 +45,8 @@ final class ChoiceForm {
     name(type, "Type of " + name, HelpTopic.TYPE);
     JComboBox<String> degree = new JComboBox<>(new String[] {DegreeInput.NONE, "low", "high"});
     degree.setEditable(true);
-    JComponent typed = (JComponent) degree.getEditor().getEditorComponent();
+    JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
+    typed.setColumns(4); // as long as the longest degree, without what the editor keeps in reserve
     name(degree, "Degree of " + name, HelpTopic.DEGREE);
     name(typed, "Degree of " + name, HelpTopic.DEGREE);
     typed.setName("Typed degree of " + name);
@@ -79,7 +81,7 @@ final class ChoiceForm {
     panel.add(Labels.of("Type", type));
     panel.add(type, "wmin 0");
     panel.add(Labels.of("Degree", degree));
-    panel.add(degree, "wmin 0");
+    panel.add(degree, "wmin pref");
     panel.add(Labels.of("Schemas", schemas));
     panel.add(schemas, "spanx 3, wmin 0");
     panel.add(typeComplaint, "skip 1, spanx 3, wmin 0");
