@@ -59,7 +59,7 @@ public final class Writing {
     AtomicFile writing = new AtomicFile(actions);
     try {
       if (Files.isRegularFile(target)) {
-        writing.write(DocumentFile.backup(target), Files.readAllBytes(target));
+        backUp(writing);
       }
       writing.write(target, bytes);
     } catch (IOException e) {
@@ -69,5 +69,16 @@ public final class Writing {
           e);
     }
     stamp = Stamp.of(target, bytes);
+  }
+
+  private void backUp(AtomicFile writing) throws IOException {
+    Path backup = DocumentFile.backup(target);
+    byte[] old = Files.readAllBytes(target);
+    try {
+      writing.write(backup, old);
+    } catch (IOException e) {
+      throw new IOException(
+          "no backup can be kept as %s: %s".formatted(backup.getFileName(), e.getMessage()), e);
+    }
   }
 }

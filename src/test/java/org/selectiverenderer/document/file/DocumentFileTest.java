@@ -94,8 +94,8 @@ class DocumentFileTest {
         .isInstanceOf(IOException.class)
         .hasMessage(
             path
-                + ": cannot be saved (No space left on device); file and document are as they were."
-                + " Save it under another name");
+                + ": cannot be saved (no backup can be kept as a.x3d.bak: No space left on device);"
+                + " file and document are as they were. Save it under another name");
     assertThat(path).hasContent(SCENE);
     assertThat(files()).isEqualTo(1);
     assertThat(file.document().modified()).isTrue();

@@ -134,7 +134,7 @@ final class Workbench {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation();
     right.setDividerLocation(
-        Math.max(120, rest - settings.number("split.form", Math.min(340, rest / 2))));
+        Math.max(120, rest - settings.number("split.form", Math.min(375, rest / 2))));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }

@@ -26,6 +26,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -275,7 +276,23 @@ class EnricherWindowTest {
     JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
     String shown = Hands.onEdt(() -> tabs.getTitleAt(tabs.getSelectedIndex()));
     assertThat(shown).isEqualTo("Source");
+    RSyntaxTextArea source = Hands.named(content(), "Source of the scene", RSyntaxTextArea.class);
+    hands.await("the error's mark", () -> reddish(source));
     Hands.picture(content(), "window-broken-light", 1);
+  }
+
+  /** Whether a line is marked: much more red than blue, over a whole line's length. */
+  private static boolean reddish(JComponent shown) {
+    BufferedImage image = new BufferedImage(shown.getWidth(), shown.getHeight(), TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    shown.paint(graphics);
+    graphics.dispose();
+    int red = 0;
+    for (int y = 0; y < image.getHeight(); y++) {
+      int rgb = image.getRGB(image.getWidth() - 2, y);
+      red += (rgb >> 16 & 0xff) - (rgb & 0xff) > 25 ? 1 : 0;
+    }
+    return red > 8;
   }
 
   private static long colours(JComponent shown) {

@@ -99,8 +99,7 @@ public final class OverviewPanel extends JPanel {
     tools.add(button(actions.high, "People expect the object there (h)"));
     tools.add(button(actions.low, "People do not expect the object there (l)"));
     tools.add(button(actions.clear, "The object does not belong there (Delete)"));
-    tools.add(
-        new JLabel("Keys: h, l, digits for a number from 0 to 1, Delete, F2 for a list"), "wmin 0");
+    tools.add(new JLabel("Keys: h, l, 0 to 1, Delete, F2"), "wmin 0");
     return tools;
   }
 

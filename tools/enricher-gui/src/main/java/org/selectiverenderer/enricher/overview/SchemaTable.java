@@ -98,7 +98,7 @@ final class SchemaTable extends JTable {
     pane.setRowHeaderView(names);
     pane.setCorner(JScrollPane.UPPER_LEADING_CORNER, names.getTableHeader());
     names.setPreferredScrollableViewportSize(
-        new java.awt.Dimension(names.getFontMetrics(names.getFont()).charWidth('m') * 16, 0));
+        new java.awt.Dimension(names.getFontMetrics(names.getFont()).charWidth('m') * 14, 0));
     return pane;
   }
 
@@ -111,7 +111,7 @@ final class SchemaTable extends JTable {
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));
-      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mmm");
+      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mm");
       column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
       columns.addColumn(column);
     }

@@ -23,8 +23,8 @@ final class ProblemsTable extends JTable {
     severity.setCellRenderer(new SeverityRenderer());
     width(ProblemsTableModel.SEVERITY, 105);
     width(ProblemsTableModel.MESSAGE, 640);
-    width(ProblemsTableModel.PLACE, 220);
-    width(ProblemsTableModel.FIX, 200);
+    width(ProblemsTableModel.PLACE, 280);
+    width(ProblemsTableModel.FIX, 140);
     severity.setMaxWidth(UIScale.scale(140));
   }
 
