@@ -71,6 +71,12 @@ public final class Hands {
     onEdt(() -> true);
   }
 
+  /** Lets some time pass, for what is measured. */
+  public void rest(int milliseconds) {
+    robot.delay(milliseconds);
+    onEdt(() -> true);
+  }
+
   /** Waits until something is so. */
   public void await(String what, BooleanSupplier so) {
     for (int waited = 0; !onEdt(so::getAsBoolean); waited += STEP) {
