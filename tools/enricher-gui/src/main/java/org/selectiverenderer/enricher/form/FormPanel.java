@@ -120,7 +120,8 @@ public final class FormPanel extends JPanel {
         .document()
         .fault()
         .map(
-            fault -> "The text is not well formed: " + fault.message() + ". Mend it in the source.")
+            fault ->
+                "In line %d %s. Mend it in the source.".formatted(fault.line(), fault.message()))
         .orElse("Choose a Switch (an object) or a ProximitySensor (an area) to describe it here.");
   }
 
