@@ -110,7 +110,9 @@ final class NodeReading {
   boolean shares(DocumentElement element) {
     for (DocumentElement child : element.children()) {
       boolean metadata = child.name().startsWith("Metadata");
-      if (child.use().isPresent() || metadata && shares(child)) {
+      boolean elsewhere =
+          child.use().isPresent() && (metadata || child.name().equals("Inline")); // its url
+      if (elsewhere || metadata && shares(child)) {
         return true;
       }
     }

@@ -7,6 +7,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import javax.swing.JFrame;
@@ -100,7 +101,7 @@ public final class EnricherWindow {
             lookAtDisk();
           }
         });
-    frame.setTransferHandler(new FileDrop(this::open));
+    frame.setTransferHandler(new FileDrop(this::dropped));
     JLabel welcome =
         new JLabel("Drop an X3D scene here, or press Ctrl+O to open one", SwingConstants.CENTER);
     content.add(welcome, BorderLayout.CENTER);
@@ -198,6 +199,7 @@ public final class EnricherWindow {
     session.document().addListener(titles);
     content.removeAll();
     content.add(opened.component(), BorderLayout.CENTER);
+    FileDrop.install(opened.component(), this::dropped);
     content.revalidate();
     frame.validate();
     opened.layOut(content.getWidth(), content.getHeight());
@@ -296,12 +298,31 @@ public final class EnricherWindow {
   }
 
   void importRatings() {
+    importRatings(Optional.empty());
+  }
+
+  private void importRatings(Optional<Path> table) {
     session()
         .ifPresent(
             session -> {
               commit();
-              new RatingsDialog(frame, session).setVisible(true);
+              RatingsDialog dialog = new RatingsDialog(frame, session);
+              table.ifPresent(dialog::open);
+              dialog.setVisible(true);
             });
+  }
+
+  /** A table is one of ratings, all else a scene. Later, when the drop has ended. */
+  private void dropped(Path file) {
+    boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
+    EventQueue.invokeLater(
+        () -> {
+          if (table && bench != null) {
+            importRatings(Optional.of(file));
+          } else {
+            open(file);
+          }
+        });
   }
 
   /** Makes versions of the object that the selection is or is part of. */

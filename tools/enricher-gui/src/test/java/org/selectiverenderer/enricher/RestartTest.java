@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.swing.JDialog;
 import javax.swing.JTabbedPane;
+import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterEach;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.RequiresDisplay;
 
@@ -180,7 +182,7 @@ class RestartTest {
   }
 
   @Test
-  void aDroppedSceneIsOpened() throws IOException {
+  void aDroppedSceneIsOpenedAndDroppedRatingsAreReviewed() throws IOException {
     Path cup = scene("Cup");
     start(Optional.empty());
     TransferHandler drop = Hands.onEdt(() -> window.frame().getTransferHandler());
@@ -192,6 +194,17 @@ class RestartTest {
                         window.frame().getRootPane(), new Dropped(List.of(cup.toFile())))));
     assertThat(taken).isTrue();
     opened(cup);
+
+    JTree tree = Hands.named(window.frame(), "Nodes of the scene", JTree.class);
+    Path ratings = Files.writeString(folder.resolve("r.csv"), "object,schema,rating\nCup,Bar,5\n");
+    Hands.onEdt(
+        () ->
+            tree.getTransferHandler()
+                .importData(
+                    new TransferHandler.TransferSupport(
+                        tree, new Dropped(List.of(ratings.toFile())))));
+    RatingsDialog dialog = hands.dialog(RatingsDialog.class);
+    hands.choose(dialog, "Cancel");
   }
 
   @Test

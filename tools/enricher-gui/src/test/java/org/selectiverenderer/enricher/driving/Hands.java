@@ -108,7 +108,7 @@ public final class Hands {
 
   /**
    * Clicks the button of that text and waits for the dialog's end. Without a window manager a click
-   * on a dialog that has just come up may be lost: then once more, as one would.
+   * on a dialog that has just come up may miss it: then by the keyboard.
    */
   public void choose(JDialog dialog, String button) {
     JButton chosen = named(dialog, button, JButton.class);
@@ -117,7 +117,9 @@ public final class Hands {
       robot.delay(STEP);
     }
     if (onEdt(dialog::isShowing)) {
-      click(chosen);
+      onEdt(chosen::requestFocusInWindow);
+      settle();
+      press(KeyEvent.VK_SPACE);
     }
     await("the end of the dialog", () -> !dialog.isShowing());
   }
