@@ -16,17 +16,14 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
-import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Settings;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.NodeCatalogue;
 
 /** The window with one document at a time. For the event dispatch thread. */
@@ -45,6 +42,7 @@ public final class EnricherWindow {
   private final JPanel content = new JPanel(new BorderLayout());
   private final Questions questions;
   private final KeptWork kept;
+  private final SceneDialogs dialogs;
   private final WindowMenus menus;
 
   /** Later, when the step is in the history. */
@@ -86,7 +84,8 @@ public final class EnricherWindow {
     status.say(remembered.complaint());
     questions = new DialogQuestions(frame);
     kept = new KeptWork(recovery, questions, status::say);
-    menus = new WindowMenus(this, settings);
+    dialogs = new SceneDialogs(frame, this::bench, status::say);
+    menus = new WindowMenus(this, dialogs, settings);
     frame.setJMenuBar(menus.bar());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
@@ -192,8 +191,7 @@ public final class EnricherWindow {
   private void adopt(DocumentFile file) {
     letGo(true);
     EnricherSession session = new EnricherSession(file, catalogue, tasks, status::say);
-    Workbench opened =
-        new Workbench(session, settings, recovery, status::count, this::makeVersions);
+    Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
     bench = opened;
     saving = new Saving(session, questions);
     session.document().addListener(titles);
@@ -297,59 +295,17 @@ public final class EnricherWindow {
     }
   }
 
-  void importRatings() {
-    importRatings(Optional.empty());
-  }
-
-  private void importRatings(Optional<Path> table) {
-    session()
-        .ifPresent(
-            session -> {
-              commit();
-              RatingsDialog dialog = new RatingsDialog(frame, session);
-              table.ifPresent(dialog::open);
-              dialog.setVisible(true);
-            });
-  }
-
   /** A table is one of ratings, all else a scene. Later, when the drop has ended. */
   private void dropped(Path file) {
     boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
     EventQueue.invokeLater(
         () -> {
           if (table && bench != null) {
-            importRatings(Optional.of(file));
+            dialogs.ratings(Optional.of(file));
           } else {
             open(file);
           }
         });
-  }
-
-  /** Makes versions of the object that the selection is or is part of. */
-  void makeVersions() {
-    session()
-        .flatMap(EnricherSession::selection)
-        .flatMap(EnricherWindow::object)
-        .ifPresentOrElse(
-            this::makeVersions,
-            () -> status.say("Choose an object with a DEF name first, then make versions of it"));
-  }
-
-  private void makeVersions(DocumentElement object) {
-    commit();
-    if (bench != null && object.attached()) {
-      new VersionsDialog(frame, bench.session(), object).setVisible(true);
-      bench.lookAtFilesAgain();
-    }
-  }
-
-  private static Optional<DocumentElement> object(DocumentElement element) {
-    for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
-      if (at.name().equals("Switch")) {
-        return Optional.of(at);
-      }
-    }
-    return element.def().map(def -> element);
   }
 
   private void commit() {

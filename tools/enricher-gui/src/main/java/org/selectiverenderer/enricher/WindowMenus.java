@@ -18,6 +18,7 @@ import org.selectiverenderer.enricher.settings.Theme;
 /** The menus: all that can be done, with its keys. */
 final class WindowMenus {
   private final EnricherWindow window;
+  private final SceneDialogs dialogs;
   private final Settings settings;
   private final JMenuBar bar = new JMenuBar();
   private final JMenu recent = new JMenu("Open Recent");
@@ -28,8 +29,9 @@ final class WindowMenus {
   private final Command undo;
   private final Command redo;
 
-  WindowMenus(EnricherWindow window, Settings settings) {
+  WindowMenus(EnricherWindow window, SceneDialogs dialogs, Settings settings) {
     this.window = window;
+    this.dialogs = dialogs;
     this.settings = settings;
     save = new Command("&Save", "ctrl S", window::save);
     saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
@@ -76,8 +78,8 @@ final class WindowMenus {
 
   private JMenu scene() {
     JMenu menu = menu("Scene", 'S');
-    menu.add(new Command("Import &Ratings...", "ctrl R", window::importRatings));
-    menu.add(new Command("Make &Versions...", "ctrl M", window::makeVersions));
+    menu.add(new Command("Import &Ratings...", "ctrl R", () -> dialogs.ratings(Optional.empty())));
+    menu.add(new Command("Make &Versions...", "ctrl M", dialogs::versions));
     return menu;
   }
 
