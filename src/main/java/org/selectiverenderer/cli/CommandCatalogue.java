@@ -28,6 +28,7 @@ final class CommandCatalogue {
   }
 
   private static ExitStatus enricher(Optional<Path> scene) throws IOException {
+    LibraryProperties.swingFirst();
     Path settings =
         SettingsFolder.of(
             System.getProperty("os.name", ""),

@@ -38,6 +38,14 @@ final class LibraryProperties {
     System.setProperty("java.awt.headless", "false");
   }
 
+  /**
+   * Lets Java find out whether there is a display for Swing, for a command that is a Swing window
+   * itself. To be called before AWT and JOGL begin.
+   */
+  static void swingFirst() {
+    System.clearProperty("java.awt.headless");
+  }
+
   private static void set(String name, String value) {
     if (System.getProperty(name) == null) {
       System.setProperty(name, value);

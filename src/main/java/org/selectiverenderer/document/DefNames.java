@@ -1,6 +1,7 @@
 package org.selectiverenderer.document;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -13,8 +14,41 @@ import java.util.Set;
 final class DefNames {
   private final Map<String, DocumentElement> given = new HashMap<>();
   private final Map<String, Integer> uses = new HashMap<>();
-  private final Map<String, Set<DocumentElement>> types =
-      Map.of("Switch", new HashSet<>(), "ProximitySensor", new HashSet<>());
+  private final Map<String, Kind> kinds =
+      Map.of("Switch", new Kind(), "ProximitySensor", new Kind());
+
+  /** The nodes of one type, in document order when they are asked for. */
+  private static final class Kind {
+    private final Set<DocumentElement> nodes = new HashSet<>();
+    private final Set<DocumentElement> gone = new HashSet<>();
+    private List<DocumentElement> sorted = List.of();
+    private boolean more;
+
+    void remove(DocumentElement element) {
+      if (nodes.remove(element)) {
+        gone.add(element);
+      }
+    }
+
+    /** One that is back keeps its place among the others: edits do not reorder elements. */
+    void add(DocumentElement element) {
+      if (element.use().isEmpty()) {
+        nodes.add(element);
+        more |= !gone.remove(element);
+      }
+    }
+
+    List<DocumentElement> sorted() {
+      if (more || !gone.isEmpty()) {
+        List<DocumentElement> now = new ArrayList<>(nodes);
+        now.sort(Comparator.comparingInt(DocumentElement::start));
+        sorted = Collections.unmodifiableList(now);
+        more = false;
+        gone.clear();
+      }
+      return sorted;
+    }
+  }
 
   void add(DocumentElement element) {
     element.visit(this::addOne);
@@ -28,18 +62,18 @@ final class DefNames {
   void removeOne(DocumentElement element) {
     element.def().ifPresent(def -> given.remove(def, element));
     element.use().ifPresent(use -> uses.computeIfPresent(use, (key, n) -> n == 1 ? null : n - 1));
-    Set<DocumentElement> others = types.get(element.name());
-    if (others != null) {
-      others.remove(element);
+    Kind kind = kinds.get(element.name());
+    if (kind != null) {
+      kind.remove(element);
     }
   }
 
   void addOne(DocumentElement element) {
     element.def().ifPresent(def -> given.putIfAbsent(def, element));
     element.use().ifPresent(use -> uses.merge(use, 1, Integer::sum));
-    Set<DocumentElement> others = types.get(element.name());
-    if (others != null) {
-      others.add(element);
+    Kind kind = kinds.get(element.name());
+    if (kind != null) {
+      kind.add(element);
     }
   }
 
@@ -51,11 +85,12 @@ final class DefNames {
     return uses.containsKey(def);
   }
 
-  /** The nodes of a type that is kept account of, in document order. */
+  /**
+   * The nodes of a type that is kept account of, in document order; the same list as before as long
+   * as they are the same.
+   */
   List<DocumentElement> ofType(String type) {
-    List<DocumentElement> elements = new ArrayList<>(types.getOrDefault(type, Set.of()));
-    elements.removeIf(element -> element.use().isPresent());
-    elements.sort(Comparator.comparingInt(DocumentElement::start));
-    return elements;
+    Kind kind = kinds.get(type);
+    return kind == null ? List.of() : kind.sorted();
   }
 }

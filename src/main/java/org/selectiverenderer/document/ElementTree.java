@@ -36,7 +36,10 @@ public final class ElementTree {
     return names.used(def);
   }
 
-  /** All Switches, in document order; not those that stand for another by USE. */
+  /**
+   * All Switches, in document order; not those that stand for another by USE. The same list as
+   * before as long as they are the same.
+   */
   public List<DocumentElement> switches() {
     return names.ofType("Switch");
   }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.document;
 
 import java.io.IOException;
+import java.lang.ref.WeakReference;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -30,6 +31,9 @@ public final class SceneDocument {
   private @Nullable ElementTree tree;
   private @Nullable Fault fault;
   private long revision;
+
+  /** The latest snapshot, which all who ask for one share as long as one of them has it. */
+  private WeakReference<Snapshot> latest = new WeakReference<>(null);
 
   private SceneDocument(String name, EncodedText encoding, boolean compressed, byte[] bytes) {
     this.name = name;
@@ -185,6 +189,18 @@ public final class SceneDocument {
     history.markSaved();
   }
 
+  /**
+   * The text as it was then is in the file now. After changes meanwhile all is unsaved, whatever is
+   * undone.
+   */
+  public void markSaved(Snapshot then) {
+    if (then.revision() == revision) {
+      history.markSaved();
+    } else {
+      history.markUnsaved();
+    }
+  }
+
   /** The text is in no file, such as one recovered after a crash. */
   public void markUnsaved() {
     history.markUnsaved();
@@ -192,10 +208,16 @@ public final class SceneDocument {
 
   /** The document as it is now. */
   public Snapshot snapshot() {
-    String text = buffer.characters().toString();
-    byte[] unchanged = revision == 0 ? original : null;
-    return new Snapshot(
-        name, revision, text, () -> unchanged != null ? unchanged.clone() : encoded(text));
+    Snapshot now = latest.get();
+    if (now == null || now.revision() != revision) {
+      String text = buffer.characters().toString();
+      byte[] unchanged = revision == 0 ? original : null;
+      now =
+          new Snapshot(
+              name, revision, text, () -> unchanged != null ? unchanged.clone() : encoded(text));
+      latest = new WeakReference<>(now);
+    }
+    return now;
   }
 
   /** The bytes that saving writes: those of the file when nothing has changed. */

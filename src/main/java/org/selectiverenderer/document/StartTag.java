@@ -65,7 +65,12 @@ public final class StartTag {
   }
 
   public Optional<Attribute> attribute(String name) {
-    return attributes.stream().filter(attribute -> attribute.name().equals(name)).findFirst();
+    for (Attribute attribute : attributes) {
+      if (attribute.name().equals(name)) {
+        return Optional.of(attribute);
+      }
+    }
+    return Optional.empty();
   }
 
   /** The offset behind the last attribute, or behind the name: where another one goes. */

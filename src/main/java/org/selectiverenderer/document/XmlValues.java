@@ -70,6 +70,15 @@ public final class XmlValues {
 
   /** The strings of an MFString, tolerant as the reader of scenes is. */
   public static List<String> strings(String value) {
+    int last = value.length() - 1;
+    boolean one =
+        last > 0
+            && value.charAt(0) == '"'
+            && value.indexOf('"', 1) == last
+            && !value.contains("\\");
+    if (one) {
+      return List.of(value.substring(1, last)); // nearly all are: no parser is needed
+    }
     Object parsed = new FieldParser().parse(FieldType.MFString, value).value();
     return parsed == null ? List.of() : List.of((String[]) parsed);
   }

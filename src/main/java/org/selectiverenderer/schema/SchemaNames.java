@@ -2,12 +2,10 @@ package org.selectiverenderer.schema;
 
 import java.util.Collection;
 import java.util.Optional;
-import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.Spelling;
 
 /** Compares names of schemas, in which slips show only by their having no effect. */
 public final class SchemaNames {
-  private static final Pattern DIGITS = Pattern.compile("[0-9]+");
   private static final int SLIPS = 2;
   private static final int SHORT = 4;
 
@@ -19,13 +17,36 @@ public final class SchemaNames {
    * different on purpose.
    */
   public static Optional<String> probablyMeant(String schema, Collection<String> others) {
-    String letters = DIGITS.matcher(schema).replaceAll("");
     return Spelling.nearest(
         schema,
         others.stream()
             .filter(other -> !other.equals(schema))
-            .filter(other -> !DIGITS.matcher(other).replaceAll("").equals(letters))
+            .filter(other -> !sameButForDigits(schema, other))
             .toList(),
         schema.length() < SHORT ? 0 : SLIPS);
+  }
+
+  /** Compares what is left without digits; by hand, as there may be thousands of names. */
+  private static boolean sameButForDigits(String one, String other) {
+    int i = 0;
+    int j = 0;
+    while (true) {
+      i = behindDigits(one, i);
+      j = behindDigits(other, j);
+      if (i == one.length() || j == other.length()) {
+        return i == one.length() && j == other.length();
+      }
+      if (one.charAt(i++) != other.charAt(j++)) {
+        return false;
+      }
+    }
+  }
+
+  private static int behindDigits(String name, int from) {
+    int at = from;
+    while (at < name.length() && name.charAt(at) >= '0' && name.charAt(at) <= '9') {
+      at++;
+    }
+    return at;
   }
 }

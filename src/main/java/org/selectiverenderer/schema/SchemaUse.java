@@ -44,13 +44,30 @@ public final class SchemaUse<N> {
    */
   public void object(N switchNode, List<List<String>> schemasOfChoices, int atStart) {
     for (int i = 0; i < schemasOfChoices.size(); i++) {
-      for (String schema : schemasOfChoices.get(i)) {
-        known.putIfAbsent(schema, switchNode);
-        if (i != atStart) {
-          changing.add(schema);
-        }
+      choice(switchNode, schemasOfChoices.get(i), i == atStart);
+    }
+  }
+
+  /**
+   * Takes note of the schemas that one choice of an object belongs to.
+   *
+   * @param atStart whether the scene shows it at the start
+   */
+  public void choice(N switchNode, List<String> schemas, boolean atStart) {
+    for (String schema : schemas) {
+      known.putIfAbsent(schema, switchNode);
+      if (!atStart) {
+        changing.add(schema);
       }
     }
+  }
+
+  /** Whether all that the other one says of schemas and nodes is so here, too. */
+  public boolean sameAs(SchemaUse<N> other) {
+    return entered.equals(other.entered)
+        && left.equals(other.left)
+        && known.equals(other.known)
+        && changing.equals(other.changing);
   }
 
   /** The schemas that areas activate. */

@@ -3,8 +3,11 @@ package org.selectiverenderer.document.enrichment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.Attribute;
 import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.StartTag;
 import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.MetadataSource;
 
@@ -18,6 +21,7 @@ final class DocumentMetadata implements MetadataSource {
   private final SceneDocument document;
   private final DocumentElement written;
   private final DocumentElement meant;
+  private @Nullable StartTag tag;
 
   private DocumentMetadata(SceneDocument document, DocumentElement written) {
     this.document = document;
@@ -72,7 +76,15 @@ final class DocumentMetadata implements MetadataSource {
 
   @Override
   public String name() {
-    return document.attribute(meant, "name").orElse("");
+    return attribute("name").orElse("");
+  }
+
+  /** An attribute of the element that says it; its tag is read once. */
+  private Optional<String> attribute(String name) {
+    if (tag == null) {
+      tag = document.tag(meant);
+    }
+    return tag.attribute(name).map(Attribute::value);
   }
 
   @Override
@@ -80,7 +92,7 @@ final class DocumentMetadata implements MetadataSource {
     if (isSet()) {
       return List.of();
     }
-    String value = document.attribute(meant, "value").orElse("");
+    String value = attribute("value").orElse("");
     return meant.name().equals("MetadataString")
         ? XmlValues.strings(value)
         : List.of(value.strip().split("[\\s,]+"));
@@ -94,9 +106,15 @@ final class DocumentMetadata implements MetadataSource {
     List<DocumentMetadata> children = new ArrayList<>();
     for (DocumentElement child : meant.children()) {
       // A set's field metadata is about the set itself.
-      if (isMetadata(child)
-          && !document.attribute(child, "containerField").orElse("value").equals("metadata")) {
-        children.add(new DocumentMetadata(document, child));
+      if (isMetadata(child)) {
+        DocumentMetadata metadata = new DocumentMetadata(document, child);
+        Optional<String> field =
+            metadata.shared()
+                ? document.attribute(child, "containerField")
+                : metadata.attribute("containerField");
+        if (!field.orElse("value").equals("metadata")) {
+          children.add(metadata);
+        }
       }
     }
     return children;

@@ -1,6 +1,7 @@
 package org.selectiverenderer.document.enrichment;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -32,7 +33,12 @@ public final class Enrichment {
   private List<DocumentElement> switches = List.of();
   private List<DocumentElement> sensors = List.of();
   private long listed = -1;
+  private @Nullable List<SwitchNode> switchNodes;
+  private @Nullable List<SensorNode> sensorNodes;
   private @Nullable SchemaUse<DocumentElement> use;
+  private @Nullable SchemaUse<DocumentElement> judged;
+  private Map<String, Finding> schemaFindings = Map.of();
+  private @Nullable List<Finding> findings;
 
   public Enrichment(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
@@ -46,21 +52,27 @@ public final class Enrichment {
   /** All Switches in document order, those in prototypes too; none while there is a fault. */
   public List<SwitchNode> switches() {
     list();
-    List<SwitchNode> nodes = new ArrayList<>(switches.size());
-    for (int i = 0; i < switches.size(); i++) {
-      nodes.add(switchNode(switches.get(i), i));
+    if (switchNodes == null) {
+      List<SwitchNode> nodes = new ArrayList<>(switches.size());
+      for (int i = 0; i < switches.size(); i++) {
+        nodes.add(switchNode(switches.get(i), i));
+      }
+      switchNodes = Collections.unmodifiableList(nodes);
     }
-    return nodes;
+    return switchNodes;
   }
 
   /** All ProximitySensors in document order, likewise. */
   public List<SensorNode> sensors() {
     list();
-    List<SensorNode> nodes = new ArrayList<>(sensors.size());
-    for (int i = 0; i < sensors.size(); i++) {
-      nodes.add(sensorNode(sensors.get(i), i));
+    if (sensorNodes == null) {
+      List<SensorNode> nodes = new ArrayList<>(sensors.size());
+      for (int i = 0; i < sensors.size(); i++) {
+        nodes.add(sensorNode(sensors.get(i), i));
+      }
+      sensorNodes = Collections.unmodifiableList(nodes);
     }
-    return nodes;
+    return sensorNodes;
   }
 
   /** The Switch that an element is; empty for others. */
@@ -116,10 +128,10 @@ public final class Enrichment {
       SchemaUse<DocumentElement> found = new SchemaUse<>();
       sensors().forEach(sensor -> found.area(sensor.element(), sensor.schemas()));
       for (SwitchNode node : switches()) {
-        found.object(
-            node.element(),
-            node.values().stream().map(ChoiceValues::schemas).toList(),
-            node.whichChoice());
+        for (SwitchNode.ChoiceNode choice : node.choices()) {
+          found.choice(
+              node.element(), choice.values().schemas(), choice.index() == node.whichChoice());
+        }
       }
       use = found;
     }
@@ -135,21 +147,29 @@ public final class Enrichment {
 
   /** What is wrong with the metadata, in document order. */
   public List<Finding> findings() {
-    List<Finding> findings = new ArrayList<>();
-    switches().forEach(node -> findings.addAll(node.findings()));
-    sensors().forEach(node -> findings.addAll(node.findings()));
-    findings.addAll(schemaFindings().values());
-    findings.sort(Comparator.comparingInt(finding -> finding.element().start()));
+    list();
+    if (findings == null) {
+      List<Finding> found = new ArrayList<>();
+      switches().forEach(node -> found.addAll(node.findings()));
+      sensors().forEach(node -> found.addAll(node.findings()));
+      found.addAll(schemaFindings().values());
+      found.sort(Comparator.comparingInt(finding -> finding.element().start()));
+      findings = Collections.unmodifiableList(found);
+    }
     return findings;
   }
 
   /** What is wrong with schemas, by schema: those that no area or no object has. */
   public Map<String, Finding> schemaFindings() {
-    Map<String, Finding> findings = new LinkedHashMap<>();
-    use()
-        .unmatched()
-        .forEach(unmatched -> findings.putIfAbsent(unmatched.schema(), finding(unmatched)));
-    return findings;
+    SchemaUse<DocumentElement> now = use();
+    if (judged == null || judged != now && !judged.sameAs(now)) {
+      Map<String, Finding> found = new LinkedHashMap<>();
+      now.unmatched()
+          .forEach(unmatched -> found.putIfAbsent(unmatched.schema(), finding(unmatched)));
+      schemaFindings = Collections.unmodifiableMap(found);
+    }
+    judged = now;
+    return schemaFindings;
   }
 
   private Finding finding(SchemaUse.Unmatched<DocumentElement> unmatched) {
@@ -197,15 +217,18 @@ public final class Enrichment {
     }
     listed = document.revision();
     use = null;
+    switchNodes = null;
+    sensorNodes = null;
+    findings = null;
     List<DocumentElement> foundSwitches =
         document.tree().map(ElementTree::switches).orElse(List.of());
     List<DocumentElement> foundSensors =
         document.tree().map(ElementTree::sensors).orElse(List.of());
-    boolean unnamedMoved =
-        foundSwitches.size() != switches.size() || foundSensors.size() != sensors.size();
+    boolean same = foundSwitches == switches && foundSensors == sensors;
     switches = foundSwitches;
     sensors = foundSensors;
-    read.keySet()
-        .removeIf(element -> !element.attached() || unnamedMoved && element.def().isEmpty());
+    if (!same) {
+      read.keySet().removeIf(element -> !element.attached() || element.def().isEmpty());
+    }
   }
 }

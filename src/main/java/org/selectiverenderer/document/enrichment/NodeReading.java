@@ -106,10 +106,16 @@ final class NodeReading {
         Optional.empty());
   }
 
-  /** Whether some of a node is said elsewhere, by USE. */
+  /** Whether some of what is read of a node is said elsewhere, by USE. */
   boolean shares(DocumentElement element) {
-    boolean[] found = {false};
-    element.visit(each -> found[0] |= each.use().isPresent());
-    return found[0];
+    for (DocumentElement child : element.children()) {
+      boolean metadata = child.name().startsWith("Metadata");
+      boolean elsewhere =
+          child.use().isPresent() && (metadata || child.name().equals("Inline")); // its url
+      if (elsewhere || metadata && shares(child)) {
+        return true;
+      }
+    }
+    return false;
   }
 }

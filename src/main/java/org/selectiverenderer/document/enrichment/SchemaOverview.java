@@ -28,7 +28,20 @@ public final class SchemaOverview {
   public record Cell(int choice, Optional<ConsistencyType> type, Optional<Degree> degree) {}
 
   /** A cell by its row and column. */
-  public record Place(SwitchNode object, String schema) {}
+  public record Place(SwitchNode object, String schema) {
+    /** Compares elements: what a node says in full is long, and there are many places. */
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Place place
+          && place.object.element() == object.element()
+          && place.schema.equals(schema);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * System.identityHashCode(object.element()) + schema.hashCode();
+    }
+  }
 
   /**
    * @param more schemas that get a column though nothing names them yet

@@ -32,6 +32,10 @@ final class AtomicFile {
     if (Files.exists(target) && !Files.isWritable(target)) {
       throw new IOException("it is write-protected");
     }
+    if (Files.exists(target) && !Files.isRegularFile(target)) {
+      pour(target, content);
+      return;
+    }
     Path temporary = beside(target);
     try {
       actions.write(temporary, content);
@@ -45,6 +49,15 @@ final class AtomicFile {
         told.addSuppressed(left);
       }
       throw told;
+    }
+  }
+
+  /** Into a pipe or a device, which has no old content and must keep its name. */
+  private void pour(Path sink, byte[] content) throws IOException {
+    try {
+      actions.pour(sink, content);
+    } catch (IOException e) {
+      throw new IOException(reason(e), e);
     }
   }
 

@@ -72,14 +72,52 @@ public final class DocumentFile {
 
   /** Where the file as it was before the last saving is kept. */
   public Path backup() {
-    return path.resolveSibling(path.getFileName() + ".bak");
+    return backup(path);
+  }
+
+  static Path backup(Path file) {
+    return file.resolveSibling(file.getFileName() + ".bak");
   }
 
   /** What has become of the file since. */
   public DiskState state() throws IOException {
+    return guard().state();
+  }
+
+  private static DiskState state(Path file, @Nullable Stamp stamp) throws IOException {
     return stamp == null
-        ? (Files.exists(path) ? DiskState.CHANGED : DiskState.GONE)
-        : stamp.compare(path);
+        ? (Files.exists(file) ? DiskState.CHANGED : DiskState.GONE)
+        : stamp.compare(file);
+  }
+
+  /** Tells whether somebody else has written a file; any thread may ask. */
+  @FunctionalInterface
+  public interface Guard {
+    DiskState state() throws IOException;
+  }
+
+  /** Tells what becomes of the file from now on. */
+  public Guard guard() {
+    Path file = path;
+    Stamp expected = stamp;
+    return () -> state(file, expected);
+  }
+
+  /** The document as it is now, to be written to its file by any thread. */
+  public Writing writing() {
+    return new Writing(actions, path, document.snapshot(), guard());
+  }
+
+  /** The same, to another file, which is the document's from {@link #written} on. */
+  public Writing writing(Path other) {
+    return new Writing(actions, other, document.snapshot(), null);
+  }
+
+  /** The writing is done; on the document's thread. */
+  public void written(Writing done) {
+    path = done.target();
+    stamp = done.stamp();
+    document.markSaved(done.snapshot());
   }
 
   /**
@@ -90,42 +128,21 @@ public final class DocumentFile {
    * @throws IOException if it cannot be written, with one line that names it and says what to do
    */
   public void save() throws IOException {
-    if (state() == DiskState.CHANGED) {
-      throw new FileChanged(
-          path
-              + ": another program has changed the file since it was opened; it is not overwritten");
-    }
-    saveOver();
+    save(writing());
   }
 
   /** Writes the document to its file, whatever is there now; that goes to the backup. */
   public void saveOver() throws IOException {
-    write(path);
-    document.markSaved();
+    save(writing().over());
   }
 
   /** Writes the document to another file, which is its file from now on. */
   public void saveAs(Path other) throws IOException {
-    write(other);
-    path = other;
-    document.markSaved();
+    save(writing(other));
   }
 
-  private void write(Path target) throws IOException {
-    byte[] bytes = document.bytes();
-    AtomicFile writing = new AtomicFile(actions);
-    try {
-      if (Files.isRegularFile(target)) {
-        Path old = target.resolveSibling(target.getFileName() + ".bak");
-        writing.write(old, Files.readAllBytes(target));
-      }
-      writing.write(target, bytes);
-    } catch (IOException e) {
-      throw new IOException(
-          "%s: cannot be saved (%s); file and document are as they were. Save it under another name"
-              .formatted(target, e.getMessage()),
-          e);
-    }
-    stamp = Stamp.of(target, bytes);
+  private void save(Writing writing) throws IOException {
+    writing.write();
+    written(writing);
   }
 }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.UUID;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
@@ -20,7 +21,8 @@ import org.selectiverenderer.polygon.versions.FileActions;
 
 /**
  * Keeps unsaved documents in a folder of the user's, so that a crash costs a few seconds of work at
- * most. Documents of programs that still run are theirs, and are not found.
+ * most. What one session keeps, no other overwrites; documents of programs that still run are
+ * theirs, and are not found.
  */
 public final class Recovery {
   private static final String CONTENT = ".scene";
@@ -28,6 +30,7 @@ public final class Recovery {
   private static final String STEP = "Recover unsaved changes";
 
   private final Path folder;
+  private final String session = UUID.randomUUID().toString().substring(0, 8);
 
   /**
    * A document that was kept.
@@ -45,7 +48,7 @@ public final class Recovery {
     this.folder = folder;
   }
 
-  /** Keeps a document as it is now in place of what was kept of it before. */
+  /** Keeps a document as it is now in place of what this session kept of it before. */
   public void keep(Path file, Snapshot snapshot) throws IOException {
     Files.createDirectories(folder);
     String key = key(file);
@@ -75,18 +78,28 @@ public final class Recovery {
     return escaped.toString();
   }
 
-  /** Forgets a document: it has been saved, or its changes are not wanted. */
+  /** Forgets this session's document: it has been saved, or its changes are not wanted. */
   public void forget(Path file) throws IOException {
-    Files.deleteIfExists(folder.resolve(key(file) + ABOUT));
-    Files.deleteIfExists(folder.resolve(key(file) + CONTENT));
+    forget(key(file));
   }
 
-  private static String key(Path file) {
+  /** Forgets what an earlier session has left. */
+  public void forget(Kept kept) throws IOException {
+    String name = String.valueOf(kept.content().getFileName());
+    forget(name.substring(0, name.length() - CONTENT.length()));
+  }
+
+  private void forget(String key) throws IOException {
+    Files.deleteIfExists(folder.resolve(key + ABOUT));
+    Files.deleteIfExists(folder.resolve(key + CONTENT));
+  }
+
+  private String key(Path file) {
     byte[] name = file.toAbsolutePath().normalize().toString().getBytes(StandardCharsets.UTF_8);
-    return Stamp.digest(name).substring(0, 24);
+    return Stamp.digest(name).substring(0, 16) + "-" + session;
   }
 
-  /** What programs that have ended left. What cannot be read is left alone. */
+  /** What sessions that have ended left, the latest first. What cannot be read is left alone. */
   public List<Kept> found() throws IOException {
     List<Kept> found = new ArrayList<>();
     if (!Files.isDirectory(folder)) {
@@ -110,8 +123,12 @@ public final class Recovery {
     }
     String file = properties.getProperty("file", "");
     String name = String.valueOf(about.getFileName());
-    Path content = folder.resolve(name.substring(0, name.length() - ABOUT.length()) + CONTENT);
-    if (file.isEmpty() || !Files.isRegularFile(content) || running(properties)) {
+    String key = name.substring(0, name.length() - ABOUT.length());
+    Path content = folder.resolve(key + CONTENT);
+    if (key.endsWith("-" + session)
+        || file.isEmpty()
+        || !Files.isRegularFile(content)
+        || running(properties)) {
       return Optional.empty();
     }
     return Optional.of(
@@ -133,9 +150,16 @@ public final class Recovery {
 
   /**
    * Opens what was kept: the file with the unsaved changes as one step that can be undone, or the
-   * changed scene alone if the file is gone.
+   * changed scene alone if the file is gone. From now on it is this session that keeps it.
    */
   public DocumentFile open(Kept kept) throws IOException {
+    DocumentFile opened = restored(kept);
+    keep(opened.path(), opened.document().snapshot());
+    forget(kept);
+    return opened;
+  }
+
+  private static DocumentFile restored(Kept kept) throws IOException {
     byte[] bytes = Files.readAllBytes(kept.content());
     SceneDocument recovered = SceneDocument.of(kept.file().toString(), bytes);
     if (!Files.isRegularFile(kept.file())) {
@@ -145,6 +169,9 @@ public final class Recovery {
     SceneDocument document = opened.document();
     String before = document.snapshot().text();
     String after = recovered.snapshot().text();
+    if (opened.document().locked().isPresent()) {
+      return DocumentFile.unsaved(kept.file(), recovered);
+    }
     if (!before.equals(after)) {
       document.perform(new Edit(STEP, List.of(between(before, after))));
     }

@@ -5,14 +5,11 @@ import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
 import java.util.List;
-import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.Navigation;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
-import org.selectiverenderer.runtime.scene.Node;
 
 /**
  * Pictures of worlds for an author's tool, of any size and with marks over them, without a window:
@@ -78,20 +75,16 @@ public final class MarkedView implements AutoCloseable {
 
   private MarkedPicture drawHeld(GL3 gl, OffscreenTarget on, World world, Marking marking) {
     renderer.prepare(gl, world.instances());
-    Optional<Node> info = world.bindables().bound("NavigationInfo");
-    DepthRange range =
-        DepthRange.of(
-            world.instances(),
-            world.viewer().position(),
-            info.map(Navigation::of).orElse(Navigation.WALKING).radius(),
-            info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
-    Camera camera = Camera.of(world.viewer(), on.width(), on.height(), range.near(), range.far());
+    Sight sight = Sight.of(world);
+    Camera camera =
+        Camera.of(
+            world.viewer(), on.width(), on.height(), sight.range().near(), sight.range().far());
     Visible seen = renderer.cull(List.of(camera));
-    boolean headlight = info.map(node -> node.bool("headlight")).orElse(true);
     if (marking.wireframe()) {
       gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
     }
-    renderer.draw(gl, seen, camera, marking.backdrop().orElseGet(world::backdrop), headlight);
+    renderer.draw(
+        gl, seen, camera, marking.backdrop().orElseGet(world::backdrop), sight.headlight());
     gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
     marks.boxes(gl, marking.boxes(), camera);
     marks.mask(gl, renderer.items(), marking.masked(), camera);

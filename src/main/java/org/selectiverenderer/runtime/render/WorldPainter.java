@@ -3,12 +3,9 @@ package org.selectiverenderer.runtime.render;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
-import java.util.Optional;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.Navigation;
 import org.selectiverenderer.runtime.render.sketch.Mark;
 import org.selectiverenderer.runtime.render.sketch.SketchPainter;
-import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.geometry.TextMesher;
 
 /**
@@ -41,16 +38,9 @@ final class WorldPainter {
 
   private Drawn paintHeld(GL3 gl, World world, int width, int height) {
     renderer.prepare(gl, world.instances());
-    Optional<Node> info = world.bindables().bound("NavigationInfo");
-    DepthRange range =
-        DepthRange.of(
-            world.instances(),
-            world.viewer().position(),
-            info.map(Navigation::of).orElse(Navigation.WALKING).radius(),
-            info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
-    List<EyeView> views = layout.views(world, width, height, range);
+    Sight sight = Sight.of(world);
+    List<EyeView> views = layout.views(world, width, height, sight.range());
     Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());
-    boolean headlight = info.map(node -> node.bool("headlight")).orElse(true);
     if (!layout.showsWorld() || !covered(views, width, height)) {
       gl.glClearColor(0, 0, 0, 1);
       gl.glClear(GL.GL_COLOR_BUFFER_BIT);
@@ -59,7 +49,7 @@ final class WorldPainter {
       Camera camera = views.get(i).camera();
       direct(gl, views.get(i).channel());
       if (layout.showsWorld()) {
-        renderer.draw(gl, seen, camera, world.backdrop(), headlight);
+        renderer.draw(gl, seen, camera, world.backdrop(), sight.headlight());
       }
       List<Mark> marks = layout.marks(i, camera.width(), camera.height());
       sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());

@@ -2,6 +2,7 @@ package org.selectiverenderer.document.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.FileSystemException;
@@ -9,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -92,8 +94,8 @@ class DocumentFileTest {
         .isInstanceOf(IOException.class)
         .hasMessage(
             path
-                + ": cannot be saved (No space left on device); file and document are as they were."
-                + " Save it under another name");
+                + ": cannot be saved (no backup can be kept as a.x3d.bak: No space left on device);"
+                + " file and document are as they were. Save it under another name");
     assertThat(path).hasContent(SCENE);
     assertThat(files()).isEqualTo(1);
     assertThat(file.document().modified()).isTrue();
@@ -137,17 +139,60 @@ class DocumentFileTest {
     int at = SCENE.indexOf("</X3D>");
     file.document().type(at, at, "<!-- \u00fcber -->");
     recovery.keep(path, file.document().snapshot());
-    assertThat(recovery.found()).hasSize(1);
-    DocumentFile again = recovery.open(recovery.found().get(0));
+    assertThat(recovery.found()).as("this session still has it").isEmpty();
+    Recovery later = new Recovery(folder.resolve("settings/recovery"));
+    assertThat(later.found()).hasSize(1);
+    DocumentFile again = later.open(later.found().get(0));
     assertThat(again.path()).isEqualTo(path.toAbsolutePath());
     assertThat(again.document().text().toString()).contains("<!-- \u00fcber -->");
     assertThat(again.document().history().undoName()).contains("Recover unsaved changes");
     again.document().history().undo();
     assertThat(again.document().text().toString()).isEqualTo(SCENE);
     Files.delete(path);
-    DocumentFile alone = recovery.open(recovery.found().get(0));
+    Recovery latest = new Recovery(folder.resolve("settings/recovery"));
+    DocumentFile alone = latest.open(latest.found().get(0));
     assertThat(alone.document().modified()).isTrue();
-    recovery.forget(path);
-    assertThat(recovery.found()).isEmpty();
+    latest.forget(path);
+    assertThat(new Recovery(folder.resolve("settings/recovery")).found()).isEmpty();
+  }
+
+  @Test
+  void whatAnEarlierSessionLeftIsNotOverwritten() throws IOException {
+    Path kept = folder.resolve("recovery");
+    DocumentFile file = DocumentFile.open(path);
+    file.document().type(0, 0, "<!-- first -->");
+    new Recovery(kept).keep(path, file.document().snapshot());
+    Recovery second = new Recovery(kept);
+    second.keep(path, DocumentFile.open(path).document().snapshot());
+    second.forget(path);
+    List<Recovery.Kept> found = new Recovery(kept).found();
+    assertThat(found).hasSize(1);
+    assertThat(found.get(0).content()).hasContent("<!-- first -->" + SCENE);
+    second.forget(found.get(0));
+    assertThat(new Recovery(kept).found()).isEmpty();
+  }
+
+  @Test
+  void whatIsTypedWhileTheFileIsWrittenIsUnsaved() throws IOException {
+    DocumentFile file = DocumentFile.open(path);
+    file.document().type(0, 0, "<!-- 1 -->");
+    Writing writing = file.writing();
+    file.document().type(0, 0, "<!-- 2 -->");
+    writing.write();
+    file.written(writing);
+    assertThat(path).hasContent("<!-- 1 -->" + SCENE);
+    assertThat(file.document().modified()).isTrue();
+    file.save();
+    assertThat(path).hasContent("<!-- 2 --><!-- 1 -->" + SCENE);
+  }
+
+  @Test
+  void aDeviceIsWrittenIntoAndNotReplaced() throws IOException {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.isWritable(full));
+    DocumentFile file = DocumentFile.open(path);
+    assertThatThrownBy(() -> file.saveAs(full)).hasMessageContaining("No space left on device");
+    assertThat(Files.isRegularFile(full)).isFalse();
+    assertThat(file.path()).isEqualTo(path);
   }
 }

@@ -21,12 +21,16 @@ final class DialogQuestions implements Questions {
   }
 
   private int choose(String sentence, String... choices) {
+    return show(JOptionPane.QUESTION_MESSAGE, sentence, choices);
+  }
+
+  private int show(int kind, String sentence, String... choices) {
     return JOptionPane.showOptionDialog(
         owner,
-        "<html><body width=360>" + sentence.replace("<", "&lt;"),
+        "<html><body width=420>" + sentence.replace("&", "&amp;").replace("<", "&lt;"),
         TITLE,
         JOptionPane.DEFAULT_OPTION,
-        JOptionPane.QUESTION_MESSAGE,
+        kind,
         null,
         choices,
         choices[0]);
@@ -38,6 +42,15 @@ final class DialogQuestions implements Questions {
       case 0 -> Unsaved.SAVE;
       case 1 -> Unsaved.DISCARD;
       default -> Unsaved.CANCEL;
+    };
+  }
+
+  @Override
+  public Left left(String sentence) {
+    return switch (choose(sentence, "Restore", "Discard the Kept Copy", "Decide Later")) {
+      case 0 -> Left.RESTORE;
+      case 1 -> Left.DISCARD;
+      default -> Left.LATER;
     };
   }
 
@@ -89,6 +102,6 @@ final class DialogQuestions implements Questions {
 
   @Override
   public void tell(String sentence) {
-    choose(sentence, "OK");
+    show(JOptionPane.WARNING_MESSAGE, sentence, "OK");
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import java.awt.AWTError;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
@@ -21,7 +22,7 @@ public final class EnricherApp {
    */
   public static void run(Optional<Path> scene, Path settings)
       throws IOException, InterruptedException {
-    if (GraphicsEnvironment.isHeadless()) {
+    if (!display()) {
       throw new IOException(
           "the enricher's window needs a display; without one, enrich takes --apply or --ratings");
     }
@@ -30,8 +31,17 @@ public final class EnricherApp {
         () -> {
           EnricherWindow window = new EnricherWindow(settings, closed::countDown);
           window.show();
-          scene.ifPresentOrElse(window::open, window::offerRecovery);
+          window.begin(scene);
         });
     closed.await();
+  }
+
+  private static boolean display() {
+    try {
+      return !GraphicsEnvironment.isHeadless()
+          && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+    } catch (AWTError e) {
+      return false; // one is named that cannot be reached
+    }
   }
 }

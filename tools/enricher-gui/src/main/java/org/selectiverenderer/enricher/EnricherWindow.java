@@ -3,12 +3,11 @@ package org.selectiverenderer.enricher;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import javax.swing.JFrame;
@@ -17,17 +16,14 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
-import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Settings;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.NodeCatalogue;
 
 /** The window with one document at a time. For the event dispatch thread. */
@@ -37,6 +33,7 @@ public final class EnricherWindow {
   private final Settings settings;
   private final Recovery recovery;
   private final RecentFiles recent;
+  private final WindowPlace place;
   private final Runnable closed;
   private final NodeCatalogue catalogue = NodeCatalogue.load();
   private final Tasks tasks = new Tasks(EventQueue::invokeLater);
@@ -44,6 +41,8 @@ public final class EnricherWindow {
   private final StatusBar status = new StatusBar(tasks);
   private final JPanel content = new JPanel(new BorderLayout());
   private final Questions questions;
+  private final KeptWork kept;
+  private final SceneDialogs dialogs;
   private final WindowMenus menus;
 
   /** Later, when the step is in the history. */
@@ -80,10 +79,13 @@ public final class EnricherWindow {
     this.settings = remembered.settings();
     this.recovery = new Recovery(folder.resolve("recovery"));
     this.recent = new RecentFiles(settings);
+    this.place = new WindowPlace(settings);
     this.closed = closed;
     status.say(remembered.complaint());
     questions = new DialogQuestions(frame);
-    menus = new WindowMenus(this, settings);
+    kept = new KeptWork(recovery, questions, status::say);
+    dialogs = new SceneDialogs(frame, this::bench, status::say);
+    menus = new WindowMenus(this, dialogs, settings);
     frame.setJMenuBar(menus.bar());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
@@ -98,18 +100,14 @@ public final class EnricherWindow {
             lookAtDisk();
           }
         });
-    frame.setTransferHandler(new FileDrop(this::open));
+    frame.setTransferHandler(new FileDrop(this::dropped));
     JLabel welcome =
         new JLabel("Drop an X3D scene here, or press Ctrl+O to open one", SwingConstants.CENTER);
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);
     frame.add(status.component(), BorderLayout.SOUTH);
     frame.setMinimumSize(new Dimension(640, 420));
-    Rectangle screen = frame.getGraphicsConfiguration().getBounds();
-    frame.setSize(
-        settings.number("window.width", Math.min(1280, screen.width)),
-        settings.number("window.height", Math.min(860, screen.height)));
-    frame.setLocationRelativeTo(null);
+    place.restore(frame);
     refresh();
   }
 
@@ -140,24 +138,27 @@ public final class EnricherWindow {
     frame.setVisible(true);
   }
 
-  /** Offers the documents that a crash has left. */
-  public void offerRecovery() {
-    try {
-      List<Recovery.Kept> found = recovery.found();
-      if (!found.isEmpty() && bench == null) {
-        Recovery.Kept kept = found.get(0);
-        if (questions.reload(
-            kept.file()
-                + " has unsaved changes from a session that ended unexpectedly. Reload"
-                + " brings them back as one step that can be undone.")) {
-          load("Recovering " + kept.file().getFileName(), () -> recovery.open(kept));
-        } else {
-          recovery.forget(kept.file());
-        }
-      }
-    } catch (IOException e) {
-      status.say("Unsaved changes of before cannot be looked for: " + e.getMessage());
+  /**
+   * Begins the author's work: with a scene, and with the question what is to become of changes that
+   * a crash has left.
+   */
+  public void begin(Optional<Path> scene) {
+    scene.ifPresent(recent::add);
+    Optional<Questions.Left> answer = kept.offer(this::restore);
+    if (!answer.equals(Optional.of(Questions.Left.RESTORE))) {
+      scene.ifPresent(this::open);
     }
+  }
+
+  /** Asks again what is to become of changes that a crash has left. */
+  void askAboutKept() {
+    if (kept.offer(this::restore).isEmpty()) {
+      questions.tell("No changes are kept of sessions that ended unexpectedly.");
+    }
+  }
+
+  private void restore(Recovery.Kept left) {
+    leaving(() -> load("Restoring " + left.file().getFileName(), () -> recovery.open(left)));
   }
 
   void chooseAndOpen() {
@@ -166,36 +167,55 @@ public final class EnricherWindow {
 
   /** Opens a scene in place of the one that is open, which the author may save first. */
   public void open(Path path) {
-    if (mayLeave()) {
-      load("Opening " + path.getFileName(), () -> DocumentFile.open(path));
-    }
+    leaving(() -> load("Opening " + path.getFileName(), () -> DocumentFile.open(path)));
   }
 
   private void load(String name, Callable<DocumentFile> opening) {
+    Workbench before = bench;
+    long agreed = before == null ? 0 : before.session().document().revision();
     tasks.run(
-        name, opening, this::adopt, failed -> questions.tell(String.valueOf(failed.getMessage())));
+        name,
+        opening,
+        file -> {
+          if (before != null
+              && before == bench
+              && before.session().document().revision() != agreed) {
+            leaving(() -> adopt(file)); // changed while the other was read
+          } else {
+            adopt(file);
+          }
+        },
+        failed -> questions.tell(String.valueOf(failed.getMessage())));
   }
 
   private void adopt(DocumentFile file) {
-    letGo();
+    letGo(true);
     EnricherSession session = new EnricherSession(file, catalogue, tasks, status::say);
-    Workbench opened = new Workbench(session, settings, recovery);
+    Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
     bench = opened;
     saving = new Saving(session, questions);
     session.document().addListener(titles);
     content.removeAll();
     content.add(opened.component(), BorderLayout.CENTER);
+    FileDrop.install(opened.component(), this::dropped);
     content.revalidate();
     frame.validate();
     opened.layOut(content.getWidth(), content.getHeight());
+    opened.focus();
     recent.add(file.path());
     status.say("Opened " + file.path());
     refresh();
   }
 
-  private void letGo() {
+  /**
+   * @param done whether what is unsaved is not wanted any more
+   */
+  private void letGo(boolean done) {
     if (bench != null) {
       bench.remember();
+      if (done) {
+        bench.autosave().forget();
+      }
       bench.session().document().removeListener(titles);
       bench.dispose();
       bench = null;
@@ -203,41 +223,59 @@ public final class EnricherWindow {
     }
   }
 
-  private boolean mayLeave() {
-    if (bench == null || saving == null) {
-      return true;
+  private void leaving(Runnable leave) {
+    if (saving == null) {
+      leave.run();
+    } else {
+      commit();
+      saving.leaving(menus.reviews(), leave);
     }
-    bench.commit();
-    boolean leave = saving.mayClose(menus.reviews());
-    if (leave) {
-      bench.autosave().forget();
-    }
-    return leave;
   }
 
   void save() {
+    save(menus.reviews());
+  }
+
+  private void save(boolean review) {
     if (bench != null && saving != null) {
-      bench.commit();
-      if (saving.save(menus.reviews())) {
-        bench.autosave().forget();
-      }
-      refresh();
+      Workbench saved = bench;
+      commit();
+      saving.save(
+          review,
+          () -> {
+            forget(saved, saved.session().file().path());
+            refresh();
+          });
     }
   }
 
   void saveAs() {
     if (bench != null && saving != null) {
-      bench.commit();
-      Path before = bench.session().file().path();
-      if (saving.saveAs()) {
-        try {
-          recovery.forget(before);
-        } catch (IOException e) {
-          status.say(String.valueOf(e.getMessage()));
-        }
-        recent.add(bench.session().file().path());
-      }
-      refresh();
+      Workbench saved = bench;
+      commit();
+      Path before = saved.session().file().path();
+      saving.saveAs(
+          () -> {
+            forget(saved, before);
+            recent.add(saved.session().file().path());
+            refresh();
+          });
+    }
+  }
+
+  /** Shows what saving would change, and saves if the author wants it. */
+  void showChanges() {
+    commit();
+    if (session().filter(session -> session.document().modified()).isPresent()) {
+      save(true);
+    } else {
+      status.say("Nothing has changed since the file was opened or saved");
+    }
+  }
+
+  private static void forget(Workbench saved, Path path) {
+    if (!saved.session().document().modified()) {
+      saved.autosave().forget(path);
     }
   }
 
@@ -257,34 +295,17 @@ public final class EnricherWindow {
     }
   }
 
-  void importRatings() {
-    session()
-        .ifPresent(
-            session -> {
-              commit();
-              new RatingsDialog(frame, session).setVisible(true);
-            });
-  }
-
-  /** Makes versions of the object that the selection is or is part of. */
-  void makeVersions() {
-    commit();
-    Optional<DocumentElement> object =
-        session().flatMap(EnricherSession::selection).flatMap(EnricherWindow::object);
-    object.ifPresentOrElse(
-        each ->
-            session()
-                .ifPresent(session -> new VersionsDialog(frame, session, each).setVisible(true)),
-        () -> status.say("Choose an object with a DEF name first, then make versions of it"));
-  }
-
-  private static Optional<DocumentElement> object(DocumentElement element) {
-    for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
-      if (at.name().equals("Switch")) {
-        return Optional.of(at);
-      }
-    }
-    return element.def().map(def -> element);
+  /** A table is one of ratings, all else a scene. Later, when the drop has ended. */
+  private void dropped(Path file) {
+    boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
+    EventQueue.invokeLater(
+        () -> {
+          if (table && bench != null) {
+            dialogs.ratings(Optional.of(file));
+          } else {
+            open(file);
+          }
+        });
   }
 
   private void commit() {
@@ -299,31 +320,31 @@ public final class EnricherWindow {
   }
 
   private void lookAtDisk() {
-    if (saving != null && bench != null && saving.wantsReload()) {
+    if (saving != null && bench != null) {
       Path path = bench.session().file().path();
-      load("Reloading " + path.getFileName(), () -> DocumentFile.open(path));
+      saving.lookAtDisk(
+          () -> load("Reloading " + path.getFileName(), () -> DocumentFile.open(path)));
     }
   }
 
   /** Closes the window, if the author has no unsaved work or does not want it. */
   void close() {
-    if (!mayLeave()) {
-      return;
-    }
-    letGo();
-    settings.put("window.width", frame.getWidth());
-    settings.put("window.height", frame.getHeight());
-    try {
-      settings.store();
-    } catch (IOException e) {
-      questions.tell("The layout cannot be remembered: " + e.getMessage());
-    }
-    dispose();
+    leaving(
+        () -> {
+          letGo(true);
+          place.remember(frame);
+          try {
+            settings.store();
+          } catch (IOException e) {
+            questions.tell("The layout cannot be remembered: " + e.getMessage());
+          }
+          dispose();
+        });
   }
 
-  /** Closes the window whatever is unsaved. */
+  /** Closes the window whatever is unsaved; that stays kept for the next start. */
   void dispose() {
-    letGo();
+    letGo(false);
     status.dispose();
     tasks.close();
     frame.dispose();

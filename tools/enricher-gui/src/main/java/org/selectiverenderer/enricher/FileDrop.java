@@ -1,31 +1,67 @@
 package org.selectiverenderer.enricher;
 
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.event.InputEvent;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.TransferHandler;
+import org.jspecify.annotations.Nullable;
 
-/** Opens the first of the files that are dropped. */
+/**
+ * Opens the first of the files that are dropped. What else a component can take and give, such as
+ * text, it goes on taking and giving.
+ */
 final class FileDrop extends TransferHandler {
   private static final long serialVersionUID = 1L;
 
   private final transient Consumer<Path> open;
+  private final @Nullable TransferHandler before;
 
   FileDrop(Consumer<Path> open) {
-    this.open = open;
+    this(open, null);
   }
 
-  @Override
-  public boolean canImport(TransferSupport support) {
+  private FileDrop(Consumer<Path> open, @Nullable TransferHandler before) {
+    this.open = open;
+    this.before = before;
+  }
+
+  /** Lets all in a container take files that would else keep them from the window. */
+  static void install(Container in, Consumer<Path> open) {
+    for (Component each : in.getComponents()) {
+      if (each instanceof JComponent component
+          && component.getTransferHandler() != null
+          && !(component.getTransferHandler() instanceof FileDrop)) {
+        component.setTransferHandler(new FileDrop(open, component.getTransferHandler()));
+      }
+      if (each instanceof Container more) {
+        install(more, open);
+      }
+    }
+  }
+
+  private static boolean files(TransferSupport support) {
     return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
   }
 
   @Override
+  public boolean canImport(TransferSupport support) {
+    return files(support) || before != null && before.canImport(support);
+  }
+
+  @Override
   public boolean importData(TransferSupport support) {
+    if (!files(support)) {
+      return before != null && before.importData(support);
+    }
     try {
       Object dropped = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
       if (dropped instanceof List<?> files
@@ -37,6 +73,25 @@ final class FileDrop extends TransferHandler {
       return false;
     } catch (UnsupportedFlavorException | IOException e) {
       return false; // the drop is shown as refused
+    }
+  }
+
+  @Override
+  public int getSourceActions(JComponent component) {
+    return before == null ? NONE : before.getSourceActions(component);
+  }
+
+  @Override
+  public void exportAsDrag(JComponent component, InputEvent event, int action) {
+    if (before != null) {
+      before.exportAsDrag(component, event, action);
+    }
+  }
+
+  @Override
+  public void exportToClipboard(JComponent component, Clipboard clipboard, int action) {
+    if (before != null) {
+      before.exportToClipboard(component, clipboard, action);
     }
   }
 }

@@ -15,6 +15,23 @@ interface Questions {
 
   Unsaved unsaved(String name);
 
+  /** What is to become of changes that an earlier session has left. */
+  enum Left {
+    RESTORE,
+    DISCARD,
+    LATER;
+
+    /** Whether nothing more is to be asked now. */
+    boolean settles() {
+      return this != DISCARD;
+    }
+  }
+
+  /**
+   * @param sentence what is left, and what restoring does
+   */
+  Left left(String sentence);
+
   /** Whether to overwrite what another program has written. */
   boolean overwrite(String sentence);
 

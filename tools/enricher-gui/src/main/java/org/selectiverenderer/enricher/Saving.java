@@ -1,16 +1,24 @@
 package org.selectiverenderer.enricher;
 
-import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.Optional;
+import java.util.Queue;
 import org.selectiverenderer.document.file.DiskState;
+import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.FileChanged;
+import org.selectiverenderer.document.file.Writing;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
-/** Saves a document, and sees that no work is lost. Without widgets. */
+/**
+ * Saves a document in the background, and sees that no work is lost. Without widgets; for the event
+ * dispatch thread. What is asked for while a file is being written waits until it is.
+ */
 final class Saving {
   private final EnricherSession session;
   private final Questions questions;
+  private final Queue<Runnable> waiting = new ArrayDeque<>();
+  private boolean writing;
   private DiskState known = DiskState.SAME;
 
   Saving(EnricherSession session, Questions questions) {
@@ -22,92 +30,128 @@ final class Saving {
    * Saves to the document's file.
    *
    * @param review whether the author sees the changes first
-   * @return whether nothing is unsaved now
+   * @param saved runs when the file has what the document had
    */
-  boolean save(boolean review) {
-    if (!session.document().modified()) {
-      return true;
+  void save(boolean review, Runnable saved) {
+    if (writing) {
+      waiting.add(() -> save(review, saved));
+    } else if (!session.document().modified()) {
+      saved.run();
+    } else if (!review || questions.review(session)) {
+      write(session.file().writing(), saved);
     }
-    if (review && !questions.review(session)) {
-      return false;
-    }
-    try {
-      session.file().save();
-    } catch (FileChanged e) {
-      return questions.overwrite(String.valueOf(e.getMessage())) && written(this::over);
-    } catch (IOException e) {
-      questions.tell(String.valueOf(e.getMessage()));
-      return false;
-    }
-    return done();
   }
 
   /** Saves to another file, which the author names. */
-  boolean saveAs() {
-    Optional<Path> target = questions.fileToSave(session.file().path());
-    return target.isPresent() && written(() -> session.file().saveAs(target.get()));
+  void saveAs(Runnable saved) {
+    if (writing) {
+      waiting.add(() -> saveAs(saved));
+      return;
+    }
+    Path now = session.file().path().toAbsolutePath();
+    Optional<Path> target = questions.fileToSave(now);
+    target.ifPresent(
+        other ->
+            write(
+                other.toAbsolutePath().equals(now)
+                    ? session.file().writing()
+                    : session.file().writing(other),
+                saved));
   }
 
-  @FunctionalInterface
-  private interface Writing {
-    void write() throws IOException;
+  private void write(Writing what, Runnable saved) {
+    writing = true;
+    session
+        .tasks()
+        .runToEnd(
+            "Saving " + what.target().getFileName(),
+            () -> {
+              what.write();
+              return what;
+            },
+            done -> {
+              session.file().written(done);
+              known = DiskState.SAME;
+              session.message("Saved " + done.target());
+              writing = false;
+              saved.run();
+              goOn();
+            },
+            failed -> {
+              writing = false;
+              failed(what, saved, failed);
+              goOn();
+            });
   }
 
-  private void over() throws IOException {
-    session.file().saveOver();
-  }
-
-  private boolean written(Writing writing) {
-    try {
-      writing.write();
-      return done();
-    } catch (IOException e) {
-      questions.tell(String.valueOf(e.getMessage()));
-      return false;
+  private void goOn() {
+    while (!writing && !waiting.isEmpty()) {
+      waiting.remove().run();
     }
   }
 
-  private boolean done() {
-    known = DiskState.SAME;
-    session.message("Saved " + session.file().path());
-    return true;
-  }
-
-  /** Whether the document may be closed: nothing is unsaved, or the author does not want it. */
-  boolean mayClose(boolean review) {
-    if (!session.document().modified()) {
-      return true;
+  private void failed(Writing what, Runnable saved, Exception why) {
+    String sentence = String.valueOf(why.getMessage());
+    if (!(why instanceof FileChanged)) {
+      questions.tell(sentence);
+    } else if (questions.overwrite(sentence)) {
+      write(what.over(), saved);
     }
-    return switch (questions.unsaved(String.valueOf(session.file().path().getFileName()))) {
-      case SAVE -> save(review);
-      case DISCARD -> true;
-      case CANCEL -> false;
-    };
   }
 
   /**
-   * Looks whether the file has changed on the disk; asks once for each change.
+   * Sees to unsaved work before the document goes.
    *
-   * @return whether the author wants the file as it is there now
+   * @param leave runs when nothing is unsaved, or the author does not want it
    */
-  boolean wantsReload() {
-    DiskState now;
-    try {
-      now = session.file().state();
-    } catch (IOException e) {
-      session.message(String.valueOf(e.getMessage()));
-      return false;
+  void leaving(boolean review, Runnable leave) {
+    if (writing) {
+      waiting.add(() -> leaving(review, leave));
+    } else if (!session.document().modified()) {
+      leave.run();
+    } else {
+      switch (questions.unsaved(String.valueOf(session.file().path().getFileName()))) {
+        case SAVE -> save(review, () -> leaving(review, leave));
+        case DISCARD -> leave.run();
+        case CANCEL -> session.message("Nothing was closed");
+      }
     }
-    boolean news = now != known;
+  }
+
+  /**
+   * Looks in the background whether the file has changed on the disk; asks once for each change.
+   *
+   * @param reload runs when the author wants the file as it is there now
+   */
+  void lookAtDisk(Runnable reload) {
+    if (!writing) {
+      DocumentFile.Guard guard = session.file().guard();
+      session
+          .tasks()
+          .run(
+              "Looking at " + session.file().path().getFileName(),
+              guard::state,
+              state -> heard(state, reload),
+              failed -> session.message(String.valueOf(failed.getMessage())));
+    }
+  }
+
+  private void heard(DiskState now, Runnable reload) {
+    if (writing || now == known) {
+      return;
+    }
     known = now;
-    if (news && now == DiskState.GONE) {
-      session.message(session.file().path() + " is gone from the disk; saving writes it again");
-    }
-    return news
-        && now == DiskState.CHANGED
+    Path path = session.file().path();
+    if (now == DiskState.GONE) {
+      session.message(path + " is gone from the disk; saving writes it again");
+    } else if (now == DiskState.CHANGED
         && questions.reload(
-            session.file().path()
+            path
                 + ": another program has changed the file."
-                + (session.document().modified() ? " Reloading loses the changes made here." : ""));
+                + (session.document().modified()
+                    ? " Reloading loses the changes made here."
+                    : ""))) {
+      reload.run();
+    }
   }
 }

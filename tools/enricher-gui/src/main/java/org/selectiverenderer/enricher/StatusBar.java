@@ -7,6 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.problems.Counts;
 import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.enricher.task.Tasks;
 
@@ -18,8 +19,9 @@ final class StatusBar {
 
   private final Tasks tasks;
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 3 8 3 8, hidemode 3, fillx", "[grow][][]", "[24!]"));
+      new JPanel(new MigLayout("insets 3 8 3 8, hidemode 3, fillx", "[grow][][][]", "[24!]"));
   private final JLabel message = new JLabel(" ");
+  private final JLabel problems = new JLabel();
   private final JProgressBar bar = new JProgressBar(0, STEPS);
   private final JButton cancel = new JButton("Cancel");
   private final Timer timer = new Timer(EVERY_MILLISECONDS, event -> refresh());
@@ -33,6 +35,7 @@ final class StatusBar {
     panel.add(message, "growx, wmin 0");
     panel.add(bar, "w 240!");
     panel.add(cancel);
+    panel.add(problems, "gapbefore 12");
     refresh();
     timer.start();
   }
@@ -46,6 +49,12 @@ final class StatusBar {
     message.setToolTipText(sentence);
   }
 
+  /** Shows how many problems there are. */
+  void count(Counts counts) {
+    problems.setText(counts.words());
+    problems.getAccessibleContext().setAccessibleName(counts.words());
+  }
+
   String said() {
     return message.getText();
   }
@@ -55,7 +64,7 @@ final class StatusBar {
     List<Task> slow =
         tasks.running().stream().filter(task -> now - task.begun() > PATIENCE_NANOSECONDS).toList();
     bar.setVisible(!slow.isEmpty());
-    cancel.setVisible(!slow.isEmpty());
+    cancel.setVisible(slow.stream().anyMatch(Task::stoppable));
     if (!slow.isEmpty()) {
       Task first = slow.get(0);
       bar.setString(

@@ -18,20 +18,24 @@ import org.selectiverenderer.enricher.settings.Theme;
 /** The menus: all that can be done, with its keys. */
 final class WindowMenus {
   private final EnricherWindow window;
+  private final SceneDialogs dialogs;
   private final Settings settings;
   private final JMenuBar bar = new JMenuBar();
   private final JMenu recent = new JMenu("Open Recent");
   private final JCheckBoxMenuItem review = new JCheckBoxMenuItem("Show Changes Before Saving");
   private final Command save;
   private final Command saveAs;
+  private final Command changes;
   private final Command undo;
   private final Command redo;
 
-  WindowMenus(EnricherWindow window, Settings settings) {
+  WindowMenus(EnricherWindow window, SceneDialogs dialogs, Settings settings) {
     this.window = window;
+    this.dialogs = dialogs;
     this.settings = settings;
     save = new Command("&Save", "ctrl S", window::save);
     saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
+    changes = new Command("Show &Changes...", "ctrl D", window::showChanges);
     undo = new Command("&Undo", "ctrl Z", window::undo);
     redo = new Command("&Redo", "ctrl shift Z", window::redo);
     bar.add(file());
@@ -46,9 +50,12 @@ final class WindowMenus {
     menu.add(new Command("&Open...", "ctrl O", window::chooseAndOpen));
     recent.addMenuListener(new Opening(this::listRecent));
     menu.add(recent);
+    menu.add(new Command("&Kept Changes...", "", window::askAboutKept));
     menu.addSeparator();
     menu.add(save);
     menu.add(saveAs);
+    menu.add(changes);
+    review.setMnemonic('B');
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
     menu.add(review);
@@ -64,14 +71,15 @@ final class WindowMenus {
     menu.addSeparator();
     menu.add(new Command("&Search Nodes", "ctrl shift F", with(Workbench::searchTree)));
     menu.add(new Command("&Next Problem", "F8", with(Workbench::nextProblem)));
+    menu.add(new Command("&Previous Problem", "shift F8", with(Workbench::previousProblem)));
     menu.add(new Command("&Mend Problem", "alt ENTER", with(Workbench::fixProblem)));
     return menu;
   }
 
   private JMenu scene() {
     JMenu menu = menu("Scene", 'S');
-    menu.add(new Command("Import &Ratings...", "ctrl R", window::importRatings));
-    menu.add(new Command("Make &Versions...", "ctrl M", window::makeVersions));
+    menu.add(new Command("Import &Ratings...", "ctrl R", () -> dialogs.ratings(Optional.empty())));
+    menu.add(new Command("Make &Versions...", "ctrl M", dialogs::versions));
     return menu;
   }
 
@@ -85,6 +93,7 @@ final class WindowMenus {
     ButtonGroup group = new ButtonGroup();
     for (Theme theme : Theme.values()) {
       JRadioButtonMenuItem item = new JRadioButtonMenuItem(theme.title() + " Colours");
+      item.setMnemonic(theme.title().charAt(0));
       item.setSelected(theme == Theme.of(settings.word("theme", "")));
       item.addActionListener(event -> window.use(theme));
       group.add(item);
@@ -154,6 +163,7 @@ final class WindowMenus {
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());
     save.setEnabled(open);
     saveAs.setEnabled(open);
+    changes.setEnabled(open);
     name(undo, "Undo", history.flatMap(UndoHistory::undoName));
     name(redo, "Redo", history.flatMap(UndoHistory::redoName));
   }

@@ -1,38 +1,46 @@
 package org.selectiverenderer.enricher;
 
+import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import org.selectiverenderer.document.DocumentCheck;
+import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.form.FormPanel;
-import org.selectiverenderer.enricher.help.HelpView;
+import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
-import org.selectiverenderer.enricher.problems.ProblemList;
+import org.selectiverenderer.enricher.problems.Counts;
 import org.selectiverenderer.enricher.problems.ProblemsPanel;
+import org.selectiverenderer.enricher.problems.ValidatorCheck;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.Settings;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
+import org.selectiverenderer.validation.RuleCatalogue;
+import org.selectiverenderer.validation.ValidationSettings;
 
 /** All views of one session, laid out as the author left them. */
 final class Workbench {
+  private static final Set<String> FORMS = Set.of("Switch", "ProximitySensor");
+
   private final EnricherSession session;
   private final Settings settings;
   private final Autosave autosave;
-  private final ProblemList problemList;
   private final SceneTreePanel tree;
   private final SourcePanel source;
   private final FormPanel form;
   private final VersionPictures pictures = new VersionPictures();
   private final PreviewPanel preview;
   private final OverviewPanel overview;
+  private final HelpPanel help;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
   private final JSplitPane left;
@@ -40,39 +48,62 @@ final class Workbench {
   private final JSplitPane all;
   private final List<Runnable> disposals = new ArrayList<>();
 
-  Workbench(EnricherSession session, Settings settings, Recovery recovery) {
+  /**
+   * @param counts hears how many problems there are
+   * @param makeVersions of an element with a name
+   */
+  Workbench(
+      EnricherSession session,
+      Settings settings,
+      Recovery recovery,
+      Consumer<Counts> counts,
+      Consumer<DocumentElement> makeVersions) {
     this.session = session;
     this.settings = settings;
     autosave = new Autosave(session, recovery);
-    problemList = new ProblemList(session, List.of(DocumentCheck.ofReader(session.catalogue())));
-    tree = new SceneTreePanel(session, problemList::faulty);
-    problemList.addListener(tree.tree()::repaint);
+    problems = new ProblemsPanel(session, List.of(validator(session)));
+    tree = new SceneTreePanel(session, problems::faulty);
+    problems.onCounts(
+        now -> {
+          tree.tree().repaint();
+          counts.accept(now);
+        });
+    problems.onPlace(this::revealInSource);
     source = new SourcePanel(session);
-    form = new FormPanel(session, new SceneVersionImages(session, pictures));
-    problems = new ProblemsPanel(session, problemList, this::revealInSource);
+    form = new FormPanel(session, pictures);
+    form.onMakeVersions(makeVersions);
+    help = new HelpPanel(session);
     tabs.getAccessibleContext().setAccessibleName("Views of the scene");
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
     tabs.addTab("Preview", preview);
     tabs.addTab("Schemas", overview);
     tabs.addTab("Source", source.component());
-    tabs.addTab("Help", HelpView.create());
-    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form.component(), 1, "form");
+    tabs.addTab("Help", help);
+    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
-    all = split(JSplitPane.VERTICAL_SPLIT, left, problems.component(), 1, "problems");
+    all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
     disposals.add(autosave::dispose);
-    disposals.add(problemList::dispose);
+    disposals.add(problems::dispose);
     disposals.add(tree::dispose);
     disposals.add(source::dispose);
     disposals.add(form::dispose);
+    disposals.add(help::dispose);
     disposals.add(preview::dispose);
     disposals.add(overview::dispose);
     disposals.add(pictures::close);
     disposals.add(session::dispose);
+    int before = tabs.indexOfTab(settings.word("tab", ""));
+    tabs.setSelectedIndex(Math.max(0, before));
     if (session.document().fault().isPresent()) {
       tabs.setSelectedComponent(source.component());
       source.showFault();
     }
+  }
+
+  private static ValidatorCheck validator(EnricherSession session) {
+    return new ValidatorCheck(
+        () -> session.file().path(), RuleCatalogue.standard(), ValidationSettings.standard());
   }
 
   private static JSplitPane split(
@@ -103,13 +134,14 @@ final class Workbench {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation();
     right.setDividerLocation(
-        Math.max(120, rest - settings.number("split.form", Math.min(340, rest / 2))));
+        Math.max(120, rest - settings.number("split.form", Math.min(375, rest / 2))));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
 
-  /** Remembers where the borders are. */
+  /** Remembers where the borders are, and which view is in front. */
   void remember() {
+    settings.put("tab", tabs.getTitleAt(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
@@ -121,9 +153,25 @@ final class Workbench {
     form.commit();
   }
 
+  /** Puts the caret there; what no form shows, the source does. */
   private void revealInSource(int offset) {
-    tabs.setSelectedComponent(source.component());
     source.reveal(offset);
+    boolean inForm =
+        session.selection().map(DocumentElement::name).filter(FORMS::contains).isPresent();
+    if (!inForm) {
+      tabs.setSelectedComponent(source.component());
+    }
+  }
+
+  /** Version files may be others now, though the document's text is the same. */
+  void lookAtFilesAgain() {
+    preview.reload();
+  }
+
+  /** Puts the focus where the author begins: at the fault, else at the nodes. */
+  void focus() {
+    boolean broken = session.document().fault().isPresent();
+    (broken ? source.area() : tree.tree()).requestFocusInWindow();
   }
 
   void searchTree() {
@@ -133,6 +181,10 @@ final class Workbench {
 
   void nextProblem() {
     problems.next();
+  }
+
+  void previousProblem() {
+    problems.previous();
   }
 
   void fixProblem() {
@@ -149,16 +201,11 @@ final class Workbench {
     showTab(tabs.getTabCount() - 1);
   }
 
-  /** Goes to the next part of the window. */
+  /** Goes to the next part of the window: tree, view, form, problems. */
   void nextPart() {
-    List<JComponent> parts = List.of(tree.tree(), source.area(), form.component(), problems.list());
-    int now = 0;
-    for (int i = 0; i < parts.size(); i++) {
-      if (parts.get(i).isFocusOwner()) {
-        now = i + 1;
-      }
-    }
-    parts.get(now % parts.size()).requestFocusInWindow();
+    new WindowParts(
+            List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
+        .next();
   }
 
   SourcePanel source() {

@@ -3,9 +3,10 @@ package org.selectiverenderer.enricher;
 import static java.awt.image.BufferedImage.TYPE_INT_RGB;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics2D;
-import java.awt.Window;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -14,13 +15,18 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
+import javax.swing.JDialog;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JTree;
+import javax.swing.SwingUtilities;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -30,13 +36,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.headless.HeadlessEnrichment;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.driving.ControlNames;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
 
 /** The window under the hands of an author. */
 @RequiresDisplay
@@ -122,9 +131,9 @@ class EnricherWindowTest {
     clickRow(1);
     fill("Schemas on entering", "KITCHEN");
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
-    hands.await("the changes", () -> dialog() != null);
-    JButton save = Hands.named(dialog(), "Save", JButton.class);
-    hands.click(save);
+    DiffDialog changes = hands.dialog(DiffDialog.class);
+    Hands.picture(changes.getContentPane(), "window-diff-light", 1);
+    hands.choose(changes, "Save");
     hands.await("the saved file", () -> !session.document().modified());
 
     Enrichment again =
@@ -134,15 +143,6 @@ class EnricherWindowTest {
     assertThat(first.type()).isPresent();
     assertThat(again.sensors().get(0).schemas().enter()).containsExactly("kitchen");
     assertThat(session.file().backup()).exists();
-  }
-
-  private static DiffDialog dialog() {
-    return Arrays.stream(Window.getWindows())
-        .filter(DiffDialog.class::isInstance)
-        .filter(Window::isShowing)
-        .map(DiffDialog.class::cast)
-        .findFirst()
-        .orElse(null);
   }
 
   @Test
@@ -164,6 +164,111 @@ class EnricherWindowTest {
     hands.await("the edit again", () -> session.document().modified());
   }
 
+  /** Thesis 5.4: what questionnaires say becomes the apartment's metadata. */
+  @Test
+  void theApartmentIsEnrichedFromItsRatings() throws IOException {
+    Path plain = Path.of("scenes/apartment-plain.x3d");
+    Path ratings = Path.of("scenes/apartment-ratings.csv");
+    EnricherSession session = open(plain, "light");
+    clickRow(0);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
+    RatingsDialog dialog = hands.dialog(RatingsDialog.class);
+    Hands.onEdt(
+        () -> {
+          dialog.open(ratings);
+          return true;
+        });
+    JButton apply = Hands.named(dialog, "Apply", JButton.class);
+    hands.await("the plan", apply::isEnabled);
+    hands.choose(dialog, "Apply");
+    assertThat(session.document().history().names()).hasSize(1);
+    Path headless = folder.resolve("headless.x3d");
+    HeadlessEnrichment.of(
+            new HeadlessEnrichment.Request(plain, ratings, null),
+            NodeCatalogue.load(),
+            new Problems())
+        .orElseThrow()
+        .save(headless);
+    assertThat(session.document().snapshot().text()).isEqualTo(Files.readString(headless));
+    Hands.onEdt(() -> session.document().history().undo());
+    assertThat(session.document().modified()).isFalse();
+  }
+
+  @Test
+  void aFileThatMayNotBeWrittenIsToldAndNothingIsLost() throws IOException {
+    EnricherSession session = open(scene(), "dark");
+    clickRow(0);
+    fill("Schemas of choice 0", "KITCHEN");
+    Path backup = Files.createDirectory(session.file().backup());
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+    hands.choose(hands.dialog(DiffDialog.class), "Save");
+    JDialog told = hands.dialog(JDialog.class);
+    Hands.picture(told.getContentPane(), "window-cannot-save-dark", 1);
+    hands.choose(told, "OK");
+    assertThat(session.document().modified()).isTrue();
+    assertThat(session.file().path()).content().doesNotContain("kitchen");
+    Files.delete(backup);
+    clickRow(0); // no window manager gives the focus back
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+    hands.choose(hands.dialog(DiffDialog.class), "Save");
+    hands.await("the saved file", () -> !session.document().modified());
+    assertThat(session.file().path()).content().contains("kitchen");
+  }
+
+  @Test
+  void aChangeByAnotherProgramIsAskedAboutBeforeItIsOverwritten() throws IOException {
+    EnricherSession session = open(scene(), "light");
+    clickRow(0);
+    fill("Schemas of choice 0", "KITCHEN");
+    Files.writeString(session.file().path(), "<X3D><Scene><!-- theirs --></Scene></X3D>");
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+    hands.choose(hands.dialog(DiffDialog.class), "Save");
+    JDialog asked = hands.dialog(JDialog.class);
+    Hands.picture(asked.getContentPane(), "window-overwrite-light", 1);
+    hands.choose(asked, "Cancel");
+    assertThat(session.file().path()).content().contains("theirs");
+    assertThat(session.document().modified()).isTrue();
+  }
+
+  @Test
+  void everyPartIsReachedByOneKey() throws IOException {
+    open(scene(), "light");
+    clickRow(0);
+    JTree tree = Hands.named(content(), "Nodes of the scene", JTree.class);
+    JComponent form = Hands.named(content(), "Form of the selected node", JComponent.class);
+    JComponent problems = Hands.named(content(), "Problems", JComponent.class);
+    hands.await("the focus", tree::isFocusOwner);
+    hands.press(KeyEvent.VK_F6);
+    hands.press(KeyEvent.VK_F6);
+    hands.await("the form", () -> hasFocus(form));
+    hands.press(KeyEvent.VK_F6);
+    hands.await("the problems", () -> hasFocus(problems));
+    hands.press(KeyEvent.VK_F6);
+    hands.await("the tree", tree::isFocusOwner);
+  }
+
+  private static boolean hasFocus(Container part) {
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    return owner != null && SwingUtilities.isDescendingFrom(owner, part);
+  }
+
+  /** What a menu does by a key it shows; only the recent files, which change, have none. */
+  @Test
+  void everyCommandOfTheMenusShowsAKey() throws IOException {
+    open(scene(), "light");
+    List<String> keyless =
+        Hands.onEdt(
+            () ->
+                Stream.of(window.frame().getJMenuBar().getComponents())
+                    .flatMap(menu -> Stream.of(((JMenu) menu).getMenuComponents()))
+                    .filter(item -> item instanceof JMenuItem && !(item instanceof JMenu))
+                    .map(JMenuItem.class::cast)
+                    .filter(item -> item.getAccelerator() == null && item.getMnemonic() == 0)
+                    .map(JMenuItem::getText)
+                    .toList());
+    assertThat(keyless).isEmpty();
+  }
+
   @Test
   void aSceneThatIsNotWellFormedOpensAtTheFault() throws IOException {
     Path broken = Files.writeString(folder.resolve("broken.x3d"), "<X3D>\n<Scene>\n</X3D>\n");
@@ -171,7 +276,23 @@ class EnricherWindowTest {
     JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
     String shown = Hands.onEdt(() -> tabs.getTitleAt(tabs.getSelectedIndex()));
     assertThat(shown).isEqualTo("Source");
+    RSyntaxTextArea source = Hands.named(content(), "Source of the scene", RSyntaxTextArea.class);
+    hands.await("the error's mark", () -> reddish(source));
     Hands.picture(content(), "window-broken-light", 1);
+  }
+
+  /** Whether a line is marked: much more red than blue, over a whole line's length. */
+  private static boolean reddish(JComponent shown) {
+    BufferedImage image = new BufferedImage(shown.getWidth(), shown.getHeight(), TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    shown.paint(graphics);
+    graphics.dispose();
+    int red = 0;
+    for (int y = 0; y < image.getHeight(); y++) {
+      int rgb = image.getRGB(image.getWidth() - 2, y);
+      red += (rgb >> 16 & 0xff) - (rgb & 0xff) > 25 ? 1 : 0;
+    }
+    return red > 8;
   }
 
   private static long colours(JComponent shown) {
@@ -197,8 +318,8 @@ class EnricherWindowTest {
           return true;
         });
     JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
-    var picture = Hands.named(content(), "Picture of choice 0", JLabel.class);
-    hands.await("the picture", () -> picture.getIcon() != null);
+    JComponent picture = Hands.named(content(), "Picture of choice 0", JComponent.class);
+    hands.await("the picture", () -> colours(picture) > 10);
     for (String view : List.of("Preview", "Schemas", "Source", "Help")) {
       Hands.onEdt(
           () -> {

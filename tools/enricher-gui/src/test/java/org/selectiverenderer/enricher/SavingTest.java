@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,23 +9,35 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Tasks;
 
 class SavingTest {
   @TempDir Path folder;
   private EnricherSession session;
   private Answers answers;
   private Saving saving;
+  private final BlockingQueue<Runnable> results = new LinkedBlockingQueue<>();
+  private int done;
 
   /** An author of fixed answers. */
   private static final class Answers implements Questions {
     private final List<String> asked = new ArrayList<>();
     private Unsaved unsaved = Unsaved.CANCEL;
     private boolean agree = true;
+    private Path target = Path.of("other.x3d");
+
+    @Override
+    public Left left(String sentence) {
+      throw new AssertionError("saving does not ask for that");
+    }
 
     @Override
     public Unsaved unsaved(String name) {
@@ -51,7 +64,7 @@ class SavingTest {
 
     @Override
     public Optional<Path> fileToSave(Path near) {
-      return Optional.of(near.resolveSibling("other.x3d"));
+      return Optional.of(near.resolveSibling(target));
     }
 
     @Override
@@ -68,9 +81,29 @@ class SavingTest {
 
   @BeforeEach
   void open() throws IOException {
-    session = Sessions.with(folder, Sessions.object("Cup"));
+    Path path =
+        Files.writeString(
+            folder.resolve("scene.x3d"),
+            "<X3D version='4.0'>\n<Scene>\n" + Sessions.object("Cup") + "</Scene>\n</X3D>\n");
+    session = Sessions.open(path, new Tasks(results::add));
     answers = new Answers();
     saving = new Saving(session, answers);
+  }
+
+  /** Hands over one result of the background, as the event dispatch thread would. */
+  private void result() throws InterruptedException {
+    Runnable next = results.poll(30, TimeUnit.SECONDS);
+    assertThat(next).isNotNull();
+    next.run();
+  }
+
+  private boolean save(boolean review) throws InterruptedException {
+    done = 0;
+    saving.save(review, () -> done++);
+    while (!session.tasks().running().isEmpty() || !results.isEmpty()) {
+      result();
+    }
+    return done == 1;
   }
 
   private void type() {
@@ -82,65 +115,119 @@ class SavingTest {
   }
 
   @Test
-  void nothingIsAskedWhereNothingHasChanged() {
-    assertThat(saving.save(true)).isTrue();
-    assertThat(saving.mayClose(true)).isTrue();
+  void nothingIsAskedWhereNothingHasChanged() throws InterruptedException {
+    assertThat(save(true)).isTrue();
+    saving.leaving(true, () -> done++);
+    assertThat(done).isEqualTo(2);
     assertThat(answers.asked).isEmpty();
   }
 
   @Test
-  void changesAreReviewedThenSaved() throws IOException {
+  void changesAreReviewedThenSaved() throws IOException, InterruptedException {
     type();
-    assertThat(saving.save(true)).isTrue();
+    assertThat(save(true)).isTrue();
     assertThat(answers.asked).containsExactly("review");
     assertThat(onDisk()).startsWith("<!-- mine -->");
   }
 
   @Test
-  void aReviewThatIsNotConfirmedLeavesTheFileAsItWas() throws IOException {
+  void aReviewThatIsNotConfirmedLeavesTheFileAsItWas() throws IOException, InterruptedException {
     answers.agree = false;
     type();
-    assertThat(saving.save(true)).isFalse();
+    assertThat(save(true)).isFalse();
     assertThat(onDisk()).doesNotContain("mine");
     assertThat(session.document().modified()).isTrue();
   }
 
   @Test
-  void closingWithUnsavedWorkAsks() throws IOException {
+  void leavingWithUnsavedWorkAsks() throws IOException, InterruptedException {
     type();
-    assertThat(saving.mayClose(false)).isFalse();
+    saving.leaving(false, () -> done++);
+    assertThat(done).as("cancelled").isZero();
     answers.unsaved = Questions.Unsaved.SAVE;
-    assertThat(saving.mayClose(false)).isTrue();
+    saving.leaving(false, () -> done++);
+    assertThat(done).as("not before it is saved").isZero();
+    result();
+    assertThat(done).isEqualTo(1);
     assertThat(onDisk()).contains("mine");
   }
 
   @Test
-  void whatAnotherProgramWroteIsOverwrittenOnlyWhenTheAuthorAgrees() throws IOException {
+  void whoLeavesWhileTheFileIsWrittenIsAskedAboutWhatWasTypedSince() throws Exception {
+    type();
+    saving.save(false, () -> {});
+    type();
+    saving.leaving(false, () -> done++);
+    assertThat(answers.asked).isEmpty();
+    result();
+    assertThat(answers.asked).containsExactly("unsaved");
+    assertThat(done).isZero();
+  }
+
+  @Test
+  void whatAnotherProgramWroteIsOverwrittenOnlyWhenTheAuthorAgrees() throws Exception {
     type();
     Files.writeString(session.file().path(), "<X3D><!-- theirs --></X3D>");
     answers.agree = false;
-    assertThat(saving.save(false)).isFalse();
+    assertThat(save(false)).isFalse();
     assertThat(onDisk()).contains("theirs");
     answers.agree = true;
-    assertThat(saving.save(false)).isTrue();
+    assertThat(save(false)).isTrue();
     assertThat(onDisk()).contains("mine");
+    assertThat(session.file().backup()).content().contains("theirs");
   }
 
   @Test
-  void aChangeOnTheDiskIsAskedAboutOnce() throws IOException {
-    assertThat(saving.wantsReload()).isFalse();
+  void aChangeOnTheDiskIsAskedAboutOnce() throws Exception {
+    saving.lookAtDisk(() -> done++);
+    result();
     Files.writeString(session.file().path(), "<X3D><!-- theirs --></X3D>");
-    assertThat(saving.wantsReload()).isTrue();
-    assertThat(saving.wantsReload()).isFalse();
+    saving.lookAtDisk(() -> done++);
+    result();
+    saving.lookAtDisk(() -> done++);
+    result();
+    assertThat(done).isEqualTo(1);
     assertThat(answers.asked).containsExactly("reload");
   }
 
   @Test
-  void savingUnderAnotherNameLeavesTheFirstFile() throws IOException {
+  void savingUnderAnotherNameLeavesTheFirstFile() throws IOException, InterruptedException {
     Path first = session.file().path();
     type();
-    assertThat(saving.saveAs()).isTrue();
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(done).isEqualTo(1);
     assertThat(Files.readString(first)).doesNotContain("mine");
     assertThat(session.file().path()).hasFileName("other.x3d");
+  }
+
+  @Test
+  void aFullDiskIsToldAndLosesNothing() throws IOException, InterruptedException {
+    answers.target = Path.of("/dev/full");
+    assumeTrue(Files.isWritable(answers.target));
+    Path first = session.file().path();
+    type();
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(done).isZero();
+    assertThat(answers.asked)
+        .containsExactly(
+            "/dev/full: cannot be saved (No space left on device); file and document are as they"
+                + " were. Save it under another name");
+    assertThat(session.document().modified()).isTrue();
+    assertThat(session.file().path()).isEqualTo(first);
+    assertThat(save(false)).isTrue();
+    assertThat(onDisk()).contains("mine");
+  }
+
+  @Test
+  void aFileThatVanishedIsToldAndWrittenAgain() throws IOException, InterruptedException {
+    Files.delete(session.file().path());
+    saving.lookAtDisk(() -> done++);
+    result();
+    assertThat(done).isZero();
+    type();
+    assertThat(save(false)).isTrue();
+    assertThat(onDisk()).contains("mine");
   }
 }

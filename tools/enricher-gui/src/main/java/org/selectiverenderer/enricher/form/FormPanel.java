@@ -1,145 +1,202 @@
 package org.selectiverenderer.enricher.form;
 
-import java.awt.Font;
+import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
+import javax.swing.Scrollable;
+import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.enricher.help.HelpTopic;
+import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
-import org.selectiverenderer.enricher.tree.NodeIcon;
 
 /**
- * The right side of the window: the form of the selected node, or of the one that it is part of.
+ * The form of the selected node (thesis Figs 44, 46): a Switch with a row for each choice, a
+ * ProximitySensor with its schemas; of other elements what they are and what can be done. Each
+ * change is one edit of the document; the form follows the document and the selection.
+ *
+ * <p>For the event dispatch thread.
  */
-public final class FormPanel {
-  private final EnricherSession session;
-  private final VersionImages images;
-  private final FormBody body = new FormBody();
+public final class FormPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final transient EnricherSession session;
+  private final transient VersionPictures pictures;
+  private final transient SelectionListener onSelection = (element, origin) -> selected();
+  private final transient DocumentListener onChange = change -> changed();
+  private transient Consumer<DocumentElement> makeVersions = element -> {};
+  private final Body body = new Body();
   private final JLabel title = new JLabel();
-  private final JLabel hint = new JLabel();
-  private final JScrollPane scroll = new JScrollPane(body);
-  private final SelectionListener selecting = (element, origin) -> select(element);
-  private final DocumentListener changing = change -> refresh();
-  private @Nullable NodeForm form;
-  private @Nullable DocumentElement shown;
+  private final JLabel place = new JLabel();
+  private final FindingsBox findings;
+  private transient @Nullable DocumentElement element;
+  private transient @Nullable Form form;
 
-  public FormPanel(EnricherSession session, VersionImages images) {
+  /**
+   * @param pictures of versions; stay with who made them
+   */
+  public FormPanel(EnricherSession session, VersionPictures pictures) {
+    super(new MigLayout("insets 0", "[grow,fill]", "[grow,fill]"));
     this.session = session;
-    this.images = images;
-    title.setFont(title.getFont().deriveFont(Font.BOLD, title.getFont().getSize2D() * 1.2f));
-    title.getAccessibleContext().setAccessibleName("Selected node");
-    scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+    this.pictures = pictures;
+    this.findings = new FindingsBox(session);
+    title.putClientProperty("FlatLaf.styleClass", "h3");
+    title.getAccessibleContext().setAccessibleDescription("The selected node");
+    place.getAccessibleContext().setAccessibleDescription("Where the selected node stands");
+    place.setEnabled(false);
+    JScrollPane scroll = new JScrollPane(body);
+    scroll.setBorder(null);
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    scroll.getVerticalScrollBar().setUnitIncrement(16);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
-    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
-    session.addSelectionListener(selecting);
-    session.document().addListener(changing);
-    select(session.selection());
+    add(scroll, "wmin 0, hmin 0");
+    getAccessibleContext().setAccessibleName("Form of the selected node");
+    session.addSelectionListener(onSelection);
+    session.document().addListener(onChange);
+    rebuild();
   }
 
-  public JScrollPane component() {
-    return scroll;
+  /** What to do when the author wants versions of an element. */
+  public void onMakeVersions(Consumer<DocumentElement> action) {
+    makeVersions = action;
   }
 
-  private void select(Optional<DocumentElement> element) {
-    Optional<DocumentElement> node = element.flatMap(this::formed);
-    if (form != null && node.isPresent() && node.get() == shown) {
-      return;
-    }
-    build(node);
-  }
-
-  /** The Switch or sensor that an element is or stands in. */
-  private Optional<DocumentElement> formed(DocumentElement element) {
-    for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
-      if (at.attached()
-          && (session.enrichment().switchNode(at).isPresent()
-              || session.enrichment().sensorNode(at).isPresent())) {
-        return Optional.of(at);
-      }
-    }
-    return Optional.empty();
-  }
-
-  private void build(Optional<DocumentElement> node) {
-    commit();
-    if (form != null) {
-      form.dispose();
-      form = null;
-    }
-    body.removeAll();
-    shown = node.orElse(null);
-    title.setIcon(
-        node.map(each -> new NodeIcon(NodeIcon.Kind.of(each.name()), NodeIcon.Mark.NONE))
-            .orElse(null));
-    body.add(title, "growx, wmin 0, wrap");
-    body.add(hint, "growx, wmin 0, wrap");
-    node.ifPresent(
-        element -> {
-          session
-              .enrichment()
-              .switchNode(element)
-              .ifPresent(
-                  each -> {
-                    title.setText(each.object());
-                    say(
-                        "An object in %d versions. Say of each what holds for it."
-                            .formatted(each.choices().size()));
-                    form = new SwitchForm(session, each, images);
-                  });
-          session
-              .enrichment()
-              .sensorNode(element)
-              .ifPresent(
-                  each -> {
-                    title.setText(each.name());
-                    say(
-                        "An area. Say which schemas become active when the viewer enters or leaves"
-                            + " it; several are separated by commas.");
-                    form = new SensorForm(session, each);
-                  });
-        });
-    if (form == null) {
-      title.setText("Nothing to fill in here");
-      say("Choose a Switch (an object in versions) or a ProximitySensor (an area).");
-    } else {
-      body.add(form.component(), "growx, wmin 0");
-    }
-    body.revalidate();
-    body.repaint();
-  }
-
-  private void say(String sentence) {
-    hint.setText("<html>" + sentence);
-  }
-
-  private void refresh() {
-    boolean there = shown != null && shown.attached() && form != null && form.refresh();
-    if (!there) {
-      if (form != null) {
-        form.dispose();
-        form = null; // its node is gone, and with it what was typed
-      }
-      build(session.selection().flatMap(this::formed));
-    }
-  }
-
-  /** Takes over what is typed and not yet in the document. */
+  /** Writes what has been typed so far: before saving, and before undoing. */
   public void commit() {
-    if (form != null && shown != null && shown.attached()) {
+    if (form != null) {
       form.commit();
     }
   }
 
-  /** Lets go of the session. */
+  private void selected() {
+    if (session.selection().orElse(null) != element) {
+      commit();
+      rebuild();
+    }
+  }
+
+  private void changed() {
+    if (session.selection().orElse(null) != element || form == null || !form.fits()) {
+      rebuild();
+      return;
+    }
+    form.follow();
+    head();
+  }
+
+  private void rebuild() {
+    if (form != null) {
+      Form old = form;
+      form = null; // Its controls lose the focus now, and have nothing to say any more.
+      old.dispose();
+    }
+    element = session.selection().orElse(null);
+    body.removeAll();
+    body.add(title, "wmin 0");
+    body.add(place, "wmin 0");
+    body.add(findings, "wmin 0");
+    if (element != null) {
+      Form made = form(element);
+      form = made;
+      body.add(made.component(), "wmin 0");
+    } else {
+      body.add(Labels.sentences(hint()), "wmin 0");
+    }
+    head();
+    body.scrollRectToVisible(new Rectangle(0, 0, 1, 1));
+    body.revalidate();
+    body.repaint();
+  }
+
+  private String hint() {
+    return session
+        .document()
+        .fault()
+        .map(
+            fault ->
+                "In line %d %s. Mend it in the source.".formatted(fault.line(), fault.message()))
+        .orElse("Choose a Switch (an object) or a ProximitySensor (an area) to describe it here.");
+  }
+
+  private Form form(DocumentElement of) {
+    Optional<Form> known =
+        session
+            .enrichment()
+            .switchNode(of)
+            .<Form>map(node -> new SwitchForm(session, pictures, node))
+            .or(
+                () ->
+                    session.enrichment().sensorNode(of).map(node -> new SensorForm(session, node)));
+    Form made =
+        known.orElseGet(() -> new SummaryForm(session, of, wanted -> makeVersions.accept(wanted)));
+    if (known.isPresent()) {
+      (of.name().equals("Switch") ? HelpTopic.SWITCH : HelpTopic.SENSOR).mark(made.component());
+    }
+    return made;
+  }
+
+  private void head() {
+    DocumentElement of = element;
+    title.setText(of == null ? "Nothing is selected" : name(of));
+    place.setText(
+        of == null
+            ? " "
+            : "%s in line %d".formatted(of.name(), session.document().location(of.start()).line()));
+    place.setToolTipText(place.getText());
+    findings.show(Optional.ofNullable(of));
+  }
+
+  private static String name(DocumentElement of) {
+    return of.def().or(of::use).orElse(of.name() + " without a name");
+  }
+
+  /** Follows nothing any more. */
   public void dispose() {
+    session.removeSelectionListener(onSelection);
+    session.document().removeListener(onChange);
     if (form != null) {
       form.dispose();
     }
-    session.removeSelectionListener(selecting);
-    session.document().removeListener(changing);
+  }
+
+  /** As wide as there is room, as high as it needs. */
+  private static final class Body extends JPanel implements Scrollable {
+    private static final long serialVersionUID = 1L;
+
+    Body() {
+      super(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+      return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+      return getFontMetrics(getFont()).getHeight();
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+      return visible.height;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+      return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+      return false;
+    }
   }
 }

@@ -1,91 +1,78 @@
 package org.selectiverenderer.enricher.form;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.function.UnaryOperator;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.enrichment.SensorNode;
-import org.selectiverenderer.enricher.help.HelpTexts;
+import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.schema.SensorSchemas;
 
-/** The form of a ProximitySensor: its schemas on entering and on leaving. */
-final class SensorForm implements NodeForm {
+/** The form of a ProximitySensor (thesis Fig 47): its schemas. */
+final class SensorForm implements Form {
   private final EnricherSession session;
-  private final DocumentElement element;
-  private final JPanel panel = new JPanel(new MigLayout("insets 4, gap 6, fillx", "[][grow]"));
-  private final SchemaField enter;
-  private final SchemaField exit;
+  private final SensorNode node;
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
+  private final List<FormField> fields = new ArrayList<>();
 
   SensorForm(EnricherSession session, SensorNode node) {
     this.session = session;
-    this.element = node.element();
-    enter =
-        new SchemaField(
-            "Schemas on entering",
-            HelpTexts.ENTER,
-            session.enrichment()::schemas,
-            wanted -> change(now -> new SensorSchemas(wanted, now.exit())));
-    exit =
-        new SchemaField(
-            "Schemas on leaving",
-            HelpTexts.EXIT,
-            session.enrichment()::schemas,
-            wanted -> change(now -> new SensorSchemas(now.enter(), wanted)));
-    add("On entering", enter);
-    add("On leaving", exit);
-    show(node.schemas());
+    this.node = node;
+    SensorEditing editing = new SensorEditing(session, node.element());
+    add("On entering", 'N', HelpTopic.ENTER, editing::enter, editing::enter);
+    add("On leaving", 'L', HelpTopic.EXIT, editing::exit, editing::exit);
   }
 
-  private void add(String text, SchemaField field) {
-    JLabel label = new JLabel(text);
-    label.setLabelFor(field.component());
-    field.component().setEnabled(session.document().locked().isEmpty());
-    panel.add(label, "alignx right");
-    panel.add(field.component(), "growx, wmin 80, wrap");
-  }
-
-  private void change(UnaryOperator<SensorSchemas> change) {
-    session
-        .enrichment()
-        .sensorNode(element)
-        .ifPresent(
-            node ->
-                session.attempt(
-                    () ->
-                        session
-                            .document()
-                            .perform(session.edits().sensor(node, change.apply(node.schemas())))));
-    refresh();
-  }
-
-  private void show(SensorSchemas schemas) {
-    enter.show(List.copyOf(schemas.enter()));
-    exit.show(List.copyOf(schemas.exit()));
+  private void add(
+      String title,
+      char mnemonic,
+      HelpTopic topic,
+      Supplier<String> read,
+      Function<String, Optional<String>> write) {
+    SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
+    schemas.setName(title);
+    schemas.getAccessibleContext().setAccessibleName("Schemas " + title.toLowerCase(Locale.ROOT));
+    schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
+    schemas.setEditable(session.document().locked().isEmpty());
+    topic.explain(schemas);
+    JLabel label = Labels.of(title, schemas);
+    label.setDisplayedMnemonic(mnemonic);
+    JLabel complaint = Labels.complaint();
+    panel.add(label);
+    panel.add(schemas, "wmin 0");
+    panel.add(complaint, "wmin 0");
+    fields.add(FormField.of(schemas, complaint, new FormField.Source(read, write)));
   }
 
   @Override
-  public boolean refresh() {
-    var node = session.enrichment().sensorNode(element);
-    node.ifPresent(now -> show(now.schemas()));
-    return node.isPresent();
-  }
-
-  @Override
-  public JPanel component() {
+  public JComponent component() {
     return panel;
   }
 
   @Override
+  public boolean fits() {
+    return session.enrichment().sensorNode(node.element()).isPresent();
+  }
+
+  @Override
+  public void follow() {
+    fields.forEach(FormField::follow);
+  }
+
+  @Override
   public void commit() {
-    enter.commit();
-    exit.commit();
+    fields.forEach(FormField::commit);
   }
 
   @Override
   public void dispose() {
-    // nothing is under way
+    fields.forEach(FormField::close);
   }
 }

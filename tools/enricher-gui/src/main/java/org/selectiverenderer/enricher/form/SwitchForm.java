@@ -2,85 +2,112 @@ package org.selectiverenderer.enricher.form;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.enrichment.ChoiceValues;
 import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
-/** The form of a Switch: a row per choice. */
-final class SwitchForm implements NodeForm {
+/** The form of a Switch: one choice under the other. */
+final class SwitchForm implements Form {
+  /** Choices that are shown at once; more are shown when asked for. */
+  private static final int PAGE = 20;
+
   private final EnricherSession session;
+  private final VersionPictures pictures;
   private final DocumentElement element;
-  private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 8, fillx, wrap", "[grow]"));
-  private final List<ChoiceRow> rows = new ArrayList<>();
-  private final List<Runnable> requests = new ArrayList<>();
+  private final int size;
+  private final List<ChoiceForm> choices = new ArrayList<>();
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]")) {
+        private static final long serialVersionUID = 1L;
 
-  SwitchForm(EnricherSession session, SwitchNode node, VersionImages images) {
+        @Override
+        public void addNotify() {
+          super.addNotify();
+          load();
+        }
+      };
+  private final JButton more = new JButton();
+
+  SwitchForm(EnricherSession session, VersionPictures pictures, SwitchNode node) {
     this.session = session;
+    this.pictures = pictures;
     this.element = node.element();
-    boolean editable = session.document().locked().isEmpty();
-    for (SwitchNode.ChoiceNode choice : node.choices()) {
-      ChoiceRow row =
-          new ChoiceRow(
-              choice.index(),
-              session.enrichment()::schemas,
-              editable,
-              values -> change(choice.index(), values));
-      rows.add(row);
-      panel.add(row.component(), "growx, wmin 0");
+    this.size = node.choices().size();
+    if (size == 0) {
+      panel.add(
+          Labels.sentences(
+              "This Switch has no choices. Put the versions of an object in it, each a child."),
+          "wmin 0");
     }
-    show(node);
-    for (SwitchNode.ChoiceNode choice : node.choices()) {
-      ChoiceRow row = rows.get(choice.index());
-      requests.add(images.request(node, choice, row::show, row::showLack));
-    }
+    more.setMnemonic('M');
+    more.addActionListener(event -> node().ifPresent(this::page));
+    page(node);
   }
 
-  private void change(int index, ChoiceValues values) {
-    session
-        .enrichment()
-        .switchNode(element)
-        .ifPresent(
-            node ->
-                session.attempt(
-                    () -> session.document().perform(session.edits().choice(node, index, values))));
-    refresh();
+  private Optional<SwitchNode> node() {
+    return session.enrichment().switchNode(element);
   }
 
-  private void show(SwitchNode node) {
-    for (SwitchNode.ChoiceNode choice : node.choices()) {
-      rows.get(choice.index()).show(choice, choice.index() == node.whichChoice());
+  private void page(SwitchNode node) {
+    panel.remove(more);
+    int end = Math.min(size, choices.size() + PAGE);
+    for (int i = choices.size(); i < end; i++) {
+      ChoiceForm choice = new ChoiceForm(session, pictures, node, node.choices().get(i));
+      choices.add(choice);
+      panel.add(new JSeparator());
+      panel.add(choice.component(), "wmin 0");
+    }
+    if (end < size) {
+      more.setText("More choices (%d)".formatted(size - end));
+      panel.add(more, "growx 0");
+    }
+    panel.revalidate();
+    load();
+  }
+
+  private void load() {
+    if (panel.isDisplayable()) {
+      choices.forEach(ChoiceForm::load);
     }
   }
 
   @Override
-  public boolean refresh() {
-    return session
-        .enrichment()
-        .switchNode(element)
-        .filter(node -> node.choices().size() == rows.size())
-        .map(
-            node -> {
-              show(node);
-              return true;
-            })
-        .orElse(false);
-  }
-
-  @Override
-  public JPanel component() {
+  public JComponent component() {
     return panel;
   }
 
   @Override
+  public boolean fits() {
+    return node().filter(this::fits).isPresent();
+  }
+
+  private boolean fits(SwitchNode node) {
+    boolean same = node.choices().size() == size;
+    for (int i = 0; same && i < choices.size(); i++) {
+      same = choices.get(i).fits(node.choices().get(i));
+    }
+    return same;
+  }
+
+  @Override
+  public void follow() {
+    node().ifPresent(node -> choices.forEach(choice -> choice.follow(node)));
+  }
+
+  @Override
   public void commit() {
-    rows.forEach(ChoiceRow::commit);
+    choices.forEach(ChoiceForm::commit);
   }
 
   @Override
   public void dispose() {
-    requests.forEach(Runnable::run);
+    choices.forEach(ChoiceForm::dispose);
   }
 }

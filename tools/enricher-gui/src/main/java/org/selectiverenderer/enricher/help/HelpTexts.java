@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.help;
 
+import java.util.Optional;
+
 /** The vocabulary in the author's words (thesis 4.2.2). */
 public final class HelpTexts {
   public static final String TYPE =
@@ -16,10 +18,17 @@ public final class HelpTexts {
 
   private HelpTexts() {}
 
-  /** All of it, as a page. */
-  public static String page() {
+  /**
+   * All of it.
+   *
+   * @param topic explained first
+   */
+  static String page(Optional<HelpTopic> topic) {
+    String first =
+        topic.map(t -> "<h2>%s</h2><p>%s.</p><hr>".formatted(t.title(), t.text())).orElse("");
     return """
-        <html><body>
+        <html><body style="margin: 8px">
+        %s
         <h2>Enriching a scene</h2>
         <p>An enriched scene tells the renderer which objects one expects in which place. What is
         expected is hardly looked at, so it can be drawn with fewer polygons.</p>
@@ -46,6 +55,6 @@ public final class HelpTexts {
         to the next part of the window, Ctrl+1 to Ctrl+3 choose a tab.</p>
         </body></html>
         """
-        .formatted(TYPE, DEGREE, SCHEMAS, ENTER, EXIT);
+        .formatted(first, TYPE, DEGREE, SCHEMAS, ENTER, EXIT);
   }
 }

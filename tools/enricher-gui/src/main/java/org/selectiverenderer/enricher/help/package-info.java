@@ -1,7 +1,7 @@
 /**
  * The vocabulary in the author's words, for tooltips and the help view.
  *
- * <p>In: nothing. Out: texts and a view.
+ * <p>In: a session. Out: texts, and a view that follows the focus.
  */
 @NullMarked
 package org.selectiverenderer.enricher.help;

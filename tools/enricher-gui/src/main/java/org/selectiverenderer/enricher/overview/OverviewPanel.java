@@ -31,9 +31,10 @@ public final class OverviewPanel extends JPanel {
   private final JTextField name = new JTextField(14);
   private final JComboBox<RowFilter.Which> which = new JComboBox<>(RowFilter.Which.values());
   private final JLabel status = new JLabel(" ");
-  private final org.selectiverenderer.document.DocumentListener changes = change -> refresh();
+  private final org.selectiverenderer.document.DocumentListener changes = change -> changed();
   private final SelectionListener selection = this::selected;
   private boolean following;
+  private boolean stale;
 
   public OverviewPanel(EnricherSession session) {
     super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][]"));
@@ -58,6 +59,13 @@ public final class OverviewPanel extends JPanel {
             });
     session.document().addListener(changes);
     session.addSelectionListener(selection);
+    addHierarchyListener(
+        event -> {
+          if (stale && isShowing()) {
+            refresh();
+            selected(session.selection(), session);
+          }
+        });
     findings.show(model.marks());
     count();
     selected(session.selection(), session);
@@ -91,8 +99,7 @@ public final class OverviewPanel extends JPanel {
     tools.add(button(actions.high, "People expect the object there (h)"));
     tools.add(button(actions.low, "People do not expect the object there (l)"));
     tools.add(button(actions.clear, "The object does not belong there (Delete)"));
-    tools.add(
-        new JLabel("Keys: h, l, digits for a number from 0 to 1, Delete, F2 for a list"), "wmin 0");
+    tools.add(new JLabel("Keys: h, l, 0 to 1, Delete, F2"), "wmin 0");
     return tools;
   }
 
@@ -166,7 +173,17 @@ public final class OverviewPanel extends JPanel {
     count();
   }
 
+  /** What nobody sees is read again when it is looked at: of many objects that takes a while. */
+  private void changed() {
+    if (isShowing()) {
+      refresh();
+    } else {
+      stale = true;
+    }
+  }
+
   private void refresh() {
+    stale = false;
     follow(() -> table.keepingSelection(model::refresh));
     findings.show(model.marks());
     count();
@@ -195,7 +212,7 @@ public final class OverviewPanel extends JPanel {
   }
 
   private void selected(Optional<DocumentElement> element, Object origin) {
-    if (!following) {
+    if (!following && !stale) {
       element.ifPresent(selected -> follow(() -> table.show(selected)));
     }
   }

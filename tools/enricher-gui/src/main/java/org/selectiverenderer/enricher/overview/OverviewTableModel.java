@@ -2,10 +2,13 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.table.AbstractTableModel;
@@ -74,9 +77,9 @@ final class OverviewTableModel extends AbstractTableModel {
 
   /** Schemas that are there still keep their places, others come behind. */
   private static List<String> stable(List<String> before, List<String> now) {
-    List<String> stable = new ArrayList<>(before);
-    stable.retainAll(now);
-    now.stream().filter(schema -> !before.contains(schema)).forEach(stable::add);
+    Set<String> stable = new LinkedHashSet<>(before);
+    stable.retainAll(new HashSet<>(now));
+    stable.addAll(now);
     return List.copyOf(stable);
   }
 

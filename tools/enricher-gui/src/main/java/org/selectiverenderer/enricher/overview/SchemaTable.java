@@ -11,6 +11,7 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
 import javax.swing.event.TableModelEvent;
+import javax.swing.table.DefaultTableColumnModel;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
 import org.selectiverenderer.document.DocumentElement;
@@ -97,21 +98,24 @@ final class SchemaTable extends JTable {
     pane.setRowHeaderView(names);
     pane.setCorner(JScrollPane.UPPER_LEADING_CORNER, names.getTableHeader());
     names.setPreferredScrollableViewportSize(
-        new java.awt.Dimension(names.getFontMetrics(names.getFont()).charWidth('m') * 16, 0));
+        new java.awt.Dimension(names.getFontMetrics(names.getFont()).charWidth('m') * 14, 0));
     return pane;
   }
 
   private void setColumns() {
-    while (getColumnCount() > 0) {
-      getColumnModel().removeColumn(getColumnModel().getColumn(0));
-    }
+    // All at once: a table lays itself out after each column that comes or goes.
+    DefaultTableColumnModel columns = new DefaultTableColumnModel();
+    columns.setSelectionModel(getColumnModel().getSelectionModel());
+    columns.getSelectionModel().clearSelection();
+    columns.setColumnSelectionAllowed(getColumnModel().getColumnSelectionAllowed());
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));
-      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mmm");
+      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mm");
       column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
-      getColumnModel().addColumn(column);
+      columns.addColumn(column);
     }
+    setColumnModel(columns);
   }
 
   @Override

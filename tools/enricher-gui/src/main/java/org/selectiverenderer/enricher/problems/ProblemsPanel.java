@@ -1,147 +1,260 @@
 package org.selectiverenderer.enricher.problems;
 
-import java.awt.Component;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
-import javax.swing.DefaultListCellRenderer;
-import javax.swing.DefaultListModel;
-import javax.swing.Icon;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.JButton;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentCheck;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Finding;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problem.Severity;
 
-/** The bottom of the window: problems, each a click away from its place. */
-public final class ProblemsPanel {
-  private final EnricherSession session;
-  private final ProblemList problems;
-  private final IntConsumer reveal;
-  private final DefaultListModel<ProblemList.Entry> model = new DefaultListModel<>();
-  private final JList<ProblemList.Entry> list = new JList<>(model);
-  private final JLabel title = new JLabel();
-  private final JButton fix = new JButton("Mend");
-  private final JPanel panel =
-      new JPanel(new MigLayout("insets 6, gap 4, fill", "[grow]", "[][grow]"));
+/**
+ * What is wrong with the scene, live. A click or Enter goes to the place; Alt+Enter or the button
+ * mends what has an obvious fix. Buttons with the counts hide and show severities.
+ *
+ * <p>For the event dispatch thread.
+ */
+public final class ProblemsPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  private final transient EnricherSession session;
+  private final transient ProblemsModel model;
+  private final transient ProblemsFeed feed;
+  private final ProblemsTableModel rows;
+  private final JTable table;
+  private final JButton fix = new JButton("Fix");
+  private final JLabel checking = new JLabel(" ");
+  private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
+  private final transient Action goTo = action("Go to place", this::go);
+  private final transient Action mend = action("Fix", this::fix);
+  private transient Consumer<Counts> onCounts = counts -> {};
+  private transient IntConsumer onPlace = offset -> {};
 
   /**
-   * @param reveal brings an offset of the text into view
+   * @param checks to be run in the background after each pause in editing
    */
-  public ProblemsPanel(EnricherSession session, ProblemList problems, IntConsumer reveal) {
+  public ProblemsPanel(EnricherSession session, List<DocumentCheck> checks) {
+    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill]"));
     this.session = session;
-    this.problems = problems;
-    this.reveal = reveal;
-    list.setCellRenderer(new Row());
-    list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    list.getAccessibleContext().setAccessibleName("Problems");
-    list.addListSelectionListener(event -> selected());
-    list.addMouseListener(
+    model = new ProblemsModel(session.document(), session.enrichment());
+    rows = new ProblemsTableModel(session.document());
+    table = new ProblemsTable(rows);
+    JPanel bar = new JPanel(new MigLayout("insets 2 6 2 6", "[][][]push[][]"));
+    for (Severity severity : Severity.values()) {
+      bar.add(filter(severity));
+    }
+    checking.setEnabled(false);
+    checking.getAccessibleContext().setAccessibleName("State of the checks");
+    bar.add(checking);
+    fix.setMnemonic('X');
+    fix.setEnabled(false);
+    fix.addActionListener(mend);
+    bar.add(fix);
+    JScrollPane scroll = new JScrollPane(table);
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
+    add(bar);
+    add(scroll, "wmin 0, hmin 0");
+    getAccessibleContext().setAccessibleName("Problems");
+    keys();
+    feed =
+        new ProblemsFeed(
+            session,
+            model,
+            checks,
+            this::refreshed,
+            busy -> checking.setText(busy ? "Checking\u2026" : " "));
+    feed.begin();
+  }
+
+  private JToggleButton filter(Severity severity) {
+    JToggleButton button = new JToggleButton(new SeverityIcon(severity), true);
+    button.setMnemonic(
+        switch (severity) {
+          case ERROR -> 'R';
+          case WARNING -> 'W';
+          case INFO -> 'O';
+        });
+    button.setToolTipText("Show or hide these");
+    button.addActionListener(event -> rows.show(severity, button.isSelected()));
+    filters.put(severity, button);
+    return button;
+  }
+
+  private void keys() {
+    table.getSelectionModel().setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.getSelectionModel().addListSelectionListener(event -> chosen());
+    key("ENTER", "goTo", goTo);
+    key("alt ENTER", "fix", mend);
+    Action copy = action("Copy", this::copy);
+    key("ctrl C", "copyProblem", copy);
+    JPopupMenu menu = new JPopupMenu("Problem");
+    menu.add(goTo);
+    menu.add(mend);
+    menu.add(copy);
+    table.setComponentPopupMenu(menu);
+    table.addMouseListener(
         new MouseAdapter() {
           @Override
-          public void mouseClicked(MouseEvent e) {
-            go();
+          public void mousePressed(MouseEvent event) {
+            int row = table.rowAtPoint(event.getPoint());
+            if (event.isPopupTrigger() && row >= 0) {
+              table.setRowSelectionInterval(row, row);
+            }
+          }
+
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            if (event.getButton() == MouseEvent.BUTTON1
+                && table.rowAtPoint(event.getPoint()) >= 0) {
+              go();
+            }
           }
         });
-    list.registerKeyboardAction(
-        event -> go(), KeyStroke.getKeyStroke("ENTER"), JPanel.WHEN_FOCUSED);
-    fix.addActionListener(event -> fix());
-    title.getAccessibleContext().setAccessibleName("Number of problems");
-    JPanel head = new JPanel(new MigLayout("insets 0, hidemode 3", "[grow][]", "[26!]"));
-    head.add(title, "growx, wmin 0");
-    head.add(fix, "h 26!");
-    panel.add(head, "growx, wrap");
-    JScrollPane scroll = new JScrollPane(list);
-    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
-    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
-    panel.add(scroll, "grow, wmin 0, hmin 0");
-    problems.addListener(this::refresh);
-    refresh();
   }
 
-  private static final class Row extends DefaultListCellRenderer {
-    private static final long serialVersionUID = 1L;
+  private void key(String stroke, String name, Action action) {
+    table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(stroke), name);
+    table.getActionMap().put(name, action);
+  }
 
-    @Override
-    public Component getListCellRendererComponent(
-        JList<?> list, Object value, int index, boolean selected, boolean focused) {
-      super.getListCellRendererComponent(list, value, index, selected, focused);
-      if (value instanceof ProblemList.Entry entry) {
-        Icon icon = new SeverityIcon(entry.problem().severity());
-        setIcon(icon);
-        Location at = entry.problem().location();
-        String place = at.line() > 0 ? "  (line %d)".formatted(at.line()) : "";
-        String message = entry.problem().message();
-        setText(message + place);
-        setToolTipText("<html><body width=360>" + message.replace("<", "&lt;"));
+  private static Action action(String name, Runnable does) {
+    return new AbstractAction(name) {
+      private static final long serialVersionUID = 1L;
+
+      @Override
+      public void actionPerformed(ActionEvent event) {
+        does.run();
       }
-      return this;
-    }
+    };
   }
 
-  public JPanel component() {
-    return panel;
+  /** Hears the counts, now and whenever they may have changed. */
+  public void onCounts(Consumer<Counts> listener) {
+    onCounts = listener;
+    listener.accept(model.counts());
   }
 
-  public JList<ProblemList.Entry> list() {
-    return list;
+  /** Hears the offset in the text that the author goes to, after the element is selected. */
+  public void onPlace(IntConsumer listener) {
+    onPlace = listener;
   }
 
-  private void refresh() {
-    int before = list.getSelectedIndex();
-    model.clear();
-    model.addAll(problems.entries());
-    int count = model.size();
-    title.setText(count == 0 ? "No problems" : count == 1 ? "1 problem" : count + " problems");
-    if (before >= 0 && before < count) {
-      list.setSelectedIndex(before);
-    }
-    selected();
+  /** Whether there is an error or a warning of the element itself. */
+  public boolean faulty(DocumentElement element) {
+    return model.faulty(element);
   }
 
-  private void selected() {
-    ProblemList.Entry entry = list.getSelectedValue();
-    fix.setVisible(entry != null && entry.fix().isPresent());
-    if (entry != null) {
-      entry.fix().ifPresent(found -> fix.setText(found.name()));
-    }
+  private Optional<Entry> chosenEntry() {
+    int row = table.getSelectedRow();
+    return row < 0 || row >= rows.getRowCount() ? Optional.empty() : Optional.of(rows.entry(row));
   }
 
-  /** Goes to the place of the selected problem. */
+  private void chosen() {
+    Optional<Finding.Fix> found = chosenEntry().flatMap(Entry::fix);
+    fix.setText(found.map(Finding.Fix::name).orElse("Fix"));
+    fix.setEnabled(found.isPresent());
+    mend.setEnabled(found.isPresent());
+    goTo.setEnabled(chosenEntry().flatMap(Entry::offset).isPresent());
+  }
+
+  /** Goes to the place of the chosen problem. */
   public void go() {
-    ProblemList.Entry entry = list.getSelectedValue();
-    if (entry == null) {
-      return;
-    }
-    Location at = entry.problem().location();
-    entry.element().ifPresent(element -> session.select(element, this));
-    if (entry.element().isEmpty() && at.file().equals(session.document().name()) && at.line() > 0) {
-      reveal.accept(session.document().offset(at.line(), Math.max(1, at.column())));
-    }
+    chosenEntry()
+        .filter(Entry::current)
+        .ifPresent(
+            entry -> {
+              entry.element().ifPresent(element -> session.select(element, this));
+              entry.offset().ifPresent(onPlace::accept);
+            });
   }
 
-  /** Goes to the next problem, after the last to the first. */
+  /** Mends the chosen problem, if there is an obvious way. */
+  public void fix() {
+    chosenEntry()
+        .flatMap(Entry::fix)
+        .ifPresent(found -> session.attempt(() -> session.perform(found.edit().get())));
+  }
+
+  /** Goes to the problem behind the chosen one; from the last to the first. */
   public void next() {
-    if (!model.isEmpty()) {
-      list.setSelectedIndex((list.getSelectedIndex() + 1) % model.size());
-      list.ensureIndexIsVisible(list.getSelectedIndex());
+    step(+1);
+  }
+
+  /** Goes to the problem before the chosen one; from the first to the last. */
+  public void previous() {
+    step(-1);
+  }
+
+  private void step(int by) {
+    int count = rows.getRowCount();
+    if (count > 0) {
+      int from = table.getSelectedRow();
+      int row = from < 0 ? (by > 0 ? 0 : count - 1) : Math.floorMod(from + by, count);
+      table.setRowSelectionInterval(row, row);
+      table.scrollRectToVisible(table.getCellRect(row, 0, true));
       go();
     }
   }
 
-  /** Mends the selected problem if its fix is known. */
-  public void fix() {
-    ProblemList.Entry entry = list.getSelectedValue();
-    if (entry != null) {
-      entry
-          .fix()
-          .ifPresent(
-              found -> session.attempt(() -> session.document().perform(found.edit().get())));
+  private void copy() {
+    chosenEntry()
+        .ifPresent(
+            entry ->
+                Toolkit.getDefaultToolkit()
+                    .getSystemClipboard()
+                    .setContents(
+                        new StringSelection(
+                            entry.location(session.document()) + ": " + entry.message()),
+                        null));
+  }
+
+  private void refreshed() {
+    Optional<Entry> before = chosenEntry();
+    rows.entries(model.entries());
+    for (int row = 0; before.isPresent() && row < rows.getRowCount(); row++) {
+      if (rows.entry(row).repeats(before.get())) {
+        table.setRowSelectionInterval(row, row);
+        break;
+      }
     }
+    Counts counts = model.counts();
+    filters.forEach(
+        (severity, button) -> {
+          button.setText(counts.words(severity));
+          button.getAccessibleContext().setAccessibleName("Show " + counts.words(severity));
+        });
+    chosen();
+    onCounts.accept(counts);
+  }
+
+  /** The list of the problems. */
+  public JTable table() {
+    return table;
+  }
+
+  /** Ends its checks. */
+  public void dispose() {
+    feed.dispose();
   }
 }

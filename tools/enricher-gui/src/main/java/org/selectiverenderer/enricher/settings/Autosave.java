@@ -14,7 +14,9 @@ public final class Autosave {
   private final EnricherSession session;
   private final Recovery recovery;
   private final Timer timer;
+  private final Object order = new Object();
   private long kept;
+  private long forgotten = -1;
 
   public Autosave(EnricherSession session, Recovery recovery) {
     this.session = session;
@@ -37,23 +39,39 @@ public final class Autosave {
         .run(
             "Keeping unsaved changes",
             () -> {
-              recovery.keep(path, snapshot);
+              write(path, snapshot);
               return path;
             },
-            done -> {
-              if (!session.document().modified()) {
-                forget(); // saved meanwhile
-              }
-            },
+            done -> {},
             failed ->
                 session.message("Unsaved changes cannot be kept for a crash: " + message(failed)));
   }
 
-  /** The changes are saved, or not wanted any more. */
+  private void write(Path path, Snapshot snapshot) throws IOException {
+    synchronized (order) {
+      if (snapshot.revision() > forgotten) {
+        recovery.keep(path, snapshot);
+      }
+    }
+  }
+
+  /** The changes so far are saved, or not wanted any more. */
   public void forget() {
+    forget(session.file().path());
+  }
+
+  /**
+   * The same, of a document that has another file now.
+   *
+   * @param path its file before
+   */
+  public void forget(Path path) {
     kept = session.document().revision();
     try {
-      recovery.forget(session.file().path());
+      synchronized (order) {
+        forgotten = kept;
+        recovery.forget(path);
+      }
     } catch (IOException e) {
       session.message("The kept copy cannot be removed: " + message(e));
     }

@@ -269,7 +269,7 @@ public final class SourcePanel {
     if (fault.isPresent()) {
       Fault at = fault.get();
       notice.setText(
-          "<html><b>Not well formed, line %d:</b> %s. Forms wait until it is mended here."
+          "<html><b>Line %d:</b> %s. Forms wait until it is mended here."
               .formatted(at.line(), escaped(at.message())));
       markLine(document().offset(Math.max(1, at.line()), Math.max(1, at.column())));
     } else {

@@ -11,6 +11,8 @@ import org.fife.ui.rtextarea.RTextScrollPane;
 
 /** The colours and the font of the source, after those of the window. */
 final class SourceStyle {
+  private static final int CURRENT_LINE = 16;
+
   private SourceStyle() {}
 
   static void apply(RSyntaxTextArea area, RTextScrollPane scroll) {
@@ -25,7 +27,10 @@ final class SourceStyle {
     }
     area.setFont(UIManager.getFont("monospaced.font"));
     area.setBackground(UIManager.getColor("TextArea.background"));
-    area.setCurrentLineHighlightColor(mixed("TextArea.background", "TextArea.foreground", 0.06));
+    Color text = UIManager.getColor("TextArea.foreground");
+    // Seen through, or the mark of an error would be hidden in the line of the caret.
+    area.setCurrentLineHighlightColor(
+        new Color(text.getRed(), text.getGreen(), text.getBlue(), CURRENT_LINE));
     scroll.getGutter().setBackground(UIManager.getColor("Panel.background"));
     scroll.getGutter().setLineNumberFont(area.getFont());
     scroll.getGutter().setLineNumberColor(UIManager.getColor("Label.disabledForeground"));

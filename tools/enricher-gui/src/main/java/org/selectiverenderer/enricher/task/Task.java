@@ -7,12 +7,14 @@ import org.jspecify.annotations.Nullable;
 public final class Task implements Progress {
   private final String name;
   private final long begun;
+  private final boolean stoppable;
   private volatile double fraction = -1;
   private volatile boolean cancelled;
   private volatile @Nullable Future<?> running;
 
-  Task(String name, long begun) {
+  Task(String name, long begun, boolean stoppable) {
     this.name = name;
+    this.stoppable = stoppable;
     this.begun = begun;
   }
 
@@ -36,6 +38,11 @@ public final class Task implements Progress {
     fraction = newFraction;
   }
 
+  /** Whether {@link #cancel} ends it. */
+  public boolean stoppable() {
+    return stoppable;
+  }
+
   @Override
   public boolean cancelled() {
     return cancelled;
@@ -43,6 +50,9 @@ public final class Task implements Progress {
 
   /** Ends it as soon as it can be ended; nobody hears of its result. */
   public void cancel() {
+    if (!stoppable) {
+      return;
+    }
     cancelled = true;
     Future<?> future = running;
     if (future != null) {

@@ -19,7 +19,9 @@ public final class Tasks implements AutoCloseable {
 
   private final Executor eventThread;
   private final ExecutorService workers;
+  private final ExecutorService writer;
   private final List<Task> running = new CopyOnWriteArrayList<>();
+  private volatile boolean closed;
 
   /** Work that tells how far it is. */
   @FunctionalInterface
@@ -41,6 +43,7 @@ public final class Tasks implements AutoCloseable {
               thread.setPriority(Thread.MIN_PRIORITY + 1);
               return thread;
             });
+    this.writer = Executors.newSingleThreadExecutor(work -> new Thread(work, "enricher-writer"));
   }
 
   /**
@@ -56,9 +59,21 @@ public final class Tasks implements AutoCloseable {
 
   /** Runs work that tells how far it is, otherwise as the other one. */
   public <T> Task run(String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
-    Task task = new Task(name, System.nanoTime());
+    Task task = new Task(name, System.nanoTime(), true);
     running.add(task);
     task.runs(workers.submit(() -> work(task, work, done, failed)));
+    return task;
+  }
+
+  /**
+   * Runs work that is not to be stopped half-way, such as writing a file: it waits for no other
+   * work, cancelling it has no effect, and its result is always handed over.
+   */
+  public <T> Task runToEnd(
+      String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    Task task = new Task(name, System.nanoTime(), false);
+    running.add(task);
+    writer.execute(() -> work(task, progress -> work.call(), done, failed));
     return task;
   }
 
@@ -78,7 +93,7 @@ public final class Tasks implements AutoCloseable {
     running.remove(task);
     eventThread.execute(
         () -> {
-          if (!task.cancelled()) {
+          if (!closed && !task.cancelled()) {
             last.run();
           }
         });
@@ -90,10 +105,12 @@ public final class Tasks implements AutoCloseable {
     return List.copyOf(running);
   }
 
-  /** Cancels all and takes no more. */
+  /** Cancels what can be cancelled and takes no more; nobody hears of results any more. */
   @Override
   public void close() {
+    closed = true;
     running.forEach(Task::cancel);
     workers.shutdownNow();
+    writer.shutdown();
   }
 }

@@ -26,20 +26,20 @@ final class ShapePainter {
   }
 
   /** Draws faces. */
-  void solid(ObjectShape shape, ShapeFrame frame, Orbit orbit) {
+  void solid(ObjectShape shape, ShapeFrame frame, Turntable turntable) {
     Arrays.fill(depth, Float.NEGATIVE_INFINITY);
-    double[] rotation = orbit.rotation();
+    double[] rotation = turntable.rotation();
     for (int t = 0; t < shape.polygons(); t++) {
-      project(shape.corners(), 9 * t, frame, rotation, orbit.zoom());
+      project(shape.corners(), 9 * t, frame, rotation, turntable.zoom());
       fill(shade(shape.colors()[t]));
     }
   }
 
   /** Draws edges. */
-  void wires(ObjectShape shape, ShapeFrame frame, Orbit orbit, int color) {
-    double[] rotation = orbit.rotation();
+  void wires(ObjectShape shape, ShapeFrame frame, Turntable turntable, int color) {
+    double[] rotation = turntable.rotation();
     for (int t = 0; t < shape.polygons(); t++) {
-      project(shape.corners(), 9 * t, frame, rotation, orbit.zoom());
+      project(shape.corners(), 9 * t, frame, rotation, turntable.zoom());
       line(p[0], p[1], p[3], p[4], color);
       line(p[3], p[4], p[6], p[7], color);
       line(p[6], p[7], p[0], p[1], color);

@@ -24,22 +24,22 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A picture of a version, as a solid or as wires. Dragging, the arrow keys, + and - turn and zoom
- * all pictures of one {@link Orbit}.
+ * all pictures of one {@link Turntable}.
  */
 @SuppressWarnings("serial") // never written
 final class ShapeView extends JComponent implements Accessible {
   private static final long serialVersionUID = 1L;
   private static final double STEP = Math.toRadians(10);
 
-  private final Orbit orbit;
+  private final Turntable turntable;
   private final boolean wires;
   private @Nullable ObjectShape shape;
   private ShapeFrame frame = new ShapeFrame(0, 0, 0, 1);
 
-  ShapeView(Orbit orbit, boolean wires) {
-    this.orbit = orbit;
+  ShapeView(Turntable turntable, boolean wires) {
+    this.turntable = turntable;
     this.wires = wires;
-    orbit.addListener(this::repaint);
+    turntable.addListener(this::repaint);
     setFocusable(true);
     Turning turning = new Turning();
     addMouseListener(turning);
@@ -57,12 +57,12 @@ final class ShapeView extends JComponent implements Accessible {
             repaint();
           }
         });
-    key("LEFT", () -> orbit.turn(-STEP, 0));
-    key("RIGHT", () -> orbit.turn(STEP, 0));
-    key("UP", () -> orbit.turn(0, STEP));
-    key("DOWN", () -> orbit.turn(0, -STEP));
-    key("typed +", () -> orbit.zoom(1.2));
-    key("typed -", () -> orbit.zoom(1 / 1.2));
+    key("LEFT", () -> turntable.turn(-STEP, 0));
+    key("RIGHT", () -> turntable.turn(STEP, 0));
+    key("UP", () -> turntable.turn(0, STEP));
+    key("DOWN", () -> turntable.turn(0, -STEP));
+    key("typed +", () -> turntable.zoom(1.2));
+    key("typed -", () -> turntable.zoom(1 / 1.2));
     setToolTipText("Drag or use the arrow keys to turn, + and - to zoom");
   }
 
@@ -107,9 +107,9 @@ final class ShapeView extends JComponent implements Accessible {
     if (shape != null) {
       ShapePainter painter = new ShapePainter(pixels, width, height);
       if (wires) {
-        painter.wires(shape, frame, orbit, color("Label.foreground").getRGB());
+        painter.wires(shape, frame, turntable, color("Label.foreground").getRGB());
       } else {
-        painter.solid(shape, frame, orbit);
+        painter.solid(shape, frame, turntable);
       }
     }
     g.drawImage(image, 0, 0, getWidth(), getHeight(), null);
@@ -151,13 +151,13 @@ final class ShapeView extends JComponent implements Accessible {
     @Override
     public void mouseDragged(MouseEvent event) {
       double perPixel = Math.PI / Math.max(1, getWidth());
-      orbit.turn((last.x - event.getX()) * perPixel, (event.getY() - last.y) * perPixel);
+      turntable.turn((last.x - event.getX()) * perPixel, (event.getY() - last.y) * perPixel);
       last = event.getPoint();
     }
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
-      orbit.zoom(Math.pow(1.15, -event.getPreciseWheelRotation()));
+      turntable.zoom(Math.pow(1.15, -event.getPreciseWheelRotation()));
     }
   }
 }

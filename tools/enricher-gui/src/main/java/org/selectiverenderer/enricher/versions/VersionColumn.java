@@ -31,12 +31,12 @@ final class VersionColumn extends JPanel {
   /**
    * @param index 0 for the original
    */
-  VersionColumn(VersionsModel model, int index, Orbit orbit) {
+  VersionColumn(VersionsModel model, int index, Turntable turntable) {
     super(new MigLayout("insets 0, fill", "[grow,fill]", "[][]rel[grow,fill][grow,fill][]"));
     this.model = model;
     this.index = index;
-    this.solid = new ShapeView(orbit, false);
-    this.wires = new ShapeView(orbit, true);
+    this.solid = new ShapeView(turntable, false);
+    this.wires = new ShapeView(turntable, true);
     String name = "version " + (index + 1);
     solid.getAccessibleContext().setAccessibleName("Picture of %s, solid".formatted(name));
     wires.getAccessibleContext().setAccessibleName("Picture of %s, wireframe".formatted(name));

@@ -39,7 +39,7 @@ public final class VersionsDialog extends JDialog {
   private final EnricherSession session;
   private final VersionsModel model;
   private final VersionsWork work;
-  private final Orbit orbit = new Orbit();
+  private final Turntable turntable = new Turntable();
   private final JPanel columns = new JPanel(new MigLayout("insets 0, fill", "", "[grow,fill]"));
   private final List<VersionColumn> shown = new ArrayList<>();
   private final JLabel summary = new JLabel(" ");
@@ -136,7 +136,7 @@ public final class VersionsDialog extends JDialog {
     int count = 1 + model.goals().size();
     if (shown.size() != count) {
       while (shown.size() < count) {
-        shown.add(new VersionColumn(model, shown.size(), orbit));
+        shown.add(new VersionColumn(model, shown.size(), turntable));
       }
       while (shown.size() > count) {
         shown.remove(shown.size() - 1);

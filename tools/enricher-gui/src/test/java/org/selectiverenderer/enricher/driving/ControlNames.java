@@ -15,6 +15,7 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTree;
+import javax.swing.table.JTableHeader;
 import javax.swing.text.JTextComponent;
 
 /** Finds controls that a screen reader cannot name. */
@@ -37,8 +38,8 @@ public final class ControlNames {
   public static List<String> missing(Container in) {
     List<String> missing = new ArrayList<>();
     for (Component child : in.getComponents()) {
-      boolean control = CONTROLS.stream().anyMatch(type -> type.isInstance(child));
-      if (control && child instanceof JComponent component) {
+      boolean known = CONTROLS.stream().anyMatch(type -> type.isInstance(child));
+      if (child instanceof JComponent component && (known || ownKeys(component))) {
         String name = component.getAccessibleContext().getAccessibleName();
         if (name == null || name.isBlank()) {
           missing.add(component.getClass().getName() + " in " + in.getClass().getName());
@@ -54,6 +55,13 @@ public final class ControlNames {
       }
     }
     return missing;
+  }
+
+  /** A control that is painted by hand, such as a 3D picture. */
+  private static boolean ownKeys(JComponent component) {
+    boolean header = component instanceof JTableHeader; // the cells are what has the focus
+    return !header
+        && (component.getKeyListeners().length > 0 || component.getInputMap().size() > 0);
   }
 
   private static boolean divider(Container in, Component child) {

@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.driving;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
@@ -18,6 +20,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
 import javax.imageio.ImageIO;
+import javax.swing.JButton;
+import javax.swing.JDialog;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 
@@ -67,14 +71,57 @@ public final class Hands {
     onEdt(() -> true);
   }
 
+  /** Lets some time pass, for what is measured. */
+  public void rest(int milliseconds) {
+    robot.delay(milliseconds);
+    onEdt(() -> true);
+  }
+
   /** Waits until something is so. */
   public void await(String what, BooleanSupplier so) {
     for (int waited = 0; !onEdt(so::getAsBoolean); waited += STEP) {
       if (waited > PATIENCE) {
+        write(screen(), "screen-when-waited-in-vain");
         throw new AssertionError("waited in vain for " + what);
       }
       robot.delay(STEP);
     }
+  }
+
+  /** Waits for a dialog to show and gives it. */
+  public <T extends JDialog> T dialog(Class<T> type) {
+    await("a dialog", () -> showing(type) != null);
+    settle();
+    T dialog = onEdt(() -> showing(type));
+    assertThat(dialog).isNotNull();
+    return dialog;
+  }
+
+  private static <T extends JDialog> @org.jspecify.annotations.Nullable T showing(Class<T> type) {
+    for (Window window : Window.getWindows()) {
+      if (type.isInstance(window) && window.isShowing()) {
+        return type.cast(window);
+      }
+    }
+    return null;
+  }
+
+  /**
+   * Clicks the button of that text and waits for the dialog's end. Without a window manager a click
+   * on a dialog that has just come up may miss it: then by the keyboard.
+   */
+  public void choose(JDialog dialog, String button) {
+    JButton chosen = named(dialog, button, JButton.class);
+    click(chosen);
+    for (int waited = 0; waited < PATIENCE / 20 && onEdt(dialog::isShowing); waited += STEP) {
+      robot.delay(STEP);
+    }
+    if (onEdt(dialog::isShowing)) {
+      onEdt(chosen::requestFocusInWindow);
+      settle();
+      press(KeyEvent.VK_SPACE);
+    }
+    await("the end of the dialog", () -> !dialog.isShowing());
   }
 
   /** The component of that accessible name. */
@@ -165,6 +212,15 @@ public final class Hands {
               graphics.dispose();
               return painted;
             });
+    write(image, name);
+  }
+
+  private BufferedImage screen() {
+    return robot.createScreenCapture(
+        new Rectangle(java.awt.Toolkit.getDefaultToolkit().getScreenSize()));
+  }
+
+  private static void write(BufferedImage image, String name) {
     File file = new File("target/pictures/" + name + ".png");
     try {
       if (!file.getParentFile().isDirectory() && !file.getParentFile().mkdirs()) {

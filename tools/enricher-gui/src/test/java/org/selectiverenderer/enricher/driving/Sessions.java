@@ -27,11 +27,11 @@ public final class Sessions {
   }
 
   public static EnricherSession open(Path file) throws IOException {
-    return new EnricherSession(
-        DocumentFile.open(file),
-        NodeCatalogue.load(),
-        new Tasks(EventQueue::invokeLater),
-        message -> {});
+    return open(file, new Tasks(EventQueue::invokeLater));
+  }
+
+  public static EnricherSession open(Path file, Tasks tasks) throws IOException {
+    return new EnricherSession(DocumentFile.open(file), NodeCatalogue.load(), tasks, message -> {});
   }
 
   /** An object in two versions of which nothing is said. */

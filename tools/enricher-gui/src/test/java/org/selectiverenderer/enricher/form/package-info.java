@@ -1,4 +1,3 @@
-/** Tests of the enricher without widgets. */
 @NullMarked
 package org.selectiverenderer.enricher.form;
 

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.enricher.driving.ControlNames;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
@@ -250,7 +251,7 @@ class PreviewPanelTest {
   @Test
   void everyControlHasAnAccessibleName() throws Exception {
     try (PreviewWindow window = open()) {
-      PreviewWindow.edt(() -> assertThat(AccessibleNames.missing(window.panel)).isEmpty());
+      PreviewWindow.edt(() -> assertThat(ControlNames.missing(window.panel)).isEmpty());
     }
   }
 

@@ -11,7 +11,7 @@ class ShapePainterTest {
   private static final int CENTRE = SIDE / 2 * SIDE + SIDE / 2;
   private final int[] pixels = new int[SIDE * SIDE];
   private final ShapePainter painter = new ShapePainter(pixels, SIDE, SIDE);
-  private final Orbit front = new Orbit();
+  private final Turntable front = new Turntable();
 
   ShapePainterTest() {
     front.turn(-0.6, -0.35); // from where one begins to the z axis

@@ -55,7 +55,7 @@ class VersionsDialogTest {
 
     JComponent picture = Hands.named(dialog, "Picture of version 2, wireframe", JComponent.class);
     hands.click(picture);
-    assertThat(Hands.onEdt(picture::isFocusOwner)).isTrue();
+    hands.await("the focus on the picture", picture::isFocusOwner);
     hands.press(KeyEvent.VK_LEFT);
     Hands.picture(dialog.getContentPane(), "versions-ball", 1);
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** From where the versions are looked at: one for all of them, so that they turn together. */
-final class Orbit {
+final class Turntable {
   private final List<Runnable> listeners = new ArrayList<>();
   private double yaw = 0.6;
   private double pitch = 0.35;

@@ -1,0 +1,76 @@
+package org.selectiverenderer.enricher;
+
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.enricher.ratings.RatingsDialog;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.versions.VersionsDialog;
+
+/** The dialogs that change the open scene. They see what is typed so far. */
+final class SceneDialogs {
+  private final Window owner;
+  private final Supplier<Optional<Workbench>> bench;
+  private final Consumer<String> say;
+
+  /**
+   * @param bench of the open scene; empty for none
+   * @param say shows a sentence
+   */
+  SceneDialogs(Window owner, Supplier<Optional<Workbench>> bench, Consumer<String> say) {
+    this.owner = owner;
+    this.bench = bench;
+    this.say = say;
+  }
+
+  /**
+   * Imports expectancy ratings.
+   *
+   * @param table to begin with; empty for none
+   */
+  void ratings(Optional<Path> table) {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              RatingsDialog dialog = new RatingsDialog(owner, open.session());
+              table.ifPresent(dialog::open);
+              dialog.setVisible(true);
+            });
+  }
+
+  /** Makes versions of the object that the selection is or is part of. */
+  void versions() {
+    bench
+        .get()
+        .map(Workbench::session)
+        .flatMap(EnricherSession::selection)
+        .flatMap(SceneDialogs::object)
+        .ifPresentOrElse(
+            this::versions,
+            () -> say.accept("Choose an object with a DEF name first, then make versions of it"));
+  }
+
+  /** Makes versions of an object. */
+  void versions(DocumentElement object) {
+    Optional<Workbench> open = bench.get();
+    open.ifPresent(Workbench::commit);
+    if (open.isPresent() && object.attached()) {
+      new VersionsDialog(owner, open.get().session(), object).setVisible(true);
+      open.get().lookAtFilesAgain();
+    }
+  }
+
+  private static Optional<DocumentElement> object(DocumentElement element) {
+    for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
+      if (at.name().equals("Switch")) {
+        return Optional.of(at);
+      }
+    }
+    return element.def().map(def -> element);
+  }
+}

@@ -1,0 +1,168 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.List;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.SwitchNode.ChoiceNode;
+import org.selectiverenderer.enricher.help.HelpTopic;
+import org.selectiverenderer.enricher.preview.VersionPicture;
+import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.schema.ConsistencyType;
+
+/** One choice of a Switch (a row of thesis Fig 44): the version, and what is said of it. */
+final class ChoiceForm {
+  private final EnricherSession session;
+  private final VersionPictures pictures;
+  private final ChoiceNode choice;
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][fill]"));
+  private final VersionThumbnail thumbnail;
+  private final JLabel polygons = new JLabel("\u2026");
+  private final JLabel title;
+  private final JLabel url;
+  private final List<FormField> fields;
+  private @Nullable VersionLoading loading;
+
+  ChoiceForm(
+      EnricherSession session, VersionPictures pictures, SwitchNode node, ChoiceNode choice) {
+    this.session = session;
+    this.pictures = pictures;
+    this.choice = choice;
+    String name = "choice " + choice.index();
+    ChoiceEditing editing = new ChoiceEditing(session, node.element(), choice.index());
+    JComboBox<String> type = new JComboBox<>();
+    type.addItem(ChoiceEditing.NONE);
+    for (ConsistencyType each : ConsistencyType.values()) {
+      type.addItem(each.spelling());
+    }
+    name(type, "Type of " + name, HelpTopic.TYPE);
+    JComboBox<String> degree = new JComboBox<>(new String[] {DegreeInput.NONE, "low", "high"});
+    degree.setEditable(true);
+    JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
+    typed.setColumns(4); // as long as the longest degree, without what the editor keeps in reserve
+    name(degree, "Degree of " + name, HelpTopic.DEGREE);
+    name(typed, "Degree of " + name, HelpTopic.DEGREE);
+    typed.setName("Typed degree of " + name);
+    SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
+    name(schemas, "Schemas of " + name, HelpTopic.SCHEMAS);
+    schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
+    title = Labels.of("", type);
+    title.putClientProperty("FlatLaf.styleClass", "h4");
+    if (choice.index() < 10) {
+      title.setDisplayedMnemonic('0' + choice.index());
+    }
+    thumbnail = new VersionThumbnail("Picture of " + name);
+    url = new JLabel(shortly(choice));
+    url.setToolTipText(where(choice));
+    url.getAccessibleContext().setAccessibleName("Model of " + name + ": " + where(choice));
+    polygons.setName("Polygons of " + name);
+    polygons.getAccessibleContext().setAccessibleName("Polygons of " + name);
+    boolean writable = session.document().locked().isEmpty();
+    type.setEnabled(writable);
+    degree.setEnabled(writable);
+    schemas.setEditable(writable);
+
+    JLabel degreeComplaint = Labels.complaint();
+    JLabel schemasComplaint = Labels.complaint();
+    JLabel typeComplaint = Labels.complaint();
+    panel.add(title, "span, wmin 0");
+    JPanel facts = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
+    facts.add(url, "wmin 0");
+    facts.add(polygons, "wmin 0");
+    panel.add(thumbnail, "split 2, span, growx 0");
+    panel.add(facts, "growx, wmin 0");
+    panel.add(Labels.of("Type", type));
+    panel.add(type, "wmin 0");
+    panel.add(Labels.of("Degree", degree));
+    panel.add(degree, "wmin pref");
+    panel.add(Labels.of("Schemas", schemas));
+    panel.add(schemas, "spanx 3, wmin 0");
+    panel.add(typeComplaint, "skip 1, spanx 3, wmin 0");
+    panel.add(degreeComplaint, "skip 1, spanx 3, wmin 0");
+    panel.add(schemasComplaint, "skip 1, spanx 3, wmin 0");
+    panel.getAccessibleContext().setAccessibleName("Choice " + choice.index());
+    fields =
+        List.of(
+            FormField.of(type, typeComplaint, new FormField.Source(editing::type, editing::type)),
+            FormField.of(
+                degree, degreeComplaint, new FormField.Source(editing::degree, editing::degree)),
+            FormField.of(
+                schemas,
+                schemasComplaint,
+                new FormField.Source(editing::schemas, editing::schemas)));
+    follow(node);
+  }
+
+  private static void name(JComponent control, String name, HelpTopic topic) {
+    control.setName(name);
+    control.getAccessibleContext().setAccessibleName(name);
+    topic.explain(control);
+  }
+
+  private static String where(ChoiceNode choice) {
+    return choice.url().isEmpty() ? choice.element() + ", in the scene itself" : choice.url();
+  }
+
+  /** The file's name: folders would push it out of view. */
+  private static String shortly(ChoiceNode choice) {
+    String where = where(choice);
+    return choice.url().isEmpty() ? where : where.substring(where.lastIndexOf('/') + 1);
+  }
+
+  JComponent component() {
+    return panel;
+  }
+
+  /** Has the picture taken; when it is known on which screen it will be. */
+  void load() {
+    if (loading == null) {
+      loading =
+          new VersionLoading(session, pictures, thumbnail.pixels(), this::taken, this::failed);
+      loading.begin(choice);
+    }
+  }
+
+  private void taken(VersionPicture picture) {
+    thumbnail.show(picture.image());
+    String text = "%,d polygons".formatted(picture.polygons());
+    polygons.setText(text);
+    polygons.getAccessibleContext().setAccessibleName(text);
+  }
+
+  private void failed(String sentence) {
+    polygons.setText(sentence);
+    polygons.setToolTipText(sentence);
+    polygons.getAccessibleContext().setAccessibleName(sentence);
+  }
+
+  /** Whether it is the form of that choice. */
+  boolean fits(ChoiceNode other) {
+    return choice.element() == other.element() && choice.url().equals(other.url());
+  }
+
+  void follow(SwitchNode node) {
+    title.setText(
+        "Choice %d%s"
+            .formatted(
+                choice.index(), node.whichChoice() == choice.index() ? " (at the start)" : ""));
+    fields.forEach(FormField::follow);
+  }
+
+  void commit() {
+    fields.forEach(FormField::commit);
+  }
+
+  void dispose() {
+    fields.forEach(FormField::close);
+    if (loading != null) {
+      loading.cancel();
+    }
+  }
+}

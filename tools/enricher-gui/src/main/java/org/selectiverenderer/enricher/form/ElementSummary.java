@@ -1,0 +1,60 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.NodeCatalogue;
+
+/**
+ * What is to be known of an element that has no form.
+ *
+ * @param path names of the elements round it, from the outermost
+ * @param around the nearest Switch or ProximitySensor that it stands in
+ * @param advice what can be done, as a sentence; versions can be made if the name is given
+ */
+record ElementSummary(
+    String path, Optional<DocumentElement> around, String advice, boolean versions) {
+  static ElementSummary of(SceneDocument document, NodeCatalogue catalogue, DocumentElement node) {
+    List<String> names = new ArrayList<>();
+    Optional<DocumentElement> around = Optional.empty();
+    for (Optional<DocumentElement> at = node.parent(); at.isPresent(); at = at.get().parent()) {
+      DocumentElement parent = at.get();
+      names.add(parent.toString());
+      boolean formed = parent.name().equals("Switch") || parent.name().equals("ProximitySensor");
+      around = around.isEmpty() && formed ? at : around;
+    }
+    Collections.reverse(names);
+    boolean object =
+        catalogue
+            .find(node.name())
+            .filter(
+                type ->
+                    type.is("X3DGroupingNode") || type.is("X3DShapeNode") || inlines(node.name()))
+            .isPresent();
+    boolean named = node.def().isPresent();
+    boolean free = around.isEmpty() && node.use().isEmpty();
+    String advice;
+    if (around.isPresent()) {
+      advice = "It is part of " + around.get() + ", which has a form.";
+    } else if (object && named && free) {
+      advice = "Versions of it with fewer polygons can be made. A Switch then shows one of them.";
+    } else if (object && free) {
+      advice =
+          "To make versions of it with fewer polygons, first give it a name (DEF) in the source.";
+    } else {
+      advice = "Forms are of Switches (objects) and ProximitySensors (areas). Choose one of them.";
+    }
+    return new ElementSummary(
+        String.join(" \u203a ", names),
+        around,
+        document.locked().orElse(advice),
+        object && named && free && document.locked().isEmpty());
+  }
+
+  private static boolean inlines(String name) {
+    return name.equals("Inline");
+  }
+}

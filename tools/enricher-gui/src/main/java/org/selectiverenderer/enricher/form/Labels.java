@@ -1,0 +1,49 @@
+package org.selectiverenderer.enricher.form;
+
+import java.awt.Color;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+
+/** The labels of forms. */
+final class Labels {
+  private Labels() {}
+
+  /** Of a control, which Alt and a letter go to. */
+  static JLabel of(String text, JComponent control) {
+    JLabel label = new JLabel(text);
+    label.setLabelFor(control);
+    return label;
+  }
+
+  /** A sentence under a control that says what is wrong in it. */
+  static JLabel complaint() {
+    JLabel label =
+        new JLabel() {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public Color getForeground() {
+            Color red = UIManager.getColor("Actions.Red");
+            return red == null ? super.getForeground() : red;
+          }
+        };
+    label.getAccessibleContext().setAccessibleName("What is wrong");
+    return label;
+  }
+
+  /** Sentences that are broken into lines as there is room. */
+  static JTextArea sentences(String text) {
+    JTextArea area = new JTextArea(text);
+    area.setEditable(false);
+    area.setFocusable(false);
+    area.setOpaque(false);
+    area.setLineWrap(true);
+    area.setWrapStyleWord(true);
+    area.setBorder(null);
+    area.setFont(UIManager.getFont("Label.font"));
+    area.getAccessibleContext().setAccessibleName(text);
+    return area;
+  }
+}

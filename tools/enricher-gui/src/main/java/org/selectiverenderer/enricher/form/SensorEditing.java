@@ -1,0 +1,66 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.enrichment.SensorNode;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.schema.SensorSchemas;
+
+/** The schemas of an area, as texts that an author edits; otherwise as {@link ChoiceEditing}. */
+final class SensorEditing {
+  private final EnricherSession session;
+  private final DocumentElement element;
+
+  /**
+   * @param element a ProximitySensor
+   */
+  SensorEditing(EnricherSession session, DocumentElement element) {
+    this.session = session;
+    this.element = element;
+  }
+
+  private SensorSchemas schemas() {
+    return session
+        .enrichment()
+        .sensorNode(element)
+        .map(SensorNode::schemas)
+        .orElse(new SensorSchemas(List.of(), List.of()));
+  }
+
+  String enter() {
+    return SchemaList.format(schemas().enter());
+  }
+
+  String exit() {
+    return SchemaList.format(schemas().exit());
+  }
+
+  /** Says what entering activates. */
+  Optional<String> enter(String text) {
+    return write(text, names -> new SensorSchemas(names, schemas().exit()));
+  }
+
+  /** Says what leaving activates. */
+  Optional<String> exit(String text) {
+    return write(text, names -> new SensorSchemas(schemas().enter(), names));
+  }
+
+  private Optional<String> write(String text, Function<List<String>, SensorSchemas> with) {
+    Input<List<String>> input = SchemaList.parse(text);
+    if (input instanceof Input.Wrong<List<String>> wrong) {
+      return Optional.of(wrong.why());
+    }
+    SensorSchemas wanted = with.apply(((Input.Valid<List<String>>) input).value());
+    session
+        .enrichment()
+        .sensorNode(element)
+        .filter(now -> !now.schemas().equals(wanted))
+        .ifPresent(
+            now ->
+                session.attempt(
+                    () -> session.document().perform(session.edits().sensor(now, wanted))));
+    return Optional.empty();
+  }
+}

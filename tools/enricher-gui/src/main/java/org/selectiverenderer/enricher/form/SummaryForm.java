@@ -1,0 +1,75 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.enricher.session.EnricherSession;
+
+/** What is shown of an element without a form: where it stands and what can be done. */
+final class SummaryForm implements Form {
+  private final EnricherSession session;
+  private final DocumentElement element;
+  private final ElementSummary summary;
+  private final JPanel panel = new JPanel(new MigLayout("insets 0, wrap 1", "[grow,fill]"));
+
+  /**
+   * @param makeVersions of an element with a name
+   */
+  SummaryForm(
+      EnricherSession session, DocumentElement element, Consumer<DocumentElement> makeVersions) {
+    this.session = session;
+    this.element = element;
+    summary = summary();
+    if (!summary.path().isEmpty()) {
+      panel.add(Labels.sentences("In " + summary.path()), "wmin 0");
+    }
+    panel.add(Labels.sentences(summary.advice()), "wmin 0");
+    summary
+        .around()
+        .ifPresent(
+            around -> {
+              JButton go = new JButton("Go to " + around);
+              go.setMnemonic('G');
+              go.addActionListener(event -> session.select(around, this));
+              panel.add(go, "growx 0");
+            });
+    if (summary.versions()) {
+      JButton make = new JButton("Make versions\u2026");
+      make.setMnemonic('M');
+      make.addActionListener(event -> makeVersions.accept(element));
+      panel.add(make, "growx 0");
+    }
+  }
+
+  private ElementSummary summary() {
+    return ElementSummary.of(session.document(), session.catalogue(), element);
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public boolean fits() {
+    return element.attached() && summary.equals(summary());
+  }
+
+  @Override
+  public void follow() {
+    // All of it is in the summary.
+  }
+
+  @Override
+  public void commit() {
+    // Nothing is typed.
+  }
+
+  @Override
+  public void dispose() {
+    // It waits for nothing.
+  }
+}

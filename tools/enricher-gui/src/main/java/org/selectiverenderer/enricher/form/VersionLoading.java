@@ -1,0 +1,109 @@
+package org.selectiverenderer.enricher.form;
+
+import java.awt.Dimension;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.SwitchNode.ChoiceNode;
+import org.selectiverenderer.enricher.preview.VersionLook;
+import org.selectiverenderer.enricher.preview.VersionPicture;
+import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.preview.VersionSource;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.x3d.ContentRoot;
+
+/**
+ * Finds the model of one choice and has its picture taken: the file that an Inline names, or what
+ * stands in the scene itself.
+ */
+final class VersionLoading {
+  /** A version in the scene itself that is longer has no picture: its text would be copied. */
+  private static final int LONGEST = 4_000_000;
+
+  private final EnricherSession session;
+  private final VersionPictures pictures;
+  private final Dimension pixels;
+  private final Consumer<VersionPicture> taken;
+  private final Consumer<String> failed;
+  private @Nullable Task finding;
+  private VersionPictures.@Nullable Request request;
+
+  /**
+   * @param pixels of the picture
+   * @param taken hears the picture and the polygons
+   * @param failed hears why there is none
+   */
+  VersionLoading(
+      EnricherSession session,
+      VersionPictures pictures,
+      Dimension pixels,
+      Consumer<VersionPicture> taken,
+      Consumer<String> failed) {
+    this.session = session;
+    this.pictures = pictures;
+    this.pixels = pixels;
+    this.taken = taken;
+    this.failed = failed;
+  }
+
+  void begin(ChoiceNode choice) {
+    Path scene = session.file().path();
+    if (!choice.url().isEmpty()) {
+      finding =
+          session
+              .tasks()
+              .run(
+                  "Finding " + choice.url(),
+                  () -> file(scene, choice.url()),
+                  file -> ask(new VersionSource.OfFile(file)),
+                  e -> failed.accept(String.valueOf(e.getMessage())));
+      return;
+    }
+    inScene(choice.element(), scene)
+        .ifPresentOrElse(this::ask, () -> failed.accept("No picture of a version in the scene"));
+  }
+
+  private static Path file(Path scene, String url) throws IOException {
+    Path folder = Optional.ofNullable(scene.toAbsolutePath().getParent()).orElse(scene);
+    ContentRoot.Target target = new ContentRoot(folder).resolve(url, folder);
+    if (target instanceof ContentRoot.Target.Refused refused) {
+      throw new IOException("This version " + refused.reason());
+    }
+    return ((ContentRoot.Target.File) target).path();
+  }
+
+  /** The choice alone, as a scene of its own. */
+  private Optional<VersionSource> inScene(DocumentElement element, Path scene) {
+    SceneDocument document = session.document();
+    if (element.use().isPresent() || element.end() - element.start() > LONGEST) {
+      return Optional.empty();
+    }
+    String text =
+        "<X3D profile='Full' version='4.0'><Scene>%s</Scene></X3D>"
+            .formatted(document.text(element));
+    Path folder = Optional.ofNullable(scene.toAbsolutePath().getParent()).orElse(scene);
+    return Optional.of(
+        new VersionSource.OfContent(
+            document.name(), text.getBytes(StandardCharsets.UTF_8), folder));
+  }
+
+  private void ask(VersionSource source) {
+    request =
+        pictures.request(source, VersionLook.solid(pixels.width, pixels.height), taken, failed);
+  }
+
+  void cancel() {
+    if (finding != null) {
+      finding.cancel();
+    }
+    if (request != null) {
+      request.cancel();
+    }
+  }
+}

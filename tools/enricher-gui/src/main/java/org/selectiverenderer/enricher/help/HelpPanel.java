@@ -1,0 +1,102 @@
+package org.selectiverenderer.enricher.help;
+
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
+import java.awt.Window;
+import java.beans.PropertyChangeEvent;
+import java.beans.PropertyChangeListener;
+import java.util.Optional;
+import javax.swing.JEditorPane;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+
+/**
+ * The help beside the author's work: first what the control with the focus, or else the selected
+ * node, is about, then the way of working and all words.
+ *
+ * <p>For the event dispatch thread.
+ */
+public final class HelpPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+  private static final String FOCUS = "permanentFocusOwner";
+
+  private final transient EnricherSession session;
+  private final transient SelectionListener onSelection = (element, origin) -> show(topic(element));
+  private final transient PropertyChangeListener onFocus = this::focused;
+  private final JEditorPane page = new JEditorPane("text/html", "");
+  private @Nullable HelpTopic shown;
+
+  public HelpPanel(EnricherSession session) {
+    super(new MigLayout("insets 0", "[grow,fill]", "[grow,fill]"));
+    this.session = session;
+    page.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
+    page.setEditable(false);
+    page.getAccessibleContext().setAccessibleName("Help");
+    JScrollPane scroll = new JScrollPane(page);
+    scroll.setBorder(null);
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the help");
+    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the help");
+    add(scroll, "wmin 0, hmin 0");
+    getAccessibleContext().setAccessibleName("Help");
+    write(Optional.empty());
+    session.addSelectionListener(onSelection);
+    KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener(FOCUS, onFocus);
+    show(topic(session.selection()));
+  }
+
+  private static Optional<HelpTopic> topic(Optional<DocumentElement> element) {
+    return element.flatMap(
+        node ->
+            switch (node.name()) {
+              case "Switch" -> Optional.of(HelpTopic.SWITCH);
+              case "ProximitySensor" -> Optional.of(HelpTopic.SENSOR);
+              default -> Optional.empty();
+            });
+  }
+
+  private void focused(PropertyChangeEvent event) {
+    if (event.getNewValue() instanceof Component owner && mine(owner)) {
+      HelpTopic.of(owner)
+          .ifPresentOrElse(
+              topic -> show(Optional.of(topic)), () -> show(topic(session.selection())));
+    }
+  }
+
+  /** One reads the help without its turning to something else; other windows are not explained. */
+  private boolean mine(Component owner) {
+    Window window = SwingUtilities.getWindowAncestor(this);
+    return window != null
+        && window == SwingUtilities.getWindowAncestor(owner)
+        && !SwingUtilities.isDescendingFrom(owner, this);
+  }
+
+  private void show(Optional<HelpTopic> topic) {
+    if (topic.orElse(null) != shown) {
+      write(topic);
+    }
+  }
+
+  private void write(Optional<HelpTopic> topic) {
+    shown = topic.orElse(null);
+    page.setText(HelpTexts.page(topic));
+    page.setCaretPosition(0);
+  }
+
+  /** The page as it is now. */
+  String text() {
+    return page.getText();
+  }
+
+  /** Follows nothing any more. */
+  public void dispose() {
+    session.removeSelectionListener(onSelection);
+    KeyboardFocusManager.getCurrentKeyboardFocusManager()
+        .removePropertyChangeListener(FOCUS, onFocus);
+  }
+}

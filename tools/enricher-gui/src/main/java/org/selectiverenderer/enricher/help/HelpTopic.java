@@ -1,0 +1,69 @@
+package org.selectiverenderer.enricher.help;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.Optional;
+import javax.swing.JComponent;
+
+/** What the help can explain. A control says by a property which topic it is about. */
+public enum HelpTopic {
+  SWITCH(
+      "Switch: an object in versions",
+      "Each choice of a Switch is a version of one object, with more or fewer polygons. Say of each"
+          + " in which schemas it is shown. The renderer shows the version that belongs to the"
+          + " schema the viewer has entered last. Usually the version with all polygons has the"
+          + " degree low, the one with the fewest the degree high"),
+  SENSOR(
+      "ProximitySensor: an area",
+      "The box of a ProximitySensor is an area of the scene. Say which schemas become active when"
+          + " the viewer enters it and which when the viewer leaves it"),
+  TYPE("Type (consistencyType)", HelpTexts.TYPE),
+  DEGREE("Degree (degreeOfConsistency)", HelpTexts.DEGREE),
+  SCHEMAS("Schemas (schemaBelonginess)", HelpTexts.SCHEMAS),
+  ENTER("On entering (enterTimeSchema)", HelpTexts.ENTER),
+  EXIT("On leaving (exitTimeSchema)", HelpTexts.EXIT);
+
+  private static final String PROPERTY = "enricher.helpTopic";
+
+  private final String title;
+  private final String text;
+
+  HelpTopic(String title, String text) {
+    this.title = title;
+    this.text = text;
+  }
+
+  public String title() {
+    return title;
+  }
+
+  /** What it means, as sentences without the last full stop. */
+  public String text() {
+    return text;
+  }
+
+  /** Makes a control one about this topic: its tooltip, and what the help shows with it. */
+  public void explain(JComponent control) {
+    mark(control);
+    control.setToolTipText("<html><body style='width: 260px'>" + text);
+    control.getAccessibleContext().setAccessibleDescription(text);
+  }
+
+  /** Makes all in a component be about this topic, unless it is about one of its own. */
+  public void mark(JComponent component) {
+    component.putClientProperty(PROPERTY, this);
+  }
+
+  /** The topic of a component, or of what it stands in. */
+  public static Optional<HelpTopic> of(Component component) {
+    for (Container at = component instanceof Container c ? c : component.getParent();
+        at != null;
+        at = at.getParent()) {
+      if (at instanceof JComponent control
+          && control.getClientProperty(PROPERTY) instanceof HelpTopic topic) {
+        return Optional.of(topic);
+      }
+    }
+    return Optional.empty();
+  }
+}

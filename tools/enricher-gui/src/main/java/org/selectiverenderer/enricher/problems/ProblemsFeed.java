@@ -1,0 +1,126 @@
+package org.selectiverenderer.enricher.problems;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.Timer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.DocumentCheck;
+import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Progress;
+import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.x3d.Problem;
+
+/**
+ * Keeps a list of problems up to date: what is known at once a blink after a change, what checks
+ * say after a pause in editing.
+ */
+final class ProblemsFeed {
+  private static final int AT_ONCE_MS = 120;
+  private static final int PAUSE_MS = 900;
+
+  private final EnricherSession session;
+  private final ProblemsModel model;
+  private final List<DocumentCheck> checks;
+  private final Runnable refreshed;
+  private final Consumer<Boolean> checking;
+  private final DocumentListener onChange = change -> changed();
+  private final Timer atOnce = new Timer(AT_ONCE_MS, event -> refresh());
+  private final Timer pause = new Timer(PAUSE_MS, event -> check());
+  private @Nullable Task task;
+
+  /**
+   * @param refreshed hears that the model has been put together anew
+   * @param checking hears that checks have begun or ended
+   */
+  ProblemsFeed(
+      EnricherSession session,
+      ProblemsModel model,
+      List<DocumentCheck> checks,
+      Runnable refreshed,
+      Consumer<Boolean> checking) {
+    this.session = session;
+    this.model = model;
+    this.checks = List.copyOf(checks);
+    this.refreshed = refreshed;
+    this.checking = checking;
+    atOnce.setRepeats(false);
+    pause.setRepeats(false);
+    session.document().addListener(onChange);
+  }
+
+  void begin() {
+    refresh();
+    check();
+  }
+
+  private void changed() {
+    atOnce.restart();
+    pause.restart();
+    cancel();
+  }
+
+  private void refresh() {
+    model.refresh();
+    refreshed.run();
+  }
+
+  private void check() {
+    cancel();
+    if (checks.isEmpty() || session.document().tree().isEmpty()) {
+      return; // Of a text that is not well formed the fault is all there is to say.
+    }
+    Snapshot snapshot = session.document().snapshot();
+    checking.accept(true);
+    task =
+        session
+            .tasks()
+            .run(
+                "Checking the scene",
+                progress -> run(snapshot, progress),
+                problems -> checked(snapshot.revision(), problems),
+                this::failed);
+  }
+
+  private List<Problem> run(Snapshot snapshot, Progress progress) {
+    List<Problem> problems = new ArrayList<>();
+    for (int i = 0; i < checks.size(); i++) {
+      progress.check();
+      problems.addAll(checks.get(i).check(snapshot));
+      progress.done((i + 1) / (double) checks.size());
+    }
+    return problems;
+  }
+
+  private void checked(long revision, List<Problem> problems) {
+    task = null;
+    checking.accept(false);
+    model.checked(revision, problems);
+    refresh();
+  }
+
+  private void failed(Exception e) {
+    task = null;
+    checking.accept(false);
+    Throwable cause = e instanceof ExecutionException && e.getCause() != null ? e.getCause() : e;
+    session.message("The scene could not be checked: " + cause);
+  }
+
+  private void cancel() {
+    if (task != null) {
+      task.cancel();
+      task = null;
+      checking.accept(false);
+    }
+  }
+
+  void dispose() {
+    atOnce.stop();
+    pause.stop();
+    cancel();
+    session.document().removeListener(onChange);
+  }
+}

@@ -1,0 +1,130 @@
+package org.selectiverenderer.enricher.problems;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.Fault;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.enricher.problems.Entry.Place;
+import org.selectiverenderer.x3d.Problem;
+
+/**
+ * What is wrong with a document: what is known at once (not well formed, findings of the metadata)
+ * and what checks have said, which stays until they have looked again, as long as its place is
+ * there. In the order of the document. No widgets.
+ */
+final class ProblemsModel {
+  private final SceneDocument document;
+  private final Enrichment enrichment;
+  private List<Entry> checked = List.of();
+  private List<Entry> all = List.of();
+  private Set<DocumentElement> faulty = Set.of();
+
+  ProblemsModel(SceneDocument document, Enrichment enrichment) {
+    this.document = document;
+    this.enrichment = enrichment;
+  }
+
+  /**
+   * Hears what checks have found.
+   *
+   * @param revision that they have looked at; if the document has changed since, it is let be
+   */
+  void checked(long revision, List<Problem> problems) {
+    if (revision == document.revision()) {
+      checked = problems.stream().map(this::entry).toList();
+    }
+  }
+
+  private Entry entry(Problem problem) {
+    boolean here = problem.location().file().equals(document.name());
+    Place place = here ? place(problem) : new Place.Elsewhere(problem.location());
+    return new Entry(problem.severity(), problem.message(), place, Optional.empty());
+  }
+
+  private Place place(Problem problem) {
+    if (problem.location().line() == 0) {
+      return document
+          .tree()
+          .<Place>map(tree -> new Place.InElement(tree.root(), 0, tree.root().changed()))
+          .orElse(new Place.InText(0));
+    }
+    int line = problem.location().line();
+    int offset = document.offset(line, Math.max(1, problem.location().column()));
+    Optional<DocumentElement> element = document.tree().flatMap(tree -> tree.at(offset));
+    return element
+        .<Place>map(in -> new Place.InElement(in, offset - in.start(), in.changed()))
+        .orElse(new Place.InText(offset));
+  }
+
+  /** Puts the list together as of now. */
+  void refresh() {
+    List<Entry> now = new ArrayList<>();
+    document.fault().map(this::entry).ifPresent(now::add);
+    boolean wellFormed = document.tree().isPresent();
+    if (wellFormed) {
+      Map<Object, List<Integer>> known = new HashMap<>();
+      enrichment.findings().forEach(finding -> add(Entry.of(finding), known, now));
+      checked.stream().filter(Entry::current).forEach(entry -> add(entry, known, now));
+    }
+    now.sort(
+        Comparator.comparingInt((Entry entry) -> entry.offset().orElse(Integer.MAX_VALUE))
+            .thenComparing(Entry::severity)
+            .thenComparing(Entry::message));
+    all = List.copyOf(now);
+    faulty = Collections.newSetFromMap(new IdentityHashMap<>());
+    all.stream()
+        .filter(entry -> entry.severity() != Problem.Severity.INFO)
+        .flatMap(entry -> entry.element().stream())
+        .forEach(faulty::add);
+  }
+
+  /** Of two that say the same the first stays, which may have a fix, as severe as the worse. */
+  private static void add(Entry entry, Map<Object, List<Integer>> known, List<Entry> now) {
+    List<Integer> others = known.computeIfAbsent(key(entry), k -> new ArrayList<>());
+    for (int index : others) {
+      Entry other = now.get(index);
+      if (entry.repeats(other)) {
+        now.set(index, other.atLeast(entry.severity()));
+        return;
+      }
+    }
+    others.add(now.size());
+    now.add(entry);
+  }
+
+  private Entry entry(Fault fault) {
+    int offset = document.offset(fault.line(), Math.max(1, fault.column()));
+    return new Entry(
+        Problem.Severity.ERROR, fault.message(), new Place.InText(offset), Optional.empty());
+  }
+
+  private static Object key(Entry entry) {
+    return entry.element().<Object>map(element -> element).orElse(entry.place());
+  }
+
+  /** Whether there is an error or a warning of the element itself. */
+  boolean faulty(DocumentElement element) {
+    return faulty.contains(element);
+  }
+
+  List<Entry> entries() {
+    return all;
+  }
+
+  Counts counts() {
+    return Counts.of(all);
+  }
+
+  SceneDocument document() {
+    return document;
+  }
+}

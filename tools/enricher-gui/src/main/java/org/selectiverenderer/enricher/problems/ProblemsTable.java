@@ -1,0 +1,54 @@
+package org.selectiverenderer.enricher.problems;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.event.MouseEvent;
+import javax.swing.JTable;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+/** The table of problems; asks its model only for rows in view. */
+final class ProblemsTable extends JTable {
+  private static final long serialVersionUID = 1L;
+
+  ProblemsTable(ProblemsTableModel model) {
+    super(model);
+    getAccessibleContext().setAccessibleName("Problems of the scene");
+    setFillsViewportHeight(true);
+    setShowGrid(false);
+    getTableHeader().setReorderingAllowed(false);
+    TableColumn severity = getColumnModel().getColumn(ProblemsTableModel.SEVERITY);
+    severity.setCellRenderer(new SeverityRenderer());
+    width(ProblemsTableModel.SEVERITY, 105);
+    width(ProblemsTableModel.MESSAGE, 640);
+    width(ProblemsTableModel.PLACE, 280);
+    width(ProblemsTableModel.FIX, 140);
+    severity.setMaxWidth(UIScale.scale(140));
+  }
+
+  private void width(int column, int pixels) {
+    getColumnModel().getColumn(column).setPreferredWidth(UIScale.scale(pixels));
+  }
+
+  @Override
+  public @Nullable String getToolTipText(MouseEvent event) {
+    int row = rowAtPoint(event.getPoint());
+    return row < 0 ? null : String.valueOf(getValueAt(row, ProblemsTableModel.MESSAGE));
+  }
+
+  private static final class SeverityRenderer extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+      Severity severity = (Severity) value;
+      setIcon(new SeverityIcon(severity));
+      setText(SeverityIcon.word(severity));
+      return this;
+    }
+  }
+}

@@ -1,0 +1,224 @@
+package org.selectiverenderer.enricher.form;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.accessibility.Accessible;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+@RequiresDisplay
+@Timeout(value = 120, unit = TimeUnit.SECONDS)
+class FormPanelTest {
+  private static final String SCENE =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <X3D profile='Immersive' version='4.0'><Scene>
+        <ProximitySensor DEF='Desk' size='3 3 3'>
+          <MetadataSet containerField='metadata'>
+            <MetadataString containerField='value' name='enterTimeSchema' value='"DeskSchema"'/>
+          </MetadataSet>
+        </ProximitySensor>
+        <Switch DEF='Switch_Bin' whichChoice='0'>
+          <Shape DEF='Low'><Appearance><Material diffuseColor='0 1 0'/></Appearance>
+            <Box size='1 1 1'/></Shape>
+          <Inline DEF='High' url='"bin.x3d"'/>
+        </Switch>
+        <Transform DEF='Table'><Shape><Box/></Shape></Transform>
+      </Scene></X3D>
+      """;
+
+  @TempDir Path folder;
+
+  private FormWindow open(boolean dark) throws Exception {
+    Files.writeString(
+        folder.resolve("bin.x3d"),
+        "<X3D profile='Immersive' version='4.0'><Scene><Shape><Appearance><Material/></Appearance>"
+            + "<Sphere/></Shape></Scene></X3D>");
+    return new FormWindow(Files.writeString(folder.resolve("scene.x3d"), SCENE), dark);
+  }
+
+  private static String shown(Component control) {
+    return FormWindow.get(
+        () ->
+            control instanceof JComboBox<?> box
+                ? String.valueOf(
+                    box.isEditable() ? box.getEditor().getItem() : box.getSelectedItem())
+                : ((JTextComponent) control).getText());
+  }
+
+  private static Component editor(Component box) {
+    return ((JComboBox<?>) box).getEditor().getEditorComponent();
+  }
+
+  private static Object outline(Component control) {
+    return FormWindow.get(() -> ((JComponent) control).getClientProperty("JComponent.outline"));
+  }
+
+  @Test
+  void whatIsFilledInIsWrittenUndoneAndShownForAnother() throws Exception {
+    try (FormWindow window = open(false)) {
+      window.select("Switch_Bin");
+      JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
+      FormWindow.edt(() -> type.setSelectedItem("consistent"));
+      assertThat(window.text("Switch_Bin")).contains("consistencyType", "\"consistent\"");
+
+      Component degree = window.named("Degree of choice 0");
+      window.fill(editor(degree), "0.5");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(window.text("Switch_Bin")).contains("degreeOfConsistency", "0.5");
+
+      Component schemas = window.named("Schemas of choice 0");
+      window.fill(schemas, "des");
+      window.press(KeyEvent.VK_DOWN);
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(shown(schemas)).isEqualTo("DeskSchema");
+      window.press(KeyEvent.VK_TAB);
+      assertThat(window.text("Switch_Bin")).contains("schemaBelonginess", "\"DeskSchema\"");
+      assertThat(FormWindow.get(() -> window.session.document().history().names())).hasSize(3);
+
+      FormWindow.edt(() -> window.session.document().history().undo());
+      assertThat(shown(schemas)).isEmpty();
+      FormWindow.edt(() -> window.session.document().history().undo());
+      assertThat(shown(degree)).isEqualTo("none");
+      FormWindow.edt(() -> window.session.document().history().undo());
+      assertThat(shown(type)).isEqualTo("none");
+      assertThat(FormWindow.get(() -> window.session.document().text().toString()))
+          .isEqualTo(SCENE);
+
+      window.select("Desk");
+      assertThat(shown(window.named("On entering"))).isEqualTo("DeskSchema");
+      window.fill(window.named("On leaving"), "office");
+      window.select("Switch_Bin"); // What has been typed is not lost.
+      assertThat(window.text("Desk")).contains("exitTimeSchema", "\"office\"");
+      assertThat(window.messages).isEmpty();
+    }
+  }
+
+  @Test
+  void whatMeansNothingIsMarkedAndNotWritten() throws Exception {
+    try (FormWindow window = open(false)) {
+      window.select("Switch_Bin");
+      Component degree = window.named("Degree of choice 1");
+      window.fill(editor(degree), "2");
+      window.press(KeyEvent.VK_TAB);
+      assertThat(outline(degree)).isEqualTo("error");
+      assertThat(FormWindow.get(() -> window.session.document().modified())).isFalse();
+      assertThat(
+              FormWindow.get(
+                  () ->
+                      FormWindow.all(window.form)
+                          .filter(c -> c instanceof JLabel && c.isShowing())
+                          .map(c -> ((JLabel) c).getText())
+                          .toList()))
+          .anyMatch(text -> text.contains("a number from 0"));
+      window.screenshot("form-wrong", 1);
+      window.fill(editor(degree), "high");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(outline(degree)).isNull();
+      assertThat(window.text("Switch_Bin")).contains("\"high\"");
+    }
+  }
+
+  @Test
+  void otherElementsSayWhatCanBeDone() throws Exception {
+    try (FormWindow window = open(false)) {
+      List<String> wanted = new CopyOnWriteArrayList<>();
+      FormWindow.edt(() -> window.form.onMakeVersions(e -> wanted.add(e.toString())));
+      window.select("Table");
+      AbstractButton make =
+          FormWindow.get(
+              () ->
+                  (AbstractButton)
+                      FormWindow.all(window.form)
+                          .filter(
+                              c -> c instanceof AbstractButton b && b.getText().startsWith("Make"))
+                          .findAny()
+                          .orElseThrow());
+      window.click(make);
+      assertThat(wanted).containsExactly("Transform Table");
+      window.select("High");
+      assertThat(
+              FormWindow.get(
+                  () ->
+                      ElementSummary.of(
+                              window.session.document(),
+                              window.session.catalogue(),
+                              window.session.selection().orElseThrow())
+                          .advice()))
+          .contains("part of Switch Switch_Bin");
+    }
+  }
+
+  @Test
+  void everyControlHasAnAccessibleName() throws Exception {
+    try (FormWindow window = open(true)) {
+      for (String def : List.of("Switch_Bin", "Desk", "Table")) {
+        window.select(def);
+        FormWindow.edt(
+            () ->
+                assertThat(
+                        Stream.of(window.form, window.problems, window.help)
+                            .flatMap(FormWindow::all)
+                            .filter(FormPanelTest::control)
+                            .filter(FormPanelTest::nameless))
+                    .isEmpty());
+      }
+    }
+  }
+
+  private static boolean control(Component c) {
+    boolean inside =
+        c.getParent() instanceof JComboBox || c.getClass().getName().contains("Scroll");
+    return c.isFocusable()
+        && !inside
+        && c.isShowing()
+        && (c instanceof AbstractButton
+            || c instanceof JTextComponent
+            || c instanceof JComboBox
+            || c instanceof JTable);
+  }
+
+  private static boolean nameless(Component c) {
+    String name = ((Accessible) c).getAccessibleContext().getAccessibleName();
+    return name == null || name.isBlank();
+  }
+
+  @Test
+  void picturesOfTheRepositorysApartment() throws Exception {
+    for (boolean dark : new boolean[] {false, true}) {
+      try (FormWindow window = new FormWindow(Path.of("scenes", "apartment.x3d"), dark)) {
+        String name =
+            FormWindow.get(
+                () -> window.session.enrichment().switches().get(0).element().def().orElseThrow());
+        window.select(name);
+        JLabel polygons = (JLabel) window.named("Polygons of choice 1");
+        while (!FormWindow.get(polygons::getText).endsWith("polygons")) {
+          window.robot.waitForIdle();
+        }
+        window.screenshot("form-switch-" + (dark ? "dark" : "light"), dark ? 2 : 1);
+        String area =
+            FormWindow.get(
+                () -> window.session.enrichment().sensors().get(0).element().def().orElseThrow());
+        window.select(area);
+        window.click(window.named("On entering"));
+        window.screenshot("form-sensor-" + (dark ? "dark" : "light"), 1);
+      }
+    }
+  }
+}

@@ -1,0 +1,153 @@
+package org.selectiverenderer.enricher.problems;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.validation.RuleCatalogue;
+import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problem.Severity;
+
+class ProblemsModelTest {
+  private static final String SCENE =
+      """
+      <X3D profile='Immersive' version='4.0'><Scene>
+        <ProximitySensor DEF='Desk' size='3 3 3'>
+          <MetadataSet containerField='metadata'>
+            <MetadataString containerField='value' name='enterTimeSchema' value='"DeskSchema"'/>
+          </MetadataSet>
+        </ProximitySensor>
+        <Switch DEF='Bin' whichChoice='0'>
+          <MetadataSet containerField='metadata'>
+            <MetadataSet containerField='value'>
+              <MetadataString containerField='value' name='schemaBelonginess' value='"DeskScema"'/>
+            </MetadataSet>
+          </MetadataSet>
+          <Group DEF='Low'/>
+        </Switch>
+        <Transform DEF='Table' scale='wide'/>
+      </Scene></X3D>
+      """;
+
+  private final SceneDocument document = document();
+  private final ProblemsModel model =
+      new ProblemsModel(document, new Enrichment(document, NodeCatalogue.load()));
+
+  private static SceneDocument document() {
+    try {
+      return SceneDocument.of("scene.x3d", SCENE.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private Problem at(String text, String message) {
+    Location place = document.location(document.text().toString().indexOf(text));
+    return new Problem(Severity.WARNING, place, message);
+  }
+
+  private Entry only(String message) {
+    return model.entries().stream()
+        .filter(entry -> entry.message().equals(message))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void aMisspelledSchemaIsMendedByItsFix() {
+    model.refresh();
+    Entry entry =
+        model.entries().stream()
+            .filter(e -> e.message().contains("is DeskSchema meant"))
+            .findFirst()
+            .orElseThrow();
+    assertThat(entry.message()).contains("DeskScema");
+    document.perform(entry.fix().orElseThrow().edit().get());
+    model.refresh();
+    assertThat(document.text().toString()).contains("\"DeskSchema\"").doesNotContain("DeskScema");
+    assertThat(model.entries()).noneMatch(e -> e.fix().isPresent());
+  }
+
+  @Test
+  void whatChecksSaidMovesWithItsElementAndGoesWithIt() {
+    model.checked(document.revision(), List.of(at("scale=", "no number")));
+    model.refresh();
+    assertThat(document.text().toString().substring(only("no number").offset().orElseThrow()))
+        .startsWith("scale=");
+    int comment = document.text().toString().indexOf("<Switch");
+    document.type(comment, comment, "<!-- a comment before -->");
+    model.refresh();
+    assertThat(document.text().toString().substring(only("no number").offset().orElseThrow()))
+        .startsWith("scale=");
+    int table = document.text().toString().indexOf("<Transform");
+    document.type(table, document.text().toString().indexOf("</Scene>"), "");
+    model.refresh();
+    assertThat(model.entries()).noneMatch(entry -> entry.message().equals("no number"));
+  }
+
+  @Test
+  void whatIsSaidOfAnOlderTextIsLetBe() {
+    long old = document.revision();
+    Problem problem = at("scale=", "no number");
+    document.type(0, 0, "<!-- -->");
+    model.checked(old, List.of(problem));
+    model.refresh();
+    assertThat(model.entries()).noneMatch(entry -> entry.message().equals("no number"));
+  }
+
+  @Test
+  void ofATextThatIsNotWellFormedOnlyTheFaultIsTold() {
+    model.checked(document.revision(), List.of(at("scale=", "no number")));
+    int end = document.text().toString().indexOf("</Switch>");
+    document.type(end, end + 9, "</Swich>");
+    model.refresh();
+    assertThat(model.entries()).hasSize(1);
+    assertThat(model.entries().get(0).severity()).isEqualTo(Severity.ERROR);
+    assertThat(model.entries().get(0).element()).isEmpty();
+    assertThat(model.counts().words()).isEqualTo("1 error");
+  }
+
+  @Test
+  void twoChecksThatSayTheSameOfAnElementAreHeardOnce() {
+    model.checked(
+        document.revision(),
+        List.of(at("<Transform", "no number [SR103]"), at("scale=", "no number")));
+    model.refresh();
+    assertThat(model.entries()).filteredOn(e -> e.stem().equals("no number")).hasSize(1);
+  }
+
+  @Test
+  void problemsOfOtherFilesNameThem() {
+    Problem other = new Problem(Severity.ERROR, new Location("bin.x3d", 3, 4), "no number");
+    model.checked(document.revision(), List.of(other));
+    model.refresh();
+    assertThat(only("no number").offset()).isEmpty();
+    assertThat(only("no number").location(document)).hasToString("bin.x3d:3:4");
+  }
+
+  @Test
+  void theValidatorSpeaksOfTheUnsavedText(@TempDir Path folder) {
+    ValidatorCheck check =
+        new ValidatorCheck(
+            () -> folder.resolve("never-saved.x3d"),
+            RuleCatalogue.standard(),
+            ValidationSettings.standard());
+    List<Problem> problems = check.check(document.snapshot());
+    assertThat(problems)
+        .anySatisfy(
+            problem -> {
+              assertThat(problem.message()).contains("wide").contains("[SR103]");
+              assertThat(problem.location().file()).isEqualTo("scene.x3d");
+              assertThat(problem.location().line()).isEqualTo(15);
+            });
+  }
+}

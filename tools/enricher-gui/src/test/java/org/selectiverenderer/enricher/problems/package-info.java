@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.enricher.problems;
+
+import org.jspecify.annotations.NullMarked;
