@@ -54,6 +54,7 @@ class ArchitectureTest {
           "hmd",
           "modelling",
           "polygon",
+          "radiosity",
           "runtime",
           "schema",
           "statistics",
@@ -174,6 +175,7 @@ class ArchitectureTest {
               of("polygon"),
               of("modelling"),
               of("apartment"),
+              of("radiosity"),
               of("schema"),
               of("document"),
               of("x3d"))
@@ -200,6 +202,20 @@ class ArchitectureTest {
       onlyUsesOfOurs("apartment", "apartment", "modelling", "polygon", "schema", "x3d");
 
   @ArchTest
+  static final ArchRule radiosityKnowsNoRenderer =
+      onlyUsesOfOurs(
+          "radiosity",
+          "radiosity",
+          "polygon",
+          "schema",
+          "x3d",
+          "runtime.instance",
+          "runtime.loading",
+          "runtime.navigation",
+          "runtime.nodes",
+          "runtime.scene");
+
+  @ArchTest
   static final ArchRule theApartmentsRecipesAreModellingOnly =
       noClasses()
           .that()
@@ -221,7 +237,7 @@ class ArchitectureTest {
   static final ArchRule modelsAreMadeWithStrictMathematics =
       noClasses()
           .that()
-          .resideInAnyPackage(of("modelling"), of("apartment"))
+          .resideInAnyPackage(of("modelling"), of("apartment"), of("radiosity"))
           .should()
           .callMethodWhere(
               target(owner(assignableTo(Math.class)))

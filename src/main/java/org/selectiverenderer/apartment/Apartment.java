@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.selectiverenderer.apartment.facts.Expectancies;
@@ -49,7 +50,14 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
 
     List<ObjectFile> inlineNodes = new ArrayList<>();
     objects.forEach(object -> inlineNodes.addAll(object.files()));
-    single(placed, counts)
+    Map<Room, Integer> shares = new EnumMap<>(Room.class);
+    single(List.of(), placed, counts)
+        .forEach(
+            (room, polygons) -> {
+              shares.put(room, room.fixedPolygons() - polygons);
+              inlineNodes.addAll(files.single(bare(room)).files());
+            });
+    single(Shadows.of(placed), placed, counts)
         .forEach(
             (room, polygons) -> inlineNodes.addAll(files.single(frame(room, polygons)).files()));
     ApartmentScene scene = new ApartmentScene(counts, Expectancies.load());
@@ -58,6 +66,7 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
     texts.put("inlineNodes/" + SoftShadow.FILE, SoftShadow.text());
     texts.put("scenes/apartment.x3d", scene.text(placed, "apartment.x3d", true));
     texts.put("scenes/apartment-plain.x3d", scene.text(placed, "apartment-plain.x3d", false));
+    texts.put("scenes/apartment-unlit.x3d", scene.unlit(placed, "apartment-unlit.x3d", shares));
     texts.put("scenes/practice.x3d", PracticeScene.text());
     texts.put("scenes/paths/apartment-tour.csv", Tour.text());
     return new Apartment(placed, inlineNodes, texts);
@@ -69,13 +78,21 @@ record Apartment(List<Placed> placed, List<ObjectFile> models, Map<String, Strin
         Rounding.toGrid(Frames.of(room)), room.fixedPolygons() - polygonsOfOthers);
   }
 
+  /**
+   * A room's frame with no more polygons than it needs: radiosity puts the others where light is.
+   */
+  private static Model bare(Room room) {
+    return Rounding.toGrid(Frames.bare(room)).named(room.title().toLowerCase(Locale.ROOT) + "Bare");
+  }
+
   /** Polygons of the objects with one version and of the shadows, by room. */
-  private static Map<Room, Integer> single(List<Placed> placed, PolygonCounts counts) {
+  private static Map<Room, Integer> single(
+      List<Placed> shadows, List<Placed> placed, PolygonCounts counts) {
     Map<Room, Integer> polygons = new EnumMap<>(Room.class);
     for (Room room : Room.values()) {
       polygons.put(room, 0);
     }
-    for (Placed object : Shadows.of(placed)) {
+    for (Placed object : shadows) {
       polygons.merge(object.placement().room(), SoftShadow.polygons(), Integer::sum);
     }
     for (Placed object : placed) {

@@ -23,6 +23,7 @@ final class CommandCatalogue {
         new TrackCommand(console),
         new ExperimentCommand(console),
         new ApartmentCommand(console),
+        new RadiosityCommand(console),
         new BenchCommand(console),
         new SaiCommand(console, System.in));
   }

@@ -16,8 +16,12 @@ final class Fittings {
 
   private Fittings() {}
 
-  /** A light switch with its rocker tilted, 1.1 m above the floor. */
-  static TriangleMesh lightSwitch(Room room, Side side, double along) {
+  /** A light switch with its rocker tilted, or a plain one, 1.1 m above the floor. */
+  static TriangleMesh lightSwitch(Room room, Side side, double along, boolean plain) {
+    if (plain) {
+      TriangleMesh box = Boxes.plain(0.085, 0.085, 0.014).move(0, 1.0575, 0.007);
+      return side.place(room, box.move(side.across(along), 0, 0));
+    }
     TriangleMesh plate =
         Extrusion.bevelled(0.01, 0.004, 1, Outline.roundedRectangle(0.085, 0.085, 0.01, 2));
     TriangleMesh rocker = Boxes.bevelled(0.05, 0.055, 0.01, 0.003, 1).turnX(5);
@@ -25,11 +29,12 @@ final class Fittings {
     return side.place(room, whole.move(side.across(along), 1.1, 0));
   }
 
-  /** A radiator of columns under a window. */
-  static TriangleMesh radiator(Room room, Side side, double along, int columns) {
+  /** A radiator of columns, rounded or plain, under a window. */
+  static TriangleMesh radiator(Room room, Side side, double along, int columns, boolean plain) {
     double step = 0.06;
-    TriangleMesh column = Boxes.bevelled(0.05, 0.55, 0.09, 0.015, 1);
-    TriangleMesh pipe = Rounds.cylinder(0.018, step * (columns - 1), 8).turnZ(90);
+    TriangleMesh column =
+        plain ? Boxes.plain(0.05, 0.55, 0.09) : Boxes.bevelled(0.05, 0.55, 0.09, 0.015, 1);
+    TriangleMesh pipe = Rounds.cylinder(0.018, step * (columns - 1), plain ? 4 : 8).turnZ(90);
     double half = step * (columns - 1) / 2;
     TriangleMesh whole =
         TriangleMesh.of(
@@ -62,10 +67,14 @@ final class Fittings {
   }
 
   /** The rim of a flat ceiling lamp. */
-  static TriangleMesh panelRim(double x, double z) {
-    return Extrusion.plate(
-            0.06, 0.008, 1, Outline.rectangle(1.24, 0.34), Outline.rectangle(1.18, 0.28))
-        .move(x, Room.HEIGHT - 0.06, z);
+  static TriangleMesh panelRim(double x, double z, boolean plain) {
+    Outline outer = Outline.rectangle(1.24, 0.34);
+    Outline inner = Outline.rectangle(1.18, 0.28);
+    TriangleMesh rim =
+        plain
+            ? Extrusion.plain(0.06, outer, inner).turnX(90).move(0, 0.06, 0)
+            : Extrusion.plate(0.06, 0.008, 1, outer, inner);
+    return rim.move(x, Room.HEIGHT - 0.06, z);
   }
 
   /** The bright plate of a flat ceiling lamp. */

@@ -11,6 +11,9 @@ final class Floors {
   /** How far the floor goes on under the walls, to their middles. */
   private static final double UNDER = 0.06;
 
+  /** So far that no crack shows. */
+  private static final double TOUCH = 0.002;
+
   private Floors() {}
 
   /** A chequered floor: two meshes. */
@@ -52,10 +55,15 @@ final class Floors {
     return colours.stream().map(TriangleMesh::of).toList();
   }
 
-  /** The ceiling, which faces down. */
-  static TriangleMesh ceiling(Room room) {
-    return rectangle(
-            room.west() - UNDER, Room.NORTH - UNDER, room.east() + UNDER, Room.SOUTH + UNDER)
+  /**
+   * The ceiling, which faces down.
+   *
+   * @param bare whether it just touches the walls: what reaches into them is never seen, and takes
+   *     facets from where light is
+   */
+  static TriangleMesh ceiling(Room room, boolean bare) {
+    double over = bare ? TOUCH : UNDER;
+    return rectangle(room.west() - over, Room.NORTH - over, room.east() + over, Room.SOUTH + over)
         .move(0, Room.HEIGHT - 0.001, 0)
         .flip();
   }

@@ -14,22 +14,24 @@ import org.selectiverenderer.modelling.TriangleMesh;
 /** Collects what a room's frame is made of; things of one name become one part. */
 final class FrameBuilder {
   private final Room room;
+  private final boolean bare;
   private final List<Opening> openings;
   private final Map<String, Look> looks = new LinkedHashMap<>();
   private final Map<String, List<TriangleMesh>> meshes = new LinkedHashMap<>();
 
-  FrameBuilder(Room room, List<Opening> openings, Look wall) {
+  FrameBuilder(Room room, List<Opening> openings, Look wall, boolean bare) {
+    this.bare = bare;
     this.room = room;
     this.openings = openings;
-    Walls walls = new Walls(room, openings);
+    Walls walls = new Walls(room, openings, bare);
     add("walls", wall, walls.walls());
-    add("ceiling", Finish.CEILING, Floors.ceiling(room));
+    add("ceiling", Finish.CEILING, Floors.ceiling(room, bare));
     add("trim", Finish.TRIM, walls.skirting());
     for (Opening opening : openings) {
       if (opening.isDoor()) {
-        add("trim", Finish.TRIM, new DoorParts(room, opening).trim());
+        add("trim", Finish.TRIM, new DoorParts(room, opening, bare).trim());
       } else {
-        WindowParts window = new WindowParts(room, opening);
+        WindowParts window = new WindowParts(room, opening, bare);
         add("trim", Finish.TRIM, window.frame());
         add("steel", Finish.STEEL, window.handle());
       }
@@ -48,23 +50,23 @@ final class FrameBuilder {
   }
 
   void shutDoor(Opening opening) {
-    DoorParts door = new DoorParts(room, opening);
+    DoorParts door = new DoorParts(room, opening, bare);
     add("doors", Finish.DOOR, door.shutLeaf());
     add("steel", Finish.STEEL, door.shutHandle());
   }
 
   void openDoor(Opening opening, boolean hingesLeft, double degrees) {
-    DoorParts door = new DoorParts(room, opening);
+    DoorParts door = new DoorParts(room, opening, bare);
     add("doors", Finish.DOOR, door.openLeaf(hingesLeft, degrees));
     add("steel", Finish.STEEL, door.openHandle(hingesLeft, degrees));
   }
 
   void lightSwitch(Side side, double along) {
-    add("plastic", Finish.PLASTIC, Fittings.lightSwitch(room, side, along));
+    add("plastic", Finish.PLASTIC, Fittings.lightSwitch(room, side, along, bare));
   }
 
   void radiator(Side side, double along, int columns) {
-    add("plastic", Finish.PLASTIC, Fittings.radiator(room, side, along, columns));
+    add("plastic", Finish.PLASTIC, Fittings.radiator(room, side, along, columns, bare));
   }
 
   void hangingLamp(double x, double z, double length, int segments, Look shade) {
@@ -77,7 +79,7 @@ final class FrameBuilder {
   Model model(String name) {
     for (Opening opening : openings) {
       if (!opening.isDoor()) {
-        add("glass", Finish.GLASS, new WindowParts(room, opening).glass());
+        add("glass", Finish.GLASS, new WindowParts(room, opening, bare).glass());
       }
     }
     List<Part> parts = new ArrayList<>();

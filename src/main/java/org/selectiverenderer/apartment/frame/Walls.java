@@ -12,16 +12,25 @@ import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 import org.selectiverenderer.modelling.TriangleMesh;
 
-/** The four walls of a room and the skirting along them. */
-record Walls(Room room, List<Opening> openings) {
+/**
+ * The four walls of a room and the skirting along them.
+ *
+ * @param bare whether there is nothing to them that only adds polygons
+ */
+record Walls(Room room, List<Opening> openings, boolean bare) {
 
-  /** Solid walls with their openings cut out. */
+  /** Walls with their openings cut out. */
   TriangleMesh walls() {
     List<TriangleMesh> all = new ArrayList<>();
     for (Side side : Side.values()) {
-      all.add(side.place(room, wall(side)));
+      all.add(side.place(room, bare ? sheets(side) : wall(side)));
     }
     return TriangleMesh.of(all);
+  }
+
+  private TriangleMesh sheets(Side side) {
+    List<Opening> all = openings.stream().filter(o -> o.side() == side).toList();
+    return new WallSheets(left(side), right(side), Room.HEIGHT, room.thickness(side), all).mesh();
   }
 
   private TriangleMesh wall(Side side) {
@@ -53,16 +62,18 @@ record Walls(Room room, List<Opening> openings) {
     return Extrusion.plain(thickness, line.closed(), windows).move(0, 0, -thickness);
   }
 
-  /** A board with a rounded upper edge, interrupted by doors. */
+  /** A board with a rounded upper edge, from door to door: their trim lies in the openings. */
   TriangleMesh skirting() {
     Outline section =
-        Curve.of(0, 0, 0.014, 0, 0.014, 0.06).arc(0.004, 0.06, 90, 2).line(0, 0.07).closed();
+        bare
+            ? Outline.rectangle(0.014, 0.07).move(0.007, 0.035)
+            : Curve.of(0, 0, 0.014, 0, 0.014, 0.06).arc(0.004, 0.06, 90, 2).line(0, 0.07).closed();
     List<TriangleMesh> all = new ArrayList<>();
     for (Side side : Side.values()) {
       double from = left(side);
       for (Opening door : on(side, true)) {
-        all.add(side.place(room, board(section, from, door.left() - DoorParts.TRIM)));
-        from = door.right() + DoorParts.TRIM;
+        all.add(side.place(room, board(section, from, door.left())));
+        from = door.right();
       }
       all.add(side.place(room, board(section, from, right(side))));
     }

@@ -2,6 +2,7 @@ package org.selectiverenderer.apartment.scene;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.selectiverenderer.apartment.facts.Expectancies;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.frame.SoftShadow;
@@ -9,6 +10,7 @@ import org.selectiverenderer.apartment.plan.Placed;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.plan.Shadows;
 import org.selectiverenderer.modelling.Bounds;
+import org.selectiverenderer.modelling.DecimalText;
 
 /** The text of the apartment's scene. */
 public final class ApartmentScene {
@@ -30,9 +32,32 @@ public final class ApartmentScene {
    * @param enriched whether Switches and sensors have their metadata
    */
   public String text(List<Placed> placed, String fileName, boolean enriched) {
+    return text(
+        placed,
+        fileName,
+        enriched,
+        enriched ? "" : ", before its enrichment with metadata",
+        Map.of());
+  }
+
+  /**
+   * The scene that radiosity lights: enriched, with photometric lights and without painted shadows.
+   *
+   * @param shares polygons that each room's own surfaces are to have when lit
+   */
+  public String unlit(List<Placed> placed, String fileName, Map<Room, Integer> shares) {
+    return text(placed, fileName, true, ", before its light is computed by radiosity", shares);
+  }
+
+  private String text(
+      List<Placed> placed,
+      String fileName,
+      boolean enriched,
+      String state,
+      Map<Room, Integer> shares) {
     XmlText xml = new XmlText();
     xml.open("X3D", "profile", "Immersive", "version", "3.3");
-    head(xml, fileName, enriched);
+    head(xml, fileName, state);
     xml.open("Scene");
     xml.empty(
         "WorldInfo",
@@ -64,7 +89,11 @@ public final class ApartmentScene {
         "groundAngle",
         "1.57");
     for (Room room : Room.values()) {
-      room(xml, room, placed, enriched);
+      if (shares.containsKey(room)) {
+        unlitRoom(xml, room, placed, shares.get(room));
+      } else {
+        room(xml, room, placed, enriched);
+      }
     }
     xml.comment("Thesis Figure 76, digit by digit.");
     AreaNode.BOOKCASE.write(xml, enriched);
@@ -73,7 +102,7 @@ public final class ApartmentScene {
     return xml.close().close().toString();
   }
 
-  private static void head(XmlText xml, String fileName, boolean enriched) {
+  private static void head(XmlText xml, String fileName, String state) {
     xml.open("head");
     xml.empty("meta", "name", "title", "content", fileName);
     xml.empty(
@@ -81,8 +110,7 @@ public final class ApartmentScene {
         "name",
         "description",
         "content",
-        "The apartment of the thesis (chapter 5)"
-            + (enriched ? "" : ", before its enrichment with metadata"));
+        "The apartment of the thesis (chapter 5)" + state);
     xml.empty("meta", "name", "generator", "content", "./selective-renderer apartment");
     xml.empty("meta", "name", "license", "content", "MIT");
     xml.close();
@@ -138,12 +166,41 @@ public final class ApartmentScene {
         shadow(xml, object);
       }
     }
+    objects(xml, room, placed, enriched);
+    xml.close().close();
+  }
+
+  private void unlitRoom(XmlText xml, Room room, List<Placed> placed, int share) {
+    xml.open("Group", "DEF", room.title());
+    xml.open("Transform", "translation", Values.numbers(0, Room.FLOOR, 0));
+    PhotometricLights.write(xml, room);
+    String file = room.title().toLowerCase(Locale.ROOT) + "Bare";
+    xml.open(
+        "Inline",
+        "DEF",
+        "Inline_" + room.title() + "Frame_Definition",
+        "url",
+        Values.quoted("../inlineNodes/" + file + ".x3d"));
+    ObjectNode.set(xml, "metadata", room.title() + "FrameRadiosity", "radiosity");
+    xml.empty(
+        "MetadataInteger",
+        "containerField",
+        "value",
+        "name",
+        "polygons",
+        "value",
+        DecimalText.of(share, 0));
+    xml.close().close();
+    objects(xml, room, placed, true);
+    xml.close().close();
+  }
+
+  private void objects(XmlText xml, Room room, List<Placed> placed, boolean enriched) {
     for (Placed object : placed) {
       if (object.placement().room() == room) {
         objects.write(xml, object, enriched);
       }
     }
-    xml.close().close();
   }
 
   /** As large as the box around the object's lower end: a plant's leaves darken nothing. */

@@ -70,6 +70,11 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     new ApartmentGenerator().writeAll(apartment, false);
     progress.accept("polygon count process");
     new Simplifying().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
+    progress.accept("radiosity: rays");
+    Radiating.measure(
+        apartment.resolve("scenes").resolve("apartment-unlit.x3d"),
+        folder,
+        report.putObject("radiosity"));
     new RoomRuns(child, runs, progress)
         .measure(
             apartment.resolve("scenes").resolve("apartment.x3d"),

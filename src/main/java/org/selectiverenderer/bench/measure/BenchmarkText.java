@@ -111,6 +111,21 @@ public final class BenchmarkText {
     return text.toString();
   }
 
+  private static void radiosity(StringBuilder text, JsonNode report) {
+    line(
+        text,
+        "radiosity   %s rays/s on one core among the apartment's %s triangles",
+        at(report, "/radiosity/rays_per_s_per_core"),
+        at(report, "/radiosity/triangles"));
+    for (JsonNode hills : report.at("/radiosity/growth")) {
+      line(
+          text,
+          "            %s rays/s over hills of %s",
+          at(hills, "/rays_per_s_per_core"),
+          at(hills, "/triangles"));
+    }
+  }
+
   private static void apartment(StringBuilder text, JsonNode report) {
     text.append(System.lineSeparator());
     line(
@@ -121,6 +136,9 @@ public final class BenchmarkText {
         seconds(report, "/simplify/large_ms"),
         at(report, "/simplify/large_triangles"),
         at(report, "/simplify/large_left"));
+    if (report.has("radiosity")) {
+      radiosity(text, report);
+    }
     text.append(System.lineSeparator());
     text.append(
         String.format(

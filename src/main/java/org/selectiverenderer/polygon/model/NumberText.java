@@ -3,13 +3,13 @@ package org.selectiverenderer.polygon.model;
 import java.math.BigDecimal;
 
 /** Numbers as X3D text, the same on every machine and in every locale. */
-final class NumberText {
+public final class NumberText {
   private static final double[] TENS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
   private NumberText() {}
 
   /** Appends a number rounded to so many decimals, at most 9, without zeros that say nothing. */
-  static void append(StringBuilder text, double value, int decimals) {
+  public static void append(StringBuilder text, double value, int decimals) {
     double scaled = Math.rint(value * TENS[decimals]);
     if (!(Math.abs(scaled) < 1e15)) {
       text.append(shortest((float) value));
@@ -38,14 +38,14 @@ final class NumberText {
   }
 
   /** The shortest text that reads as that very float. */
-  static String shortest(float value) {
+  public static String shortest(float value) {
     BigDecimal decimal = new BigDecimal(Float.toString(value)).stripTrailingZeros();
     boolean plain = decimal.scale() < 8 && decimal.precision() - decimal.scale() < 9;
     return plain ? decimal.toPlainString() : decimal.toString();
   }
 
   /** The shortest text that reads as that very double. */
-  static String shortest(double value) {
+  public static String shortest(double value) {
     BigDecimal decimal = new BigDecimal(Double.toString(value)).stripTrailingZeros();
     boolean plain = decimal.scale() < 17 && decimal.precision() - decimal.scale() < 17;
     return plain ? decimal.toPlainString() : decimal.toString();

@@ -9,7 +9,7 @@ public final class Urls {
   private Urls() {}
 
   /** The url that names from {@code to} what the given one names from {@code from}. */
-  static String turned(String url, Path from, Path to) {
+  public static String turned(String url, Path from, Path to) {
     String address = url.strip();
     boolean absolute =
         address.isEmpty()

@@ -3,13 +3,13 @@ package org.selectiverenderer.polygon.model;
 import org.selectiverenderer.x3d.FieldType;
 
 /** Field values as X3D text (ISO/IEC 19776-1, 5). */
-final class ValueText {
+public final class ValueText {
   private ValueText() {}
 
   /**
    * @param value as {@link FieldType} represents it; no node
    */
-  static String of(FieldType type, Object value) {
+  public static String of(FieldType type, Object value) {
     StringBuilder text = new StringBuilder();
     if (value instanceof float[] numbers) {
       for (float number : numbers) {
@@ -47,7 +47,7 @@ final class ValueText {
   }
 
   /** Text for an attribute in single quotes. */
-  static String escape(String text) {
+  public static String escape(String text) {
     StringBuilder escaped = new StringBuilder(text.length() + 16);
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);

@@ -8,10 +8,10 @@ import org.joml.Vector3dc;
  * floats, rounded outwards, so that it may report an item too many but never one too few. Made by
  * {@link BoxTreeBuilder}.
  */
-final class BoxTree {
+public final class BoxTree {
   /** The box of an item. */
   @FunctionalInterface
-  interface Boxes {
+  public interface Boxes {
     /** Writes min x, y, z, max x, y, z, rounded outwards; an empty box has min above max. */
     void box(int item, float[] out);
   }
@@ -24,7 +24,7 @@ final class BoxTree {
   }
 
   /** Deeper than any tree that the builder makes. */
-  static final int MAX_DEPTH = 96;
+  public static final int MAX_DEPTH = 96;
 
   private final Boxes items;
   private final int[] order;
@@ -47,6 +47,28 @@ final class BoxTree {
     this.boxes = boxes;
     this.first = first;
     this.count = count;
+  }
+
+  /** The items, those of a leaf side by side. For reading only, as the arrays below. */
+  public int[] order() {
+    return order;
+  }
+
+  /** Six numbers per node; node 0 is the root. */
+  public float[] boxes() {
+    return boxes;
+  }
+
+  /**
+   * Per node: of a leaf where in {@link #order} it begins, else the left child before the right.
+   */
+  public int[] first() {
+    return first;
+  }
+
+  /** Per node: the number of items of a leaf, 0 for an inner node. */
+  public int[] count() {
+    return count;
   }
 
   /**

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * finds it cheapest among {@value #BINS} planes across the longest axis of the box centres
  * (MacDonald and Booth 1990; binned as in Wald 2007), or in halves where that finds none.
  */
-final class BoxTreeBuilder {
+public final class BoxTreeBuilder {
   private static final int BINS = 12;
   private static final int LEAF = 4;
 
@@ -44,7 +44,7 @@ final class BoxTreeBuilder {
   }
 
   /** A tree over the items 0 .. size - 1. */
-  static BoxTree build(int size, BoxTree.Boxes items) {
+  public static BoxTree build(int size, BoxTree.Boxes items) {
     BoxTreeBuilder builder = new BoxTreeBuilder(size, items);
     if (size > 0) {
       builder.split(0, 0, size, 0);

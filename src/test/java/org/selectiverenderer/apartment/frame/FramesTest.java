@@ -60,6 +60,31 @@ class FramesTest {
   }
 
   @Test
+  void theLampsOfTheOfficeLieFlatUnderItsCeiling() {
+    for (Model frame : new Model[] {Frames.of(Room.OFFICE), Frames.bare(Room.OFFICE)}) {
+      Bounds rims = part(frame, "lampRims").bounds();
+      Bounds lights = part(frame, "lampLights").bounds();
+
+      assertThat(rims.maxY()).isCloseTo(Room.HEIGHT, within(1e-6));
+      assertThat(rims.minY()).isBetween(Room.HEIGHT - 0.07, lights.minY());
+      assertThat(rims.minZ()).isLessThan(lights.minZ());
+      assertThat(rims.maxZ()).isGreaterThan(lights.maxZ());
+    }
+  }
+
+  /** What is divided for radiosity has no vertices in walls, where there is no light. */
+  @ParameterizedTest
+  @EnumSource(Room.class)
+  void aBareCeilingEndsAtTheWalls(Room room) {
+    Bounds ceiling = part(Frames.bare(room), "ceiling").bounds();
+
+    assertThat(ceiling.minX()).isBetween(room.west() - 0.005, room.west());
+    assertThat(ceiling.maxX()).isBetween(room.east(), room.east() + 0.005);
+    assertThat(ceiling.minZ()).isBetween(Room.NORTH - 0.005, Room.NORTH);
+    assertThat(ceiling.maxZ()).isBetween(Room.SOUTH, Room.SOUTH + 0.005);
+  }
+
+  @Test
   void theShadowHasThePolygonsThatItSays() {
     String index = SoftShadow.text().split("coordIndex='")[1].split("'")[0];
 

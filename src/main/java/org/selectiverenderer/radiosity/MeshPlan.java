@@ -1,0 +1,112 @@
+package org.selectiverenderer.radiosity;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.trace.Versions;
+
+/**
+ * What is to be subdivided and how far: the regions with a polygon budget, or, in a scene without
+ * any, everything that has no versions.
+ *
+ * @param minMesh metres
+ * @param maxMesh metres
+ * @param regions none when subdivision is off
+ */
+record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
+
+  /** Sizes by default: shares of the scene's largest extent, and of the maximum. */
+  private static final double MAX_SHARE = 1.0 / 40;
+
+  private static final double MIN_SHARE = 0.1;
+
+  /**
+   * @param bodies by their numbers
+   * @param exact whether {@code polygons} is the number to come to, or the most there may be
+   */
+  record Region(List<Integer> bodies, int polygons, boolean exact) {}
+
+  /**
+   * @throws UnlitSceneException if a budget or the limit of polygons cannot be kept
+   */
+  static MeshPlan of(LightScene scene, Settings settings) throws UnlitSceneException {
+    double max = settings.maxMesh().orElse(MAX_SHARE * scene.extent());
+    double min = Math.min(max, settings.minMesh().orElse(MIN_SHARE * max));
+    List<Region> regions = new ArrayList<>();
+    if (scene.budgets().length > 0) {
+      for (int i = 0; i < scene.budgets().length; i++) {
+        budget(scene, i, settings, regions);
+      }
+    } else if (settings.globalSubdivision()) {
+      free(scene, settings, max, regions);
+    }
+    return new MeshPlan(min, max, regions);
+  }
+
+  private static void budget(LightScene scene, int number, Settings settings, List<Region> regions)
+      throws UnlitSceneException {
+    List<Integer> bodies = new ArrayList<>();
+    int triangles = 0;
+    for (int i = 0; i < scene.bodies().size(); i++) {
+      if (scene.bodies().get(i).budget() == number) {
+        bodies.add(i);
+        triangles += scene.bodies().get(i).triangles();
+      }
+    }
+    int polygons = scene.budgets()[number];
+    if (bodies.isEmpty()) {
+      return;
+    }
+    String place = String.valueOf(scene.bodies().get(bodies.get(0)).shape().node().location());
+    if (triangles > polygons) {
+      throw new UnlitSceneException(
+          "%s: the scene allows %d polygons here (radiosity polygons), but there are %d already"
+              .formatted(place, polygons, triangles));
+    }
+    if (polygons > settings.maxPolygons()) {
+      throw new UnlitSceneException(
+          "%s: the scene asks for %d polygons here (radiosity polygons), more than the %d allowed;"
+                  .formatted(place, polygons, settings.maxPolygons())
+              + " raise --max-polygons");
+    }
+    if (settings.globalSubdivision()) {
+      regions.add(new Region(bodies, polygons, true));
+    }
+  }
+
+  private static void free(LightScene scene, Settings settings, double max, List<Region> regions)
+      throws UnlitSceneException {
+    List<Integer> bodies = new ArrayList<>();
+    long triangles = 0;
+    double needed = 0;
+    double[] normal = new double[3];
+    for (int i = 0; i < scene.bodies().size(); i++) {
+      Body body = scene.bodies().get(i);
+      if (body.version() != Versions.FIXED) {
+        continue;
+      }
+      bodies.add(i);
+      triangles += body.triangles();
+      for (int k = 0; k < body.triangles(); k++) {
+        // Right-angled halves of squares with the maximum as longest side.
+        double parts = scene.triangles().normal(body.firstTriangle() + k, normal) / (max * max / 4);
+        needed += Math.max(1, parts);
+      }
+    }
+    if (bodies.isEmpty()) {
+      return;
+    }
+    if (needed > settings.maxPolygons() && needed > 1.05 * triangles) {
+      throw new UnlitSceneException(
+          "a maximum mesh size of %s m takes about %.0f polygons, more than the %d allowed; raise"
+                  .formatted(Settings.shortest(max), needed, settings.maxPolygons())
+              + " --max-mesh or --max-polygons");
+    }
+    int limit = (int) Math.min(settings.maxPolygons(), Math.max(2 * triangles, 4 * (long) needed));
+    if (limit > triangles) {
+      regions.add(new Region(bodies, limit, false));
+    }
+  }
+}

@@ -1,0 +1,172 @@
+package org.selectiverenderer.radiosity;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.polygon.versions.FileTransaction;
+import org.selectiverenderer.radiosity.bake.LitScene;
+import org.selectiverenderer.radiosity.output.LitSceneWriter;
+import org.selectiverenderer.radiosity.preview.PreviewCamera;
+import org.selectiverenderer.radiosity.preview.PreviewPicture;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.LightSceneReader;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.solve.EnergyBalance;
+import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+
+/**
+ * A scene file lit and written: all files or none.
+ *
+ * @param scene to be lit; it is left alone
+ * @param output the lit scene's file
+ * @param inlines the folder for the files that it inlines
+ * @param preview a PNG file that shows the first viewpoint after every iteration, or null
+ */
+public record RadiosityJob(
+    Path scene, Path output, Path inlines, @Nullable Path preview, Settings settings) {
+  private static final String LIT = "-lit";
+  private static final String UNLIT = "-unlit";
+
+  /** Share of light that leaves an open scene above which its author is told, percent. */
+  private static final double OPEN = 30;
+
+  /**
+   * What came of it.
+   *
+   * @param triangles that were lit, versions included
+   * @param facets that carry light
+   * @param vertices at which light is stored
+   * @param complete whether nothing was cancelled
+   */
+  public record Report(
+      int triangles,
+      int facets,
+      int vertices,
+      int patches,
+      int lamps,
+      double lumens,
+      EnergyBalance balance,
+      long rays,
+      int files,
+      boolean complete) {}
+
+  /** The file for a scene's lit copy by default: {@code room.x3d} gives {@code room-lit.x3d}. */
+  public static Path outputOf(Path scene) {
+    return scene.resolveSibling(stem(scene) + LIT + ".x3d");
+  }
+
+  /**
+   * The folder for inlined files by default: in the folder {@code inlineNodes} beside the scene's
+   * own, which the scene may name, or else beside the scene.
+   */
+  public static Path inlinesOf(Path output) {
+    Path folder = output.toAbsolutePath().normalize().getParent();
+    String stem = String.valueOf(output.getFileName()).replaceFirst("\\.[^.]*$", "");
+    Path above = folder == null ? null : folder.getParent();
+    if (above != null && Files.isDirectory(above.resolve("inlineNodes"))) {
+      return above.resolve("inlineNodes").resolve(stem);
+    }
+    return output.resolveSibling(stem + "-nodes");
+  }
+
+  private static String stem(Path scene) {
+    String stem = String.valueOf(scene.getFileName()).replaceFirst("\\.[^.]*$", "");
+    return stem.endsWith(UNLIT) ? stem.substring(0, stem.length() - UNLIT.length()) : stem;
+  }
+
+  /**
+   * Does it. If it is cancelled, the last complete iteration is written.
+   *
+   * @param iterations hears the energy balance of each
+   * @throws IOException if a file cannot be read or written, with one line
+   * @throws UnlitSceneException if the scene cannot be lit, before the long work
+   */
+  public Report run(
+      Problems problems, Progress progress, BiConsumer<EnergyBalance, Double> iterations)
+      throws IOException, UnlitSceneException {
+    try (SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+      LoadedScene loaded = loader.load(scene);
+      InstanceTree tree = new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
+      progress.at(Progress.Stage.READING, 0.5);
+      LightScene lightScene =
+          new LightSceneReader(settings.photometric(), problems)
+              .read(tree, loaded.scene().unitLength());
+      progress.at(Progress.Stage.READING, 1);
+      PreviewPicture picture =
+          new PreviewPicture(lightScene, PreviewCamera.of(tree, loaded.scene().unitLength()));
+      LitScene lit =
+          new Radiosity(settings, progress)
+              .light(
+                  lightScene,
+                  solution -> {
+                    iterations.accept(solution.last(), settings.quality());
+                    show(picture.of(solution, settings.exposure()));
+                  });
+      show(picture.of(lit));
+      EnergyBalance balance = lit.solution().last();
+      if (balance.escaped() * 100 > OPEN * balance.emitted()) {
+        problems.info(
+            org.selectiverenderer.x3d.Location.of(scene.toString()),
+            "the scene is open: %.0f percent of its light leaves it"
+                .formatted(100 * balance.escaped() / balance.emitted()));
+      }
+      int files = write(loaded, tree, lit, problems, progress);
+      return new Report(
+          lightScene.triangles().count(),
+          lit.facets().count(),
+          lit.facets().vertices(),
+          lit.solution().patches().count(),
+          lightScene.lamps().size(),
+          lightScene.lumens(),
+          balance,
+          lit.rays(),
+          files,
+          lit.light().complete());
+    }
+  }
+
+  private int write(
+      LoadedScene loaded, InstanceTree tree, LitScene lit, Problems problems, Progress progress)
+      throws IOException {
+    progress.at(Progress.Stage.WRITING, 0);
+    Map<Path, String> texts =
+        new LitSceneWriter(lit, output, inlines, problems)
+            .write(
+                loaded.scene(),
+                tree,
+                "Lit by radiosity, from " + scene.getFileName() + "; light is in the colours");
+    progress.at(Progress.Stage.WRITING, 0.5);
+    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    texts.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
+    writing.commit();
+    progress.at(Progress.Stage.WRITING, 1);
+    return texts.size();
+  }
+
+  /**
+   * A preview that cannot be written is no reason to lose the light: the file was checked before.
+   */
+  private void show(byte[] png) {
+    if (preview != null) {
+      try {
+        Files.write(preview, png);
+      } catch (IOException e) {
+        throw new java.io.UncheckedIOException(preview + ": " + e.getMessage(), e);
+      }
+    }
+  }
+}

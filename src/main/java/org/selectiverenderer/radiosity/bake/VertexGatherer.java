@@ -1,0 +1,166 @@
+package org.selectiverenderer.radiosity.bake;
+
+import java.util.BitSet;
+import java.util.concurrent.atomic.LongAdder;
+import org.selectiverenderer.radiosity.mesh.Facets;
+import org.selectiverenderer.radiosity.sampling.Directions;
+import org.selectiverenderer.radiosity.sampling.PointSet;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.Work;
+
+/**
+ * Gathers light at vertices. A vertex stands for the facets around it: rays start all over them,
+ * densest at the vertex, so its value is the mean that interpolation between vertices needs, and a
+ * vertex in a corner or inside of a wall gets what its surroundings see. All vertices use the same
+ * points and directions: what error is left changes slowly along a surface instead of speckling it.
+ *
+ * <p>Several rays leave from each start. Starts inside of a solid, which see surfaces from behind,
+ * do not count, nor do starts that furniture covers closely: nobody sees them, and interpolation
+ * would carry their darkness to where it is seen. A vertex without any other start takes the light
+ * of its neighbours.
+ */
+public final class VertexGatherer {
+  /** Facets looked at around one vertex. */
+  private static final int MOST_FACETS = 16;
+
+  /** Places around a vertex from which rays leave. */
+  private static final int STARTS = 16;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Facets facets;
+  private final Facets.Corners corners;
+  private final BitSet divided;
+  private final Samples samples;
+  private final Samples dividedSamples;
+
+  /**
+   * How much is done for a vertex.
+   *
+   * @param rays for a vertex of an object
+   * @param dividedRays for a vertex of a divided surface, where errors show as blotches
+   * @param lampEvery of so many rays one is accompanied by shadow rays to the lamps
+   * @param regather whether indirect light comes by rays, or from the patches
+   */
+  public record Effort(int rays, int dividedRays, int lampEvery, boolean regather, int seed) {}
+
+  /**
+   * What all vertices share.
+   *
+   * @param perStart rays from one start
+   */
+  record Samples(
+      Directions directions,
+      PointSet starts,
+      PointSet lamps,
+      int perStart,
+      int lampEvery,
+      boolean regather) {
+    static Samples of(int rays, Effort effort) {
+      return new Samples(
+          new Directions(new PointSet(rays, effort.seed(), 10)),
+          new PointSet(rays, effort.seed(), 11),
+          new PointSet(rays, effort.seed(), 12),
+          Math.max(1, rays / STARTS),
+          effort.lampEvery(),
+          effort.regather());
+    }
+
+    int rays() {
+      return directions.size();
+    }
+  }
+
+  public VertexGatherer(LightScene scene, Solution solution, Facets facets, Effort effort) {
+    this.scene = scene;
+    this.solution = solution;
+    this.facets = facets;
+    this.corners = facets.cornersByVertex();
+    this.divided = facets.ofDividedBodies();
+    this.samples = Samples.of(effort.rays(), effort);
+    this.dividedSamples = Samples.of(effort.dividedRays(), effort);
+  }
+
+  /** Gathers; if cancelled meanwhile, takes the solution's patches instead of rays. */
+  public VertexLight gather(Progress progress, Progress.Stage stage) {
+    float[] irradiance = new float[3 * facets.vertices()];
+    boolean[] valid = new boolean[facets.vertices()];
+    LongAdder rays = new LongAdder();
+    boolean complete =
+        Work.run(
+            facets.vertices(),
+            512,
+            progress,
+            stage,
+            (from, to) -> {
+              VertexSampler sampler = sampler(samples);
+              VertexSampler other = sampler(dividedSamples);
+              for (int vertex = from; vertex < to; vertex++) {
+                VertexSampler own = isDivided(vertex) ? other : sampler;
+                valid[vertex] = around(vertex, own, irradiance, false);
+              }
+              rays.add(sampler.rays() + other.rays());
+            });
+    if (!complete) {
+      VertexSampler sampler = sampler(samples);
+      for (int vertex = 0; vertex < facets.vertices(); vertex++) {
+        valid[vertex] = around(vertex, sampler, irradiance, true);
+      }
+    }
+    Filling.fill(facets, irradiance, valid);
+    if (complete) {
+      rays.add(uncovered(irradiance, valid));
+    }
+    return new VertexLight(irradiance, complete, rays.sum());
+  }
+
+  /**
+   * A piece of a divided surface that is covered everywhere has no neighbours to take light from:
+   * it keeps the little that it has. Returns the rays cast.
+   */
+  private long uncovered(float[] irradiance, boolean[] valid) {
+    VertexSampler sampler = sampler(dividedSamples);
+    sampler.countCovered();
+    for (int vertex = 0; vertex < valid.length; vertex++) {
+      if (!valid[vertex] && isDivided(vertex)) {
+        valid[vertex] = around(vertex, sampler, irradiance, false);
+      }
+    }
+    Filling.fill(facets, irradiance, valid);
+    return sampler.rays();
+  }
+
+  private VertexSampler sampler(Samples with) {
+    return new VertexSampler(scene, solution, facets, divided, with);
+  }
+
+  private boolean isDivided(int vertex) {
+    int first = corners.first()[vertex];
+    return first < corners.corners().length && divided.get(corners.corners()[first] / 3);
+  }
+
+  /** The mean over the facets around a vertex by their areas. */
+  private boolean around(
+      int vertex, VertexSampler sampler, float[] irradiance, boolean patchesOnly) {
+    int first = corners.first()[vertex];
+    int all = corners.first()[vertex + 1] - first;
+    int used = Math.min(all, MOST_FACETS);
+    int rays = sampler.most();
+    if (sampler.small(corners.corners()[first], all)) {
+      rays /= 2;
+    }
+    sampler.begin();
+    for (int i = 0; i < used; i++) {
+      int corner = corners.corners()[first + (int) ((long) i * all / used)];
+      if (patchesOnly) {
+        sampler.patches(corner);
+      } else {
+        sampler.sample(
+            corner, i * rays / used, Math.max(i * rays / used + 1, (i + 1) * rays / used));
+      }
+    }
+    return sampler.end(irradiance, 3 * vertex);
+  }
+}

@@ -1,0 +1,326 @@
+package org.selectiverenderer.radiosity.bake;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import org.selectiverenderer.radiosity.mesh.Facets;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Shadows;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.trace.Ray;
+import org.selectiverenderer.radiosity.trace.Triangles;
+
+/** Samples the light around one vertex after the other; one per thread. */
+final class VertexSampler {
+  /**
+   * Of a divided surface, a place counts as covered when so many of its rays end so near, as a
+   * share of the extent, at something else: it is behind a picture, under a carpet.
+   */
+  private static final double COVERED = 0.6;
+
+  private static final double NEAR = 1.0 / 150;
+
+  /** How far starts spread from the vertex towards the other corners. */
+  private static final double SPREAD = 0.6;
+
+  /** With a smaller share of starts outside of solids a vertex counts as buried. */
+  private static final double BURIED = 0.08;
+
+  /** Facets around a vertex that need half of the rays, as a share of the extent's square. */
+  private static final double SMALL = 2e-6;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Facets facets;
+  private final BitSet divided;
+  private final VertexGatherer.Samples samples;
+  private final Triangles triangles;
+  private final Ray ray = new Ray();
+  private final Shadows shadows;
+  private final double[] normal = new double[3];
+  private final double[] start = new double[3];
+  private final double[] place = new double[3];
+  private final double[] direction = new double[3];
+  private final double[] lamps = new double[3];
+  private final double[] others = new double[3];
+  private final double[] seen = new double[3];
+
+  // Front and back of what has two sides: sums of light by area, and of areas.
+  private final double[] front = new double[3];
+  private final double[] back = new double[3];
+  private double frontWeight;
+  private double backWeight;
+  private double wanted;
+
+  private boolean coveredCounts;
+
+  /** Lamps that shine on some facet at the vertex, by bits. */
+  private long known;
+
+  /**
+   * @param divided facets of surfaces that were divided
+   */
+  VertexSampler(
+      LightScene scene,
+      Solution solution,
+      Facets facets,
+      BitSet divided,
+      VertexGatherer.Samples samples) {
+    this.divided = divided;
+    this.scene = scene;
+    this.solution = solution;
+    this.facets = facets;
+    this.samples = samples;
+    this.triangles = scene.triangles();
+    this.shadows = new Shadows(scene, ray);
+  }
+
+  long rays() {
+    return ray.cast();
+  }
+
+  /** From now on covered places count, too. */
+  void countCovered() {
+    coveredCounts = true;
+  }
+
+  /** Rays for a vertex at most. */
+  int most() {
+    return samples.rays();
+  }
+
+  void begin() {
+    Arrays.fill(front, 0);
+    Arrays.fill(back, 0);
+    frontWeight = 0;
+    backWeight = 0;
+    wanted = 0;
+    known = 0;
+  }
+
+  /** Whether facets around a vertex are so small that light hardly changes over them. */
+  boolean small(int corner, int count) {
+    return plane(corner / 3) * count < SMALL * scene.extent() * scene.extent();
+  }
+
+  /** Adds samples of a facet near one of its corners. */
+  void sample(int corner, int from, int to) {
+    int facet = corner / 3;
+    double area = plane(facet);
+    if (!(area > 0)) {
+      return;
+    }
+    wanted += area;
+    side(corner, area, from, to, false);
+    if (triangles.twoSided()[facets.source()[facet]]) {
+      side(corner, area, from, to, true);
+    }
+  }
+
+  private void side(int corner, double area, int from, int to, boolean behind) {
+    int facet = corner / 3;
+    int version = triangles.version()[facets.source()[facet]];
+    double sign = behind ? -1 : 1;
+    for (int axis = 0; axis < 3; axis++) {
+      normal[axis] *= sign;
+    }
+    Arrays.fill(lamps, 0);
+    Arrays.fill(others, 0);
+    long near = lampsNear(corner, from, version, behind);
+    int valid = 0;
+    int lit = 0;
+    int groups = Math.max(1, (to - from) / samples.perStart());
+    for (int group = 0; group < groups; group++) {
+      int begin = from + group * (to - from) / groups;
+      int end = from + (group + 1) * (to - from) / groups;
+      int at = from / samples.perStart() + group;
+      place(corner, samples.starts().x(at), samples.starts().y(at));
+      for (int axis = 0; axis < 3; axis++) {
+        start[axis] = place[axis] + scene.offset() * normal[axis];
+      }
+      if (!indirect(begin, end, facet, version)) {
+        continue;
+      }
+      valid += end - begin;
+      for (int i = begin; i < end; i++) {
+        if ((i - from) % samples.lampEvery() == 0) {
+          lit++;
+          shadows.add(
+              start, normal, version, samples.lamps().x(i), samples.lamps().y(i), near, lamps);
+        }
+      }
+    }
+    for (int axis = 0; axis < 3; axis++) {
+      normal[axis] *= sign;
+    }
+    if (valid == 0) {
+      return;
+    }
+    double share = (double) valid / (to - from);
+    if (!samples.regather()) {
+      patch(facet, behind, solution.indirect(), others);
+      valid = 1;
+    }
+    double[] sum = behind ? back : front;
+    for (int c = 0; c < 3; c++) {
+      double light = others[c] / valid + (lit == 0 ? 0 : lamps[c] / lit);
+      sum[c] += area * share * light;
+    }
+    if (behind) {
+      backWeight += area * share;
+    } else {
+      frontWeight += area * share;
+    }
+  }
+
+  /**
+   * The lamps that may shine on a corner: those that the patch there sees, and those of which one
+   * more try from the vertex sees a place.
+   */
+  private long lampsNear(int corner, int i, int version, boolean behind) {
+    place(corner, 0.5f, 0.5f);
+    int source = facets.source()[corner / 3];
+    Triangles.weights(triangles.corners(), source, place, direction);
+    int patch = solution.patches().at(source, direction[0], direction[1], behind);
+    known |= solution.lampsOf()[patch];
+    for (int axis = 0; axis < 3; axis++) {
+      start[axis] = place[axis] + scene.offset() * normal[axis];
+    }
+    Arrays.fill(direction, 0);
+    known |=
+        shadows.add(
+            start, normal, version, samples.lamps().y(i), samples.lamps().x(i), ~known, direction);
+    return known;
+  }
+
+  /**
+   * Follows the rays of one start and adds what they see; nothing and false if the start lies
+   * inside of something, as one ray is enough to tell, or is covered.
+   */
+  private boolean indirect(int begin, int end, int facet, int version) {
+    Arrays.fill(seen, 0);
+    int covered = 0;
+    for (int i = begin; i < end; i++) {
+      samples.directions().about(normal, i, direction);
+      ray.from(start, direction);
+      ray.length = Double.POSITIVE_INFINITY;
+      ray.pass = samples.lamps().y(i);
+      scene.visibility().nearest(ray, version);
+      if (ray.triangle == Ray.NOTHING) {
+        continue;
+      }
+      if (ray.behind && !triangles.twoSided()[ray.triangle]) {
+        return false;
+      }
+      if (ray.length < NEAR * scene.extent() && divided.get(facet)) {
+        int[] bodyOf = scene.bodyOf();
+        covered += bodyOf[ray.triangle] == bodyOf[facets.source()[facet]] ? 0 : 1;
+      }
+      int at = 3 * solution.patches().at(ray.triangle, ray.u, ray.v, ray.behind);
+      for (int c = 0; c < 3; c++) {
+        seen[c] += Math.PI * (solution.reflected()[at + c] + solution.glow()[at + c]);
+      }
+    }
+    if (covered >= COVERED * (end - begin) && covered > 1 && !coveredCounts) {
+      return false;
+    }
+    for (int c = 0; c < 3 && samples.regather(); c++) {
+      others[c] += seen[c];
+    }
+    return true;
+  }
+
+  /** Adds the light of the patch in the middle of a facet, without any ray. */
+  void patches(int corner) {
+    int facet = corner / 3;
+    double area = plane(facet);
+    if (!(area > 0)) {
+      return;
+    }
+    wanted += area;
+    place(corner, 0.5f, 0.5f);
+    int source = facets.source()[facet];
+    int patch = patch(facet, false, solution.indirect(), lamps);
+    if (!solution.buried()[patch]) {
+      frontWeight += area;
+      add(front, patch, area);
+    }
+    if (triangles.twoSided()[source] && !solution.buried()[patch + 1]) {
+      backWeight += area;
+      add(back, patch + 1, area);
+    }
+  }
+
+  private void add(double[] sum, int patch, double area) {
+    for (int c = 0; c < 3; c++) {
+      sum[c] += area * (solution.indirect()[3 * patch + c] + solution.direct()[3 * patch + c]);
+    }
+  }
+
+  /** The patch at the last place on a facet; adds its values. */
+  private int patch(int facet, boolean behind, float[] values, double[] sum) {
+    int source = facets.source()[facet];
+    Triangles.weights(triangles.corners(), source, place, direction);
+    int patch = solution.patches().at(source, direction[0], direction[1], behind);
+    for (int c = 0; c < 3; c++) {
+      sum[c] += values[3 * patch + c];
+    }
+    return patch;
+  }
+
+  /** Of two sides the brighter one counts; false if the vertex is buried. */
+  boolean end(float[] out, int at) {
+    boolean behind =
+        backWeight > BURIED * wanted && mean(back, backWeight) > mean(front, frontWeight);
+    double[] sum = behind ? back : front;
+    double weight = behind ? backWeight : frontWeight;
+    if (!(weight > BURIED * wanted)) {
+      return false;
+    }
+    for (int c = 0; c < 3; c++) {
+      out[at + c] = (float) (sum[c] / weight);
+    }
+    return true;
+  }
+
+  private static double mean(double[] sum, double weight) {
+    return weight > 0 ? (sum[0] + sum[1] + sum[2]) / weight : -1;
+  }
+
+  /** Normal of a facet; returns its area. */
+  private double plane(int facet) {
+    float[] c = facets.corners();
+    int at = 9 * facet;
+    double bx = c[at + 3] - c[at];
+    double by = c[at + 4] - c[at + 1];
+    double bz = c[at + 5] - c[at + 2];
+    double cx = c[at + 6] - c[at];
+    double cy = c[at + 7] - c[at + 1];
+    double cz = c[at + 8] - c[at + 2];
+    normal[0] = by * cz - bz * cy;
+    normal[1] = bz * cx - bx * cz;
+    normal[2] = bx * cy - by * cx;
+    double length =
+        Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (int axis = 0; axis < 3 && length > 0; axis++) {
+      normal[axis] /= length;
+    }
+    return length / 2;
+  }
+
+  /** A place on a facet, the likelier the nearer to the corner. */
+  private void place(int corner, double s, double t) {
+    int facet = 9 * (corner / 3);
+    int k = corner % 3;
+    // Of the density 1 - r of distances from the corner this is the inverse, nearly.
+    double r = SPREAD * s * (0.5 + 0.5 * s);
+    int a = facet + 3 * k;
+    int b = facet + 3 * ((k + 1) % 3);
+    int c = facet + 3 * ((k + 2) % 3);
+    float[] all = facets.corners();
+    double bottom = 1e-3 + 0.998 * r;
+    for (int axis = 0; axis < 3; axis++) {
+      double far = (1 - t) * all[b + axis] + t * all[c + axis];
+      place[axis] = all[a + axis] + bottom * (far - all[a + axis]);
+    }
+  }
+}

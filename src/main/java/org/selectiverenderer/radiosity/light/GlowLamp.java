@@ -1,0 +1,68 @@
+package org.selectiverenderer.radiosity.light;
+
+import java.util.Arrays;
+import org.selectiverenderer.radiosity.trace.Triangles;
+
+/** A glowing surface: triangles of one luminance. */
+public final class GlowLamp implements Lamp {
+  private final Triangles triangles;
+  private final int first;
+  private final double[] sums;
+  private final float[] luminance;
+  private final double area;
+
+  /**
+   * @param first of its consecutive triangles
+   * @param luminance r, g, b, cd/m2
+   */
+  public GlowLamp(Triangles triangles, int first, int count, float[] luminance) {
+    this.triangles = triangles;
+    this.first = first;
+    this.luminance = luminance;
+    sums = new double[count];
+    double sum = 0;
+    double[] normal = new double[3];
+    for (int i = 0; i < count; i++) {
+      sum += triangles.normal(first + i, normal);
+      sums[i] = sum;
+    }
+    area = sum;
+  }
+
+  /** Square metres. */
+  public double area() {
+    return area;
+  }
+
+  @Override
+  public double lumens() {
+    double sides = triangles.twoSided()[first] ? 2 : 1;
+    double mean = 0.2126 * luminance[0] + 0.7152 * luminance[1] + 0.0722 * luminance[2];
+    return Math.PI * area * sides * mean;
+  }
+
+  @Override
+  public void sample(double[] point, double s, double t, LampSample sample) {
+    double wanted = s * area;
+    int at = Arrays.binarySearch(sums, wanted);
+    at = Math.min(sums.length - 1, at < 0 ? -at - 1 : at + 1);
+    double before = at == 0 ? 0 : sums[at - 1];
+    double share = sums[at] > before ? (wanted - before) / (sums[at] - before) : 0;
+    double root = Math.sqrt(Math.max(0, Math.min(1, share)));
+    double[] place = new double[3];
+    double[] normal = new double[3];
+    triangles.normal(first + at, normal);
+    triangles.point(first + at, root * (1 - t), root * t, place);
+    double square = sample.aim(point, place[0], place[1], place[2]);
+    double[] to = sample.towards;
+    double cosine = -(to[0] * normal[0] + to[1] * normal[1] + to[2] * normal[2]);
+    if (triangles.twoSided()[first]) {
+      cosine = Math.abs(cosine);
+    }
+    if (cosine <= 0) {
+      sample.black();
+      return;
+    }
+    sample.shine(luminance, cosine * area / Math.max(square, 0.01 * area));
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.radiosity.light;
+
+/** A place of a lamp as seen from a point; used again and again by one thread. */
+public final class LampSample {
+  /** Unit vector from the point to the lamp. */
+  public final double[] towards = new double[3];
+
+  /** How far the place is; infinite for the sun. */
+  public double distance;
+
+  /** Irradiance r, g, b on a surface at right angles to the light, lx. */
+  public final double[] light = new double[3];
+
+  void black() {
+    light[0] = 0;
+    light[1] = 0;
+    light[2] = 0;
+  }
+
+  /** Sets direction and distance; returns the square of the distance. */
+  double aim(double[] from, double x, double y, double z) {
+    double dx = x - from[0];
+    double dy = y - from[1];
+    double dz = z - from[2];
+    double square = dx * dx + dy * dy + dz * dz;
+    distance = Math.sqrt(square);
+    double scale = distance > 0 ? 1 / distance : 0;
+    towards[0] = dx * scale;
+    towards[1] = dy * scale;
+    towards[2] = dz * scale;
+    return square;
+  }
+
+  void shine(float[] colour, double scale) {
+    for (int i = 0; i < 3; i++) {
+      light[i] = colour[i] * scale;
+    }
+  }
+}

@@ -1,0 +1,17 @@
+package org.selectiverenderer.radiosity.light;
+
+/**
+ * A directional light.
+ *
+ * @param towards unit vector from the scene to it
+ * @param lux r, g, b at right angles
+ */
+public record SunLamp(double[] towards, float[] lux, double lumens) implements Lamp {
+
+  @Override
+  public void sample(double[] point, double s, double t, LampSample sample) {
+    System.arraycopy(towards, 0, sample.towards, 0, 3);
+    sample.distance = Double.POSITIVE_INFINITY;
+    sample.shine(lux, 1);
+  }
+}

@@ -1,0 +1,72 @@
+package org.selectiverenderer.radiosity.mesh;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What is known of the light on the surfaces of a region from a fine mesh: shares of white at the
+ * middles of its facets, by the facets that they are parts of, and at its corners.
+ */
+final class LightMap {
+  /** A corner of facets that face one way. */
+  private record Spot(long place, long plane) {}
+
+  /**
+   * The light at one place.
+   *
+   * @param area that it stands for, square metres, times what it counts
+   */
+  record Sample(double x, double y, double z, double value, double area) {}
+
+  private static final double LEVEL = 0.7;
+  private static final double UP = 10;
+  private static final double DOWN = 0.4;
+
+  private final Map<Integer, List<Sample>> samples = new HashMap<>();
+  private final Map<Spot, Double> corners = new HashMap<>();
+
+  /**
+   * @param values of the three corners
+   */
+  void add(EdgeMesh.Tile tile, double[] values, int at) {
+    float[] c = tile.facet.corners();
+    double mean = (values[at] + values[at + 1] + values[at + 2]) / 3;
+    samples
+        .computeIfAbsent(tile.root, key -> new java.util.ArrayList<>())
+        .add(
+            new Sample(
+                (c[0] + c[3] + c[6]) / 3.0,
+                (c[1] + c[4] + c[7]) / 3.0,
+                (c[2] + c[5] + c[8]) / 3.0,
+                mean,
+                weight(tile) * tile.plane[3] / 2));
+    for (int i = 0; i < 3; i++) {
+      corners.put(spot(tile, i), values[at + i]);
+    }
+  }
+
+  /** What faces up carries the shadows of what stands on it; few look at a ceiling. */
+  private static double weight(EdgeMesh.Tile tile) {
+    double up = tile.plane[1];
+    return up > LEVEL ? UP : up < -LEVEL ? DOWN : 1;
+  }
+
+  /** All that is known inside of a facet as it was before any division. */
+  List<Sample> of(int root) {
+    return samples.getOrDefault(root, List.of());
+  }
+
+  /** The light at a corner, or what is given if it is not known. */
+  double corner(EdgeMesh.Tile tile, int corner, double otherwise) {
+    return corners.getOrDefault(spot(tile, corner), otherwise);
+  }
+
+  private static Spot spot(EdgeMesh.Tile tile, int corner) {
+    long plane = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      plane = plane << 9 | Math.round(tile.plane[axis] * 100) + 128;
+    }
+    return new Spot(Facets.place(tile.facet.corners(), 3 * corner), plane);
+  }
+}

@@ -1,0 +1,142 @@
+package org.selectiverenderer.radiosity.mesh;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+
+/**
+ * Spends facets where colours interpolated between corners are farthest from the light: the facet
+ * with the largest error is divided next. The error is that of shares of white as displayed,
+ * squared, over the facet's area, from the samples of a {@link LightMap}, times the facet's size:
+ * fans of light over a wall are seen before those along a window's frame.
+ */
+final class Refinement {
+  /** With an error below this nothing is gained by division. */
+  private static final double NONE = 1e-12;
+
+  /**
+   * @param error sum of squares by area, times size
+   * @param worst difference of shares of white
+   */
+  private record Wish(EdgeMesh.Tile tile, double error, double worst) {}
+
+  private final EdgeMesh mesh;
+  private final LightMap map;
+  private final Map<EdgeMesh.Tile, List<LightMap.Sample>> samples = new IdentityHashMap<>();
+  private final PriorityQueue<Wish> queue =
+      new PriorityQueue<>(
+          Comparator.comparingDouble((Wish wish) -> -wish.error())
+              .thenComparingInt(wish -> wish.tile().number));
+
+  /**
+   * @param roots the number that each facet has in the map, by its number in the mesh
+   */
+  Refinement(EdgeMesh mesh, LightMap map, Map<Integer, Integer> roots) {
+    this.mesh = mesh;
+    this.map = map;
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      samples.put(tile, map.of(roots.get(tile.number)));
+      queue.add(wish(tile));
+    }
+  }
+
+  /**
+   * Divides until there are so many facets.
+   *
+   * @param shortest facets without a longer edge are left alone, metres, as are those that have no
+   *     more area than half a square with this diagonal: strips need no finer light than planes
+   * @param threshold facets that are nowhere farther from the light are left alone
+   */
+  void divide(int polygons, double shortest, double threshold) {
+    while (!queue.isEmpty() && mesh.count() < polygons) {
+      Wish wish = queue.poll();
+      if (wish.error() < NONE) {
+        return;
+      }
+      boolean worth = wish.worst() > threshold && large(wish.tile(), shortest);
+      if (!worth || !mesh.alive(wish.tile())) {
+        continue;
+      }
+      EdgeMesh.Edge edge = mesh.terminal(wish.tile());
+      if (mesh.count() + mesh.cost(edge) > polygons || !mesh.sound(edge)) {
+        continue;
+      }
+      halve(edge);
+      if (mesh.alive(wish.tile())) {
+        queue.add(wish); // Only a neighbour was divided so far.
+      }
+    }
+  }
+
+  private boolean large(EdgeMesh.Tile tile, double shortest) {
+    double area = tile.plane[3] / 2;
+    return area > shortest * shortest / 4 && mesh.length(mesh.longest(tile)) > shortest;
+  }
+
+  private void halve(EdgeMesh.Edge edge) {
+    List<EdgeMesh.Tile> parents = List.copyOf(mesh.at(edge));
+    List<EdgeMesh.Tile> made = mesh.halve(edge);
+    for (int k = 0; k < parents.size(); k++) {
+      List<LightMap.Sample> all = samples.remove(parents.get(k));
+      EdgeMesh.Tile one = made.get(2 * k);
+      EdgeMesh.Tile two = made.get(2 * k + 1);
+      Map<Boolean, List<LightMap.Sample>> sides = new HashMap<>();
+      double[] first = new double[3];
+      double[] second = new double[3];
+      for (LightMap.Sample sample : all) {
+        weights(one, sample, first);
+        weights(two, sample, second);
+        boolean inFirst = least(first) >= least(second);
+        sides.computeIfAbsent(inFirst, key -> new ArrayList<>()).add(sample);
+      }
+      samples.put(one, sides.getOrDefault(true, List.of()));
+      samples.put(two, sides.getOrDefault(false, List.of()));
+      queue.add(wish(one));
+      queue.add(wish(two));
+    }
+  }
+
+  private Wish wish(EdgeMesh.Tile tile) {
+    double[] values = new double[3];
+    for (int i = 0; i < 3; i++) {
+      values[i] = map.corner(tile, i, mesh.value(tile.points[i]));
+    }
+    double[] w = new double[3];
+    double error = 0;
+    double worst = 0;
+    for (LightMap.Sample sample : samples.get(tile)) {
+      weights(tile, sample, w);
+      double off = w[0] * values[0] + w[1] * values[1] + w[2] * values[2] - sample.value();
+      error += sample.area() * off * off;
+      worst = Math.max(worst, Math.abs(off));
+    }
+    return new Wish(tile, error * Math.sqrt(tile.plane[3]), worst);
+  }
+
+  private static double least(double[] weights) {
+    return Math.min(weights[0], Math.min(weights[1], weights[2]));
+  }
+
+  /** The weights of a facet's corners at a place in its plane. */
+  private static void weights(EdgeMesh.Tile tile, LightMap.Sample at, double[] out) {
+    float[] c = tile.facet.corners();
+    for (int i = 0; i < 3; i++) {
+      int j = 3 * ((i + 1) % 3);
+      int k = 3 * ((i + 2) % 3);
+      double ux = c[k] - c[j];
+      double uy = c[k + 1] - c[j + 1];
+      double uz = c[k + 2] - c[j + 2];
+      double vx = at.x() - c[j];
+      double vy = at.y() - c[j + 1];
+      double vz = at.z() - c[j + 2];
+      double[] n = tile.plane;
+      double doubled =
+          n[0] * (uy * vz - uz * vy) + n[1] * (uz * vx - ux * vz) + n[2] * (ux * vy - uy * vx);
+      out[i] = n[3] > 0 ? doubled / n[3] : 1.0 / 3;
+    }
+  }
+}

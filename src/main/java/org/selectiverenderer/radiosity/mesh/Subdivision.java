@@ -1,0 +1,317 @@
+package org.selectiverenderer.radiosity.mesh;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.function.ToDoubleFunction;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+
+/**
+ * Divides the surfaces of a region adaptively: first down to the maximum mesh size, then where
+ * light changes most, to an exact number of facets (thesis 5.2.1, Figs 60 and 61).
+ */
+public final class Subdivision {
+  /** Of the facets to be added, the share that may go into reaching the maximum mesh size. */
+  private static final double FOR_SIZE = 0.3;
+
+  /** What is shown darker than this share of white is not divided. */
+  private static final double DARK = 0.02;
+
+  private final EdgeMesh mesh;
+  private final int polygons;
+  private final double minMesh;
+  private final double maxMesh;
+  private final List<Integer> bodies;
+
+  /** In a copy: its facets' numbers by those of what was copied. */
+  private final Map<Integer, Integer> origins = new HashMap<>();
+
+  /**
+   * @param bodies of the region, by their numbers in the scene
+   * @param polygons to come to
+   */
+  public Subdivision(
+      LightScene scene, List<Integer> bodies, int polygons, double minMesh, double maxMesh) {
+    this(new EdgeMesh(scene.extent()), bodies, polygons, minMesh, maxMesh);
+    for (int number : bodies) {
+      Body body = scene.bodies().get(number);
+      for (int i = 0; i < body.triangles(); i++) {
+        mesh.add(number, Facet.of(body, i));
+      }
+    }
+  }
+
+  private Subdivision(
+      EdgeMesh mesh, List<Integer> bodies, int polygons, double minMesh, double maxMesh) {
+    this.mesh = mesh;
+    this.bodies = bodies;
+    this.polygons = polygons;
+    this.minMesh = minMesh;
+    this.maxMesh = maxMesh;
+  }
+
+  /** The same facets, to be divided on their own, to another number. */
+  public Subdivision copy(int limit) {
+    Subdivision copy = new Subdivision(mesh.empty(), bodies, limit, minMesh, maxMesh);
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      EdgeMesh.Tile same = copy.mesh.add(tile.body, tile.facet);
+      copy.origins.put(tile.number, same.number);
+      for (int i = 0; i < 3; i++) {
+        copy.mesh.value(same.points[i], mesh.value(tile.points[i]));
+      }
+    }
+    return copy;
+  }
+
+  /** Facets now. */
+  public int count() {
+    return mesh.count();
+  }
+
+  /** Divides edges on which corners of others lie, as far as the number of polygons allows. */
+  public void join() {
+    joinTJunctions(polygons);
+  }
+
+  /** Divides down to the maximum size, but for what lies in the dark such as outsides of walls. */
+  public void toSize() {
+    int limit = count() + (int) (FOR_SIZE * (polygons - count()));
+    divide(limit, edge -> lit(edge) && mesh.length(edge) > maxMesh ? mesh.length(edge) : -1);
+  }
+
+  private boolean lit(EdgeMesh.Edge edge) {
+    return mesh.value(edge.a()) > DARK || mesh.value(edge.b()) > DARK;
+  }
+
+  /**
+   * Divides what is lit down to twice the minimum size, or as far as the number allows: so fine
+   * that errors of a coarser mesh can be measured on it.
+   */
+  public void toFinest() {
+    divide(polygons, edge -> lit(edge) && mesh.length(edge) > 2 * minMesh ? mesh.length(edge) : -1);
+  }
+
+  /**
+   * Divides where interpolation between corners is farthest from the light.
+   *
+   * @param finer a finer division of this one's {@link #copy}
+   * @param light on it, by body and facet, three shares of white each
+   * @param threshold of the error in shares of white; smaller ones are left
+   */
+  public void toLight(Subdivision finer, Map<Integer, double[]> light, double threshold) {
+    new Refinement(mesh, finer.map(light), finer.origins).divide(polygons, 2 * minMesh, threshold);
+  }
+
+  private LightMap map(Map<Integer, double[]> light) {
+    LightMap map = new LightMap();
+    Map<Integer, Integer> next = new HashMap<>();
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      if (!mesh.flat(tile)) {
+        int at = next.merge(tile.body, 1, Integer::sum) - 1;
+        map.add(tile, light.get(tile.body), 3 * at);
+      }
+    }
+    return map;
+  }
+
+  /**
+   * Comes to the exact number, longest edges first.
+   *
+   * @return whether it does: a closed surface has an even number
+   */
+  public boolean toNumber() {
+    while (count() < polygons) {
+      int missing = polygons - count();
+      var edge = mesh.longestOfCost(Math.min(2, missing));
+      if (edge.isEmpty() || missing == 1 && mesh.cost(edge.get()) != 1) {
+        return false;
+      }
+      mesh.halve(edge.get());
+    }
+    return count() == polygons;
+  }
+
+  private void divide(int limit, ToDoubleFunction<EdgeMesh.Edge> worth) {
+    record Wish(EdgeMesh.Tile tile, double worth) {}
+    PriorityQueue<Wish> queue =
+        new PriorityQueue<>(
+            Comparator.comparingDouble((Wish wish) -> -wish.worth())
+                .thenComparingInt(wish -> wish.tile().number));
+    ToDoubleFunction<EdgeMesh.Tile> best =
+        tile ->
+            Math.max(
+                worth.applyAsDouble(tile.edge(0)),
+                Math.max(worth.applyAsDouble(tile.edge(1)), worth.applyAsDouble(tile.edge(2))));
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      queue.add(new Wish(tile, best.applyAsDouble(tile)));
+    }
+    while (!queue.isEmpty() && count() < limit) {
+      Wish wish = queue.poll();
+      if (wish.worth() <= 0) {
+        return;
+      }
+      if (!mesh.alive(wish.tile())) {
+        continue;
+      }
+      EdgeMesh.Edge edge = mesh.terminal(wish.tile());
+      if (count() + mesh.cost(edge) > polygons || !mesh.sound(edge)) {
+        continue;
+      }
+      for (EdgeMesh.Tile made : mesh.halve(edge)) {
+        queue.add(new Wish(made, best.applyAsDouble(made)));
+      }
+      if (mesh.alive(wish.tile())) {
+        queue.add(wish); // Only a neighbour was divided so far.
+      }
+    }
+  }
+
+  /** Divides edges at points of other facets that lie on them. */
+  private void joinTJunctions(int limit) {
+    boolean again = true;
+    while (again) {
+      again = false;
+      Map<Long, List<Spot>> cells = cells();
+      List<EdgeMesh.Edge> edges = mesh.edges();
+      edges.sort(Comparator.comparingInt(EdgeMesh.Edge::a).thenComparingInt(EdgeMesh.Edge::b));
+      for (EdgeMesh.Edge edge : edges) {
+        if (mesh.at(edge).isEmpty() || !mesh.sound(edge) || mesh.length(edge) < 2 * minMesh) {
+          continue;
+        }
+        if (count() + mesh.cost(edge) > limit) {
+          return;
+        }
+        int point = on(edge, cells);
+        if (point >= 0) {
+          float[] a = mesh.place(edge.a());
+          float[] p = mesh.place(point);
+          double way = Math.sqrt(square(a, p));
+          mesh.divide(edge, p, (float) (way / mesh.length(edge)));
+          again = true;
+        }
+      }
+    }
+  }
+
+  private static final double CELL = 0.25;
+
+  /** A corner of a facet. */
+  private record Spot(int point, double[] plane) {}
+
+  private Map<Long, List<Spot>> cells() {
+    Map<Long, List<Spot>> cells = new HashMap<>();
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      for (int point : tile.points) {
+        float[] p = mesh.place(point);
+        cells
+            .computeIfAbsent(key(p[0], p[1], p[2]), key -> new ArrayList<>())
+            .add(new Spot(point, tile.plane));
+      }
+    }
+    return cells;
+  }
+
+  private static long key(double x, double y, double z) {
+    long i = (long) Math.floor(x / CELL) & 0x1fffff;
+    long j = (long) Math.floor(y / CELL) & 0x1fffff;
+    long k = (long) Math.floor(z / CELL) & 0x1fffff;
+    return i << 42 | j << 21 | k;
+  }
+
+  /** A point on an edge, corner of a facet in the plane of one at the edge, or -1. */
+  private int on(EdgeMesh.Edge edge, Map<Long, List<Spot>> cells) {
+    float[] a = mesh.place(edge.a());
+    float[] b = mesh.place(edge.b());
+    double length = mesh.length(edge);
+    int steps = (int) Math.min(4000, Math.ceil(length / (CELL / 2)));
+    long last = Long.MIN_VALUE;
+    for (int step = 0; step <= steps; step++) {
+      double t = steps == 0 ? 0 : (double) step / steps;
+      long key = key(a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]));
+      if (key == last) {
+        continue;
+      }
+      last = key;
+      for (Spot spot : cells.getOrDefault(key, List.of())) {
+        if (inside(mesh.place(spot.point()), a, b, length)
+            && !touches(edge, spot.point())
+            && mesh.at(edge).stream().anyMatch(tile -> tile.alike(spot.plane()))) {
+          return spot.point();
+        }
+      }
+    }
+    return -1;
+  }
+
+  /** Whether a point is a corner of a facet at the edge: a facet without area must not be cut. */
+  private boolean touches(EdgeMesh.Edge edge, int point) {
+    for (EdgeMesh.Tile tile : mesh.at(edge)) {
+      for (int corner : tile.points) {
+        if (corner == point) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean inside(float[] p, float[] a, float[] b, double length) {
+    double along = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      along += (p[axis] - a[axis]) * (b[axis] - a[axis]) / length;
+    }
+    double off = square(a, p) - along * along;
+    return along > 1e-3 && along < length - 1e-3 && off < 1e-8;
+  }
+
+  private static double square(float[] a, float[] b) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double d = (double) a[axis] - b[axis];
+      sum += d * d;
+    }
+    return sum;
+  }
+
+  /** The facets by body. */
+  public Map<Integer, List<Facet>> facets() {
+    Map<Integer, List<Facet>> all = new HashMap<>();
+    bodies.forEach(body -> all.put(body, new ArrayList<>()));
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      if (!mesh.flat(tile)) {
+        all.get(tile.body).add(tile.facet);
+      }
+    }
+    return all;
+  }
+
+  /**
+   * Takes what is known of the light: the value of a point is the mean over its vertices.
+   *
+   * @param light by body and facet in the order of {@link #facets}, three values each
+   */
+  public void light(Map<Integer, double[]> light) {
+    double[] sums = new double[mesh.pointCount()];
+    int[] counts = new int[mesh.pointCount()];
+    Map<Integer, Integer> next = new HashMap<>();
+    for (EdgeMesh.Tile tile : mesh.tiles()) {
+      if (mesh.flat(tile)) {
+        continue;
+      }
+      int at = next.merge(tile.body, 1, Integer::sum) - 1;
+      for (int i = 0; i < 3; i++) {
+        sums[tile.points[i]] += light.get(tile.body)[3 * at + i];
+        counts[tile.points[i]]++;
+      }
+    }
+    for (int point = 0; point < sums.length; point++) {
+      if (counts[point] > 0) {
+        mesh.value(point, sums[point] / counts[point]);
+      }
+    }
+  }
+}

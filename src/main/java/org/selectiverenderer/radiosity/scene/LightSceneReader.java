@@ -1,0 +1,183 @@
+package org.selectiverenderer.radiosity.scene;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.selectiverenderer.radiosity.light.GlowLamp;
+import org.selectiverenderer.radiosity.light.Lamp;
+import org.selectiverenderer.radiosity.trace.Triangles;
+import org.selectiverenderer.radiosity.trace.Visibility;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.x3d.Problems;
+
+/** Makes the {@link LightScene} of a loaded scene. */
+public final class LightSceneReader {
+  /** Coordinates beyond which single precision cannot tell neighbouring points apart, metres. */
+  private static final double FARTHEST = 100_000;
+
+  /** Glowing surfaces with less of the lamps' light than this are met by chance only. */
+  private static final double WEAK = 0.002;
+
+  private static final int MOST_GLOWS = 48;
+
+  /**
+   * Glowing surfaces larger than this share of the square of the scene's extent are met by rays
+   * often enough, and are so near to others that sampled places would show as spots.
+   */
+  private static final double WIDE = 0.1;
+
+  /** Bytes for each triangle: its corners, box, tree, facets, vertices and text. */
+  private static final long BYTES = 700;
+
+  private final boolean photometric;
+  private final Problems problems;
+
+  /**
+   * @param photometric whether light falls off with the square of the distance
+   * @param problems hears what is not as it is in the scene
+   */
+  public LightSceneReader(boolean photometric, Problems problems) {
+    this.photometric = photometric;
+    this.problems = problems;
+  }
+
+  /**
+   * @param unit metres per unit of length
+   * @throws UnlitSceneException if nothing could be lit, before any long work
+   */
+  public LightScene read(InstanceTree tree, double unit) throws UnlitSceneException {
+    SceneGatherer gatherer = new SceneGatherer(unit, problems);
+    gatherer.gather(tree.root());
+    List<Body> bodies = gatherer.bodies();
+    check(bodies, gatherer.triangles());
+    Triangles triangles = triangles(bodies, gatherer.triangles());
+    int[] bodyOf = new int[triangles.count()];
+    for (int i = 0; i < bodies.size(); i++) {
+      Body body = bodies.get(i);
+      java.util.Arrays.fill(
+          bodyOf, body.firstTriangle(), body.firstTriangle() + body.triangles(), i);
+    }
+    List<Lamp> lamps = new ArrayList<>();
+    LampReader reader = new LampReader(photometric, unit);
+    for (LightInstance light : tree.lights()) {
+      reader.read(light).ifPresent(lamps::add);
+    }
+    boolean[] sampled = new boolean[bodies.size()];
+    glows(bodies, triangles, gatherer, extent(triangles), lamps, sampled);
+    double lumens = lamps.stream().mapToDouble(Lamp::lumens).sum();
+    if (lamps.isEmpty() && bodies.stream().noneMatch(Body::glows)) {
+      throw new UnlitSceneException(
+          "nothing in the scene shines: it has neither lights that are on nor emissive materials");
+    }
+    return new LightScene(
+        List.copyOf(bodies),
+        triangles,
+        bodyOf,
+        gatherer.versions(),
+        new Visibility(triangles, gatherer.versions()),
+        List.copyOf(lamps),
+        sampled,
+        gatherer.budgets(),
+        extent(triangles),
+        lumens);
+  }
+
+  private static void check(List<Body> bodies, int count) throws UnlitSceneException {
+    if (count == 0) {
+      throw new UnlitSceneException(
+          "there is nothing to light: the scene has no triangles with a Material");
+    }
+    long needed = BYTES * count;
+    long there = Runtime.getRuntime().maxMemory();
+    if (needed > there) {
+      throw new UnlitSceneException(
+          "lighting %d triangles takes about %d MB of memory, and there are %d MB; give Java more with -Xmx"
+              .formatted(count, needed >> 20, there >> 20));
+    }
+    for (Body body : bodies) {
+      for (float coordinate : body.positions()) {
+        if (Math.abs(coordinate) > FARTHEST) {
+          throw new UnlitSceneException(
+              body.shape().node().location()
+                  + ": a shape lies more than 100 km from the origin, where points cannot be told"
+                  + " apart; move the scene to its origin or state another unit of length");
+        }
+      }
+    }
+  }
+
+  private static Triangles triangles(List<Body> bodies, int count) {
+    float[] corners = new float[9 * count];
+    boolean[] twoSided = new boolean[count];
+    float[] transmittance = new float[count];
+    int[] version = new int[count];
+    for (Body body : bodies) {
+      int first = body.firstTriangle();
+      for (int i = 0; i < body.triangles(); i++) {
+        for (int corner = 0; corner < 3; corner++) {
+          System.arraycopy(
+              body.positions(),
+              3 * body.vertex(i, corner),
+              corners,
+              9 * (first + i) + 3 * corner,
+              3);
+        }
+        twoSided[first + i] = !body.mesh().solid();
+        transmittance[first + i] = body.transmittance();
+        version[first + i] = body.version();
+      }
+    }
+    return new Triangles(corners, twoSided, transmittance, version);
+  }
+
+  /** The brightest glowing surfaces of what stands in the scene become lamps. */
+  private static void glows(
+      List<Body> bodies,
+      Triangles triangles,
+      SceneGatherer gatherer,
+      double extent,
+      List<Lamp> lamps,
+      boolean[] sampled) {
+    record Glow(int body, GlowLamp lamp) {}
+    List<Glow> glows = new ArrayList<>();
+    for (int i = 0; i < bodies.size(); i++) {
+      Body body = bodies.get(i);
+      if (body.glows() && gatherer.versions().isReference(body.version())) {
+        glows.add(
+            new Glow(
+                i,
+                new GlowLamp(triangles, body.firstTriangle(), body.triangles(), body.emission())));
+      }
+    }
+    double all =
+        lamps.stream().mapToDouble(Lamp::lumens).sum()
+            + glows.stream().mapToDouble(glow -> glow.lamp().lumens()).sum();
+    glows.stream()
+        .filter(glow -> glow.lamp().lumens() > WEAK * all)
+        .filter(glow -> glow.lamp().area() <= WIDE * extent * extent)
+        .sorted(
+            Comparator.comparingDouble((Glow glow) -> -glow.lamp().lumens())
+                .thenComparingInt(Glow::body))
+        .limit(MOST_GLOWS)
+        .forEach(
+            glow -> {
+              lamps.add(glow.lamp());
+              sampled[glow.body()] = true;
+            });
+  }
+
+  private static double extent(Triangles triangles) {
+    double extent = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      float low = Float.POSITIVE_INFINITY;
+      float high = Float.NEGATIVE_INFINITY;
+      for (int i = axis; i < triangles.corners().length; i += 3) {
+        low = Math.min(low, triangles.corners()[i]);
+        high = Math.max(high, triangles.corners()[i]);
+      }
+      extent = Math.max(extent, (double) high - low);
+    }
+    return extent;
+  }
+}

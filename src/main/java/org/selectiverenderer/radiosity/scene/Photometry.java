@@ -1,0 +1,41 @@
+package org.selectiverenderer.radiosity.scene;
+
+/**
+ * How X3D's colours and intensities are read as light.
+ *
+ * <p>X3D knows no units: a surface of {@code emissiveColor} 1 is drawn as white as a white surface
+ * at right angles to a light of {@code intensity} 1. Both are taken as a luminance of {@link
+ * #WHITE}. Colours are encoded for the display (IEC 61966-2-1, sRGB) and are decoded to shares of
+ * light.
+ */
+public final class Photometry {
+  /** Luminance of a display's white, cd/m2. */
+  public static final double WHITE = 250;
+
+  private Photometry() {}
+
+  /** A display colour's share of light, 0 .. 1 to 0 .. 1 (IEC 61966-2-1). */
+  public static float linear(double display) {
+    double c = Math.max(0, Math.min(1, display));
+    return (float) (c <= 0.04045 ? c / 12.92 : StrictMath.pow((c + 0.055) / 1.055, 2.4));
+  }
+
+  /** The inverse of {@link #linear}. */
+  public static double display(double linear) {
+    double c = Math.max(0, Math.min(1, linear));
+    return c <= 0.0031308 ? c * 12.92 : 1.055 * StrictMath.pow(c, 1 / 2.4) - 0.055;
+  }
+
+  public static float[] linear(float[] rgb) {
+    return new float[] {linear(rgb[0]), linear(rgb[1]), linear(rgb[2])};
+  }
+
+  /** The luminance of linear red, green and blue (ITU-R BT.709). */
+  public static double luminance(double r, double g, double b) {
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  }
+
+  public static double luminance(float[] rgb) {
+    return luminance(rgb[0], rgb[1], rgb[2]);
+  }
+}

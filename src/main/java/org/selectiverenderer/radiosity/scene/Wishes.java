@@ -1,0 +1,54 @@
+package org.selectiverenderer.radiosity.scene;
+
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.x3d.NodeView;
+
+/**
+ * What a scene asks of the light, in metadata: a MetadataSet named {@code photometric} on a light
+ * and one named {@code radiosity} on a group or Inline; alone or among other metadata.
+ */
+final class Wishes {
+  private final NodeMetadata set;
+
+  private Wishes(NodeMetadata set) {
+    this.set = set;
+  }
+
+  static Optional<Wishes> of(NodeView node, String name) {
+    if (node.type().field("metadata").isEmpty()) {
+      return Optional.empty();
+    }
+    return NodeMetadata.of(node).stream()
+        .flatMap(own -> Stream.concat(Stream.of(own), own.children().stream()))
+        .filter(data -> data.isSet() && data.name().equals(name))
+        .findFirst()
+        .map(Wishes::new);
+  }
+
+  /** The first number of a member; empty if there is none, or if it is no finite number above 0. */
+  Optional<Double> number(String member) {
+    return numbers(member).filter(values -> values.length > 0).map(values -> values[0]);
+  }
+
+  /** All numbers of a member, each finite and above 0. */
+  Optional<double[]> numbers(String member) {
+    for (NodeMetadata child : set.children()) {
+      if (child.name().equals(member)) {
+        try {
+          double[] values = child.values().stream().mapToDouble(Double::parseDouble).toArray();
+          for (double value : values) {
+            if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
+              return Optional.empty();
+            }
+          }
+          return Optional.of(values);
+        } catch (NumberFormatException e) {
+          return Optional.empty();
+        }
+      }
+    }
+    return Optional.empty();
+  }
+}

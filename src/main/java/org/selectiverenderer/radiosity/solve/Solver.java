@@ -1,0 +1,208 @@
+package org.selectiverenderer.radiosity.solve;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.Work;
+
+/**
+ * Solves B = E + rho F B (Goral et al. 1984; thesis 2.1.4) by gathering: in iteration k every patch
+ * takes what those that it sees had after k - 1, so light has been reflected k times (Jacobi's
+ * method; Kajiya's Neumann series, 1986). Light only grows from one iteration to the next. Since
+ * the form factors are found beforehand, an iteration costs no rays, and it can end after any of
+ * them as in progressive refinement (Cohen et al. 1988).
+ */
+public final class Solver {
+  private final LightScene scene;
+  private final Transport transport;
+  private final Patches patches;
+  private final float[] rho;
+  private final float[] glow;
+  private final double[] outsideShare;
+  private final int[] inside;
+
+  public Solver(LightScene scene, Transport transport) {
+    this.scene = scene;
+    this.transport = transport;
+    patches = transport.patches();
+    int count = patches.count();
+    rho = new float[3 * count];
+    glow = new float[3 * count];
+    outsideShare = new double[count];
+    inside = new int[count];
+    for (int patch = 0; patch < count; patch++) {
+      Body body = scene.body(patches.triangle(patch));
+      int at = body.reflectanceAt(patches.triangle(patch) - body.firstTriangle());
+      boolean sampled = scene.sampled()[scene.bodyOf()[patches.triangle(patch)]];
+      for (int c = 0; c < 3; c++) {
+        rho[3 * patch + c] = body.reflectance()[at + c];
+        glow[3 * patch + c] = sampled ? 0 : body.emission()[c];
+      }
+      int outside = 0;
+      for (int i = 0; i < transport.rays(); i++) {
+        int met = transport.seen(patch, i);
+        outside += met == Transport.OUTSIDE ? 1 : 0;
+        inside[patch] += met == Transport.INSIDE ? 1 : 0;
+      }
+      int valid = transport.rays() - inside[patch];
+      outsideShare[patch] = valid == 0 ? 0 : (double) outside / valid;
+    }
+  }
+
+  /**
+   * Passes light on.
+   *
+   * @param iterations at most
+   * @param quality percent of the energy distributed at which it stops
+   * @param each hears the solution after every iteration; it must not keep it
+   */
+  public Solution solve(
+      int iterations, double quality, Progress progress, Consumer<Solution> each) {
+    int count = patches.count();
+    boolean[] buried = new boolean[count];
+    for (int patch = 0; patch < count; patch++) {
+      buried[patch] = inside[patch] > transport.rays() / 2;
+    }
+    float[] before = new float[3 * count];
+    float[] indirect = new float[3 * count];
+    List<EnergyBalance> balances = new ArrayList<>();
+    Solution solution =
+        new Solution(
+            patches,
+            before,
+            glow,
+            transport.direct(),
+            indirect,
+            transport.lampsOf(),
+            buried,
+            balances);
+    for (int k = 1; k <= iterations; k++) {
+      float[] source = before;
+      float[] arriving = new float[3 * count];
+      float[] after = new float[3 * count];
+      boolean whole =
+          Work.run(
+              count,
+              4096,
+              progress,
+              Progress.Stage.ITERATIONS,
+              (from, to) -> {
+                for (int patch = from; patch < to; patch++) {
+                  if (!buried[patch]) {
+                    gather(patch, source, arriving, after);
+                  }
+                }
+              });
+      if (!whole && k > 1) {
+        break; // The last complete iteration stays.
+      }
+      balances.add(balance(k, source, arriving, after, buried, balances));
+      before = after;
+      solution =
+          new Solution(
+              patches,
+              after,
+              glow,
+              transport.direct(),
+              arriving,
+              transport.lampsOf(),
+              buried,
+              List.copyOf(balances));
+      each.accept(solution);
+      if (solution.last().distributed() >= quality || !whole) {
+        break;
+      }
+    }
+    return solution;
+  }
+
+  private void gather(int patch, float[] source, float[] arriving, float[] after) {
+    double r = 0;
+    double g = 0;
+    double b = 0;
+    int rays = transport.rays();
+    for (int i = 0; i < rays; i++) {
+      int other = transport.seen(patch, i);
+      if (other >= 0) {
+        int at = 3 * other;
+        r += source[at] + glow[at];
+        g += source[at + 1] + glow[at + 1];
+        b += source[at + 2] + glow[at + 2];
+      }
+    }
+    double scale = Math.PI / (rays - inside[patch]);
+    int at = 3 * patch;
+    arriving[at] = (float) (r * scale);
+    arriving[at + 1] = (float) (g * scale);
+    arriving[at + 2] = (float) (b * scale);
+    for (int c = 0; c < 3; c++) {
+      double irradiance = transport.direct()[at + c] / open(patch) + arriving[at + c];
+      after[at + c] = (float) (rho[at + c] * irradiance / Math.PI);
+    }
+  }
+
+  private EnergyBalance balance(
+      int k,
+      float[] source,
+      float[] arriving,
+      float[] after,
+      boolean[] buried,
+      List<EnergyBalance> earlier) {
+    double emitted = 0;
+    double absorbed = 0;
+    double escaped = 0;
+    double unshot = 0;
+    double reflected = 0;
+    for (int patch = 0; patch < patches.count(); patch++) {
+      // Versions that only stand for a reference take light but give none to others.
+      if (buried[patch] || !stands(patch)) {
+        continue;
+      }
+      // Light that fell on what lies outside of solids arrived there only: see open().
+      double area = patches.area(patch) * open(patch);
+      // What goes through glass is counted where it arrives.
+      double through = scene.body(patches.triangle(patch)).transmittance();
+      for (int c = 0; c < 3; c++) {
+        int at = 3 * patch + c;
+        double weight = c == 0 ? 0.2126 : c == 1 ? 0.7152 : 0.0722;
+        double flux = weight * area;
+        double direct = transport.direct()[at] / open(patch);
+        double irradiance = direct + arriving[at];
+        emitted += flux * ((1 - through) * direct + Math.PI * glow[at]);
+        absorbed += flux * Math.max(0, 1 - through - rho[at]) * irradiance;
+        escaped += flux * Math.PI * (source[at] + glow[at]) * outsideShare[patch];
+        unshot += flux * Math.PI * (after[at] - source[at]);
+        reflected += flux * Math.PI * after[at];
+      }
+    }
+    return new EnergyBalance(
+        k, emitted, absorbed, escaped, unshot, distributed(unshot, reflected, emitted, earlier));
+  }
+
+  /**
+   * The share of a patch outside of solids. What lamps throw on it was averaged over all of it, and
+   * the rest got none; a patch that is not buried is at least half open.
+   */
+  private double open(int patch) {
+    return 1 - (double) inside[patch] / transport.rays();
+  }
+
+  private boolean stands(int patch) {
+    return scene.versions().isReference(scene.triangles().version()[patches.triangle(patch)]);
+  }
+
+  /** What is still to come, as a geometric series of the last two iterations. */
+  private static double distributed(
+      double unshot, double reflected, double emitted, List<EnergyBalance> earlier) {
+    double before = earlier.isEmpty() ? emitted : earlier.get(earlier.size() - 1).unshot();
+    if (!(unshot > 0)) {
+      return 100;
+    }
+    double ratio = before > 0 ? Math.min(0.999, unshot / before) : 0;
+    double rest = unshot * ratio / (1 - ratio);
+    return 100 * (emitted + reflected) / (emitted + reflected + rest);
+  }
+}

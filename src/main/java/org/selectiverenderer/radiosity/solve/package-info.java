@@ -1,0 +1,13 @@
+/**
+ * The radiosity solution on patches: the surfaces are divided into patches, form factors between
+ * them are found by rays, and light is passed on until the wanted share of the energy is
+ * distributed.
+ *
+ * <p>In: a {@link org.selectiverenderer.radiosity.scene.LightScene}. Out: the radiance of each
+ * patch, with an {@link org.selectiverenderer.radiosity.solve.EnergyBalance} per iteration. Uses
+ * {@code radiosity.scene}, {@code .trace}, {@code .light}, {@code .sampling}, {@code .work}.
+ */
+@NullMarked
+package org.selectiverenderer.radiosity.solve;
+
+import org.jspecify.annotations.NullMarked;

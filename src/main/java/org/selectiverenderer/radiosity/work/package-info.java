@@ -1,0 +1,5 @@
+/** Long work in parts: on all processors, with progress, until it is cancelled. Uses nothing. */
+@NullMarked
+package org.selectiverenderer.radiosity.work;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,156 @@
+package org.selectiverenderer.radiosity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.selectiverenderer.radiosity.SmallScene.quad;
+import static org.selectiverenderer.radiosity.SmallScene.room;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.Photometry;
+import org.selectiverenderer.radiosity.solve.EnergyBalance;
+import org.selectiverenderer.radiosity.solve.Patches;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.solve.Solver;
+import org.selectiverenderer.radiosity.solve.Transport;
+import org.selectiverenderer.radiosity.work.Progress;
+
+/** The solution on patches against closed forms and conservation. */
+class LawsOfLightTest {
+  private static final String LAMP = "<PointLight location='0 5 0'/>";
+  private static final String GREY = "diffuseColor='0.735 0.735 0.735'"; // Reflects a half.
+  private static final double HALF = Photometry.linear(0.735);
+
+  private static double formFactor(String one, String other) throws Exception {
+    LightScene scene = SmallScene.read(LAMP + one + other);
+    Patches patches = new Patches(scene, 100);
+    assertThat(patches.count()).isEqualTo(2);
+    return Transport.find(scene, patches, 16384, 1, 1, Progress.NONE).formFactor(0, 1);
+  }
+
+  private static Solution solve(
+      LightScene scene, double length, int iterations, List<Solution> all) {
+    Transport transport =
+        Transport.find(scene, new Patches(scene, length), 256, 64, 1, Progress.NONE);
+    return new Solver(scene, transport).solve(iterations, 100, Progress.NONE, all::add);
+  }
+
+  /** Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-11: 0.19982. */
+  @Test
+  void formFactorOfParallelSquaresIsThatOfTheCatalogue() throws Exception {
+    double factor =
+        formFactor(
+            quad("1 1 1, 2 1 1, 2 2 1, 1 2 1", GREY), quad("1 1 2, 1 2 2, 2 2 2, 2 1 2", GREY));
+    assertThat(factor).isCloseTo(0.19982, within(0.002));
+  }
+
+  /** The same, C-14: two squares that share an edge, 0.20004. */
+  @Test
+  void formFactorOfSquaresAtRightAnglesIsThatOfTheCatalogue() throws Exception {
+    double factor =
+        formFactor(
+            quad("1 1 1, 2 1 1, 2 2 1, 1 2 1", GREY), quad("1 1 1, 1 1 2, 2 1 2, 2 1 1", GREY));
+    assertThat(factor).isCloseTo(0.20004, within(0.002));
+  }
+
+  @Test
+  void inAFurnaceEverySurfaceHasTheSameLight() throws Exception {
+    LightScene scene =
+        SmallScene.read(room(0, 0, 0, 2, GREY + " emissiveColor='0.735 0.735 0.735'"));
+    Solution solution = solve(scene, 0.5, 60, new ArrayList<>());
+    double emitted = HALF * Photometry.WHITE;
+    double expected = emitted / (1 - HALF);
+    for (int patch = 0; patch < solution.patches().count(); patch++) {
+      assertThat((float) (emitted + solution.reflected()[3 * patch]))
+          .isCloseTo((float) expected, within((float) (0.01 * expected)));
+    }
+  }
+
+  @Test
+  void noLightIsLostInAClosedRoom() throws Exception {
+    LightScene scene = SmallScene.read(room(0, 0, 0, 4, GREY) + "<PointLight location='2 3 1'/>");
+    List<Solution> all = new ArrayList<>();
+    Solution solution = solve(scene, 0.4, 40, all);
+    for (Solution each : all) {
+      EnergyBalance balance = each.last();
+      assertThat(balance.discrepancy()).isCloseTo(0, within(0.02));
+      assertThat(balance.escaped()).isZero();
+    }
+    EnergyBalance last = solution.last();
+    assertThat(last.emitted()).isCloseTo(scene.lumens(), within(0.02 * scene.lumens()));
+    assertThat(last.absorbed()).isCloseTo(last.emitted(), within(0.02 * last.emitted()));
+    assertThat(last.distributed()).isGreaterThan(99.9);
+  }
+
+  @Test
+  void lightOnlyGrowsFromIterationToIteration() throws Exception {
+    LightScene scene =
+        SmallScene.read(
+            room(0, 0, 0, 4, GREY)
+                + "<PointLight location='2 3 1'/>"
+                + "<Transform translation='2 1 2'><Shape><Appearance><Material "
+                + GREY
+                + "/></Appearance><Box/></Shape></Transform>");
+    List<Solution> all = new ArrayList<>();
+    solve(scene, 0.4, 12, all);
+    assertThat(all).hasSizeGreaterThan(5);
+    double unshot = Double.POSITIVE_INFINITY;
+    double distributed = 0;
+    for (int k = 1; k < all.size(); k++) {
+      for (int i = 0; i < all.get(k).reflected().length; i++) {
+        assertThat(all.get(k).reflected()[i]).isGreaterThanOrEqualTo(all.get(k - 1).reflected()[i]);
+      }
+      assertThat(all.get(k).last().unshot()).isLessThan(unshot);
+      assertThat(all.get(k).last().distributed()).isGreaterThanOrEqualTo(distributed);
+      unshot = all.get(k).last().unshot();
+      distributed = all.get(k).last().distributed();
+    }
+  }
+
+  @Test
+  void aSymmetricRoomIsLitSymmetrically() throws Exception {
+    LightScene scene = SmallScene.read(room(0, 0, 0, 4, GREY) + "<PointLight location='2 2 2'/>");
+    Solution solution = solve(scene, 100, 30, new ArrayList<>());
+    // One patch to a wall: all six see the lamp and each other alike.
+    assertThat(solution.patches().count()).isEqualTo(6);
+    for (int patch = 1; patch < 6; patch++) {
+      assertThat(solution.reflected()[3 * patch])
+          .isCloseTo(solution.reflected()[0], within(0.01f * solution.reflected()[0]));
+    }
+  }
+
+  @Test
+  void noLightComesThroughAWall() throws Exception {
+    LightScene scene =
+        SmallScene.read(
+            room(0, 0, 0, 2, GREY) + room(2, 0, 0, 2, GREY) + "<PointLight location='1 1 1'/>");
+    Solution solution = solve(scene, 0.3, 20, new ArrayList<>());
+    int dark = 0;
+    for (int patch = 0; patch < solution.patches().count(); patch++) {
+      boolean lit = scene.bodyOf()[solution.patches().triangle(patch)] == 0;
+      if (lit) {
+        assertThat(solution.reflected()[3 * patch]).isPositive();
+      } else {
+        assertThat(solution.reflected()[3 * patch]).isZero();
+        dark++;
+      }
+    }
+    assertThat(dark).isGreaterThan(100);
+  }
+
+  @Test
+  void aPaneLetsThroughItsShare() throws Exception {
+    String floor = quad("-1 0 1, 1 0 1, 1 0 -1, -1 0 -1", GREY);
+    String lamp = "<DirectionalLight direction='0 -1 0'/>";
+    String pane =
+        quad("-5 1 5, 5 1 5, 5 1 -5, -5 1 -5", "diffuseColor='0 0 0' transparency='0.75'");
+    LightScene open = SmallScene.read(floor + lamp);
+    LightScene covered = SmallScene.read(floor + pane + lamp);
+    float free = Transport.find(open, new Patches(open, 100), 4, 4, 1, Progress.NONE).direct()[0];
+    float less =
+        Transport.find(covered, new Patches(covered, 100), 4, 4, 1, Progress.NONE).direct()[0];
+    assertThat(less).isCloseTo(0.75f * free, within(1e-3f * free));
+  }
+}

@@ -1,0 +1,48 @@
+package org.selectiverenderer.radiosity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.polygon.statistics.PolygonStatistics;
+import org.selectiverenderer.polygon.statistics.SceneStatistics;
+import org.selectiverenderer.polygon.statistics.StatisticsCsv;
+import org.selectiverenderer.x3d.Problems;
+
+/** The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d} writes it. */
+class LitApartmentTest {
+  private static final Path SCENES = Path.of("scenes");
+
+  /** Tables 3 to 5 of the thesis hold to the polygon, for every object and every set of schemas. */
+  @Test
+  void bakingKeepsEveryCount() throws Exception {
+    assertThat(counts("apartment-lit.x3d")).isEqualTo(counts("apartment.x3d"));
+  }
+
+  private static String counts(String scene) throws Exception {
+    Problems problems = new Problems();
+    SceneStatistics statistics = PolygonStatistics.of(SCENES.resolve(scene), List.of(), problems);
+    assertThat(problems.list()).isEmpty();
+    return StatisticsCsv.of(statistics).replace(scene, "");
+  }
+
+  @Test
+  void nothingInItNeedsALamp() throws IOException {
+    String scene = Files.readString(SCENES.resolve("apartment-lit.x3d"));
+    assertThat(scene).contains("on='false'").doesNotContain("<Material");
+    int files = 0;
+    try (Stream<Path> inlined = Files.list(Path.of("inlineNodes", "apartment-lit"))) {
+      for (Path file : inlined.toList()) {
+        String text = Files.readString(file);
+        assertThat(text).doesNotContain("<Material").contains("<IndexedTriangleStripSet");
+        assertThat(scene).contains("inlineNodes/apartment-lit/" + file.getFileName());
+        files++;
+      }
+    }
+    assertThat(files).isGreaterThan(100);
+  }
+}

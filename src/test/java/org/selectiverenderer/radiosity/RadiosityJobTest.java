@@ -1,0 +1,328 @@
+package org.selectiverenderer.radiosity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.selectiverenderer.radiosity.SmallScene.quad;
+import static org.selectiverenderer.radiosity.SmallScene.room;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+
+/** Scene files to lit scene files. */
+class RadiosityJobTest {
+  private static final String GREY = "diffuseColor='0.7 0.7 0.7'";
+  private static final String LAMP = "<PointLight DEF='Lamp' location='2 3 2'/>";
+  private static final String BUDGET =
+      "<MetadataSet containerField='metadata' name='radiosity'>"
+          + "<MetadataInteger containerField='value' name='polygons' value='%d'/></MetadataSet>";
+
+  private static final Settings QUICK =
+      new Settings(
+          50,
+          98,
+          OptionalDouble.empty(),
+          OptionalDouble.of(0.7),
+          true,
+          true,
+          true,
+          16,
+          1,
+          0,
+          300_000);
+
+  @TempDir private Path folder;
+  private final Problems problems = new Problems();
+  private Path scenes;
+
+  @BeforeEach
+  void makeFolders() throws IOException {
+    scenes = Files.createDirectories(folder.resolve("scenes"));
+    Files.createDirectories(folder.resolve("inlineNodes"));
+  }
+
+  private Path scene(String body) throws IOException {
+    Path file = scenes.resolve("room.x3d");
+    Files.writeString(file, SmallScene.x3d(body));
+    return file;
+  }
+
+  private void inlined(String name, String body) throws IOException {
+    Files.writeString(folder.resolve("inlineNodes").resolve(name), SmallScene.x3d(body));
+  }
+
+  private RadiosityJob job(Path scene, Settings settings) {
+    Path output = RadiosityJob.outputOf(scene);
+    return new RadiosityJob(scene, output, RadiosityJob.inlinesOf(output), null, settings);
+  }
+
+  private RadiosityJob.Report light(String body) throws IOException, UnlitSceneException {
+    return job(scene(body), QUICK).run(problems, Progress.NONE, (balance, quality) -> {});
+  }
+
+  /** Every shape of the lit scene: its colours, unlit. */
+  private List<ShapeInstance> shapes() throws IOException {
+    try (SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+      LoadedScene loaded = loader.load(scenes.resolve("room-lit.x3d"));
+      return new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets()).shapes();
+    }
+  }
+
+  private Map<String, String> written() throws IOException {
+    Map<String, String> texts = new TreeMap<>();
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        texts.put(folder.relativize(file).toString(), Files.readString(file));
+      }
+    }
+    return texts;
+  }
+
+  @Test
+  void aLitSceneShowsItsColoursWithoutLamps() throws Exception {
+    Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
+    String before = Files.readString(scene);
+    job(scene, QUICK).run(problems, Progress.NONE, (balance, quality) -> {});
+    assertThat(Files.readString(scene)).isEqualTo(before);
+    assertThat(problems.list()).isEmpty();
+    ShapeInstance shape = shapes().get(0);
+    assertThat(shape.surface().lit()).isFalse();
+    float[] colours = shape.mesh().orElseThrow().colors();
+    assertThat(colours).isNotNull();
+    for (float colour : colours) {
+      assertThat(colour).isBetween(0.02f, 1f);
+    }
+    assertThat(Files.readString(scenes.resolve("room-lit.x3d")))
+        .contains("DEF='Lamp'")
+        .contains("on='false'");
+  }
+
+  @Test
+  void aBudgetIsKeptToThePolygon() throws Exception {
+    inlined("walls.x3d", room(0, 0, 0, 4, GREY));
+    light(
+        "<Inline url='\"../inlineNodes/walls.x3d\"'>"
+            + BUDGET.formatted(334)
+            + "</Inline>"
+            + quad("1 1 1, 1 1 3, 3 1 3, 3 1 1", GREY)
+            + LAMP);
+    assertThat(shapes().get(0).mesh().orElseThrow().polygons()).isEqualTo(334);
+    assertThat(shapes().get(1).mesh().orElseThrow().polygons()).isEqualTo(2);
+  }
+
+  @Test
+  void facetsAreFinerInTheShadowOfATable() throws Exception {
+    light(
+        "<Group>"
+            + BUDGET.formatted(600)
+            + quad("0 0 0, 0 0 8, 8 0 8, 8 0 0", GREY)
+            + "</Group>"
+            + quad("1 0.5 1, 1 0.5 2.5, 2.5 0.5 2.5, 2.5 0.5 1", GREY + " ")
+            + LAMP);
+    float[] points = shapes().get(0).mesh().orElseThrow().positions();
+    int near = 0;
+    int far = 0;
+    for (int i = 0; i < points.length; i += 3) {
+      near += points[i] < 4 && points[i + 2] < 4 ? 1 : 0;
+      far += points[i] > 4 && points[i + 2] > 4 ? 1 : 0;
+    }
+    assertThat(near).isGreaterThan(3 * far);
+  }
+
+  @Test
+  void versionsKeepTheirPolygonsAndAreLitInEachPlace() throws Exception {
+    inlined(
+        "fine.x3d", "<Shape><Appearance><Material/></Appearance><Sphere radius='0.3'/></Shape>");
+    inlined(
+        "coarse.x3d", "<Shape><Appearance><Material/></Appearance><Box size='.5 .5 .5'/></Shape>");
+    String versions =
+        "<Switch DEF='%s' whichChoice='1'><Inline url='\"../inlineNodes/fine.x3d\"'/>"
+            + "<Inline url='\"../inlineNodes/coarse.x3d\"'/></Switch>";
+    light(
+        room(0, 0, 0, 4, GREY)
+            + LAMP
+            + "<Transform translation='1 .5 1'>"
+            + versions.formatted("A")
+            + "</Transform><Transform translation='3 3.6 3'>"
+            + versions.formatted("B")
+            + "</Transform>");
+    assertThat(problems.list()).isEmpty();
+    List<ShapeInstance> shapes = shapes();
+    assertThat(shapes).hasSize(5);
+    double[] means = new double[5];
+    for (int i = 0; i < 5; i++) {
+      float[] colours = shapes.get(i).mesh().orElseThrow().colors();
+      for (int k = 0; k < colours.length; k += 4) {
+        means[i] += 4.0 * colours[k] / colours.length;
+      }
+    }
+    assertThat(shapes.get(2).mesh().orElseThrow().polygons()).isEqualTo(12);
+    assertThat(means[1]).isNotEqualTo(means[3]);
+    // A version does not shadow the other one in its place.
+    assertThat(means[2] / means[1]).isBetween(0.75, 1.25);
+    assertThat(means[4] / means[3]).isBetween(0.75, 1.25);
+    assertThat(written().keySet())
+        .contains(
+            "inlineNodes/room-lit/fine.x3d",
+            "inlineNodes/room-lit/fine-2.x3d",
+            "inlineNodes/room-lit/coarse.x3d",
+            "inlineNodes/room-lit/coarse-2.x3d");
+  }
+
+  @Test
+  void theSameSeedGivesTheSameBytesOnOneProcessorAndOnFour() throws Exception {
+    String body = room(0, 0, 0, 4, GREY) + quad("1 1 1, 1 1 3, 3 1 3, 3 1 1", GREY) + LAMP;
+    List<Map<String, String>> results = new ArrayList<>();
+    for (int processors : new int[] {1, 4}) {
+      ForkJoinPool pool = new ForkJoinPool(processors);
+      try {
+        pool.submit(
+                () -> {
+                  light(body);
+                  return null;
+                })
+            .get();
+      } finally {
+        pool.shutdown();
+      }
+      results.add(written());
+    }
+    assertThat(results.get(0)).isEqualTo(results.get(1));
+  }
+
+  @Test
+  void aCancelledRunWritesItsLastIteration() throws Exception {
+    int[] iterations = {0};
+    Progress cancelling =
+        new Progress() {
+          @Override
+          public void at(Stage stage, double share) {
+            // Only its end matters.
+          }
+
+          @Override
+          public boolean cancelled() {
+            return iterations[0] >= 2;
+          }
+        };
+    RadiosityJob.Report report =
+        job(scene(room(0, 0, 0, 4, GREY) + LAMP), QUICK)
+            .run(problems, cancelling, (balance, quality) -> iterations[0]++);
+    assertThat(report.complete()).isFalse();
+    assertThat(report.balance().iteration()).isEqualTo(2);
+    for (float colour : shapes().get(0).mesh().orElseThrow().colors()) {
+      assertThat(colour).isGreaterThan(0.02f);
+    }
+  }
+
+  @Test
+  void previewIsAPictureOfTheWholeWay() throws Exception {
+    Path scene = scene("<Viewpoint position='2 2 3.9'/>" + room(0, 0, 0, 4, GREY) + LAMP);
+    Path preview = folder.resolve("p.png");
+    Path output = RadiosityJob.outputOf(scene);
+    List<Integer> sizes = new ArrayList<>();
+    new RadiosityJob(scene, output, folder, preview, QUICK)
+        .run(
+            problems,
+            Progress.NONE,
+            (balance, quality) -> sizes.add(Files.exists(preview) ? 1 : 0));
+    assertThat(Files.readAllBytes(preview)).startsWith(0x89, 'P', 'N', 'G');
+    assertThat(sizes).startsWith(0, 1);
+  }
+
+  @Test
+  void textsSayWhatIsWrongBeforeTheWork() throws Exception {
+    String walls = room(0, 0, 0, 4, GREY);
+    assertThatThrownBy(() -> light(walls))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("nothing in the scene shines");
+    assertThatThrownBy(() -> light(LAMP))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("nothing to light");
+    assertThatThrownBy(() -> light(LAMP + room(0, 0, 0, 4e6, GREY)))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("100 km");
+    assertThatThrownBy(() -> light(LAMP + "<Group>" + BUDGET.formatted(5) + walls + "</Group>"))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("allows 5 polygons here");
+    Settings fine =
+        new Settings(
+            5,
+            90,
+            OptionalDouble.empty(),
+            OptionalDouble.of(0.001),
+            true,
+            true,
+            true,
+            16,
+            1,
+            0,
+            300_000);
+    assertThatThrownBy(
+            () -> job(scene(LAMP + walls), fine).run(problems, Progress.NONE, (b, q) -> {}))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("raise --max-mesh");
+    Settings immense =
+        new Settings(
+            5,
+            90,
+            OptionalDouble.empty(),
+            OptionalDouble.of(0.001),
+            true,
+            true,
+            true,
+            16,
+            1,
+            0,
+            Integer.MAX_VALUE);
+    assertThatThrownBy(
+            () -> job(scene(LAMP + walls), immense).run(problems, Progress.NONE, (b, q) -> {}))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("MB of memory, more than Java's");
+    assertThat(written().keySet()).containsExactly("scenes/room.x3d");
+  }
+
+  @Test
+  void anOpenSceneIsLitAndSaidToBeOpen() throws Exception {
+    light(quad("0 0 0, 0 0 4, 4 0 4, 4 0 0", GREY) + LAMP);
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).message()).contains("the scene is open");
+    assertThat(problems.any()).isFalse();
+  }
+
+  @Test
+  void facesWithoutAreaAndNumbersThatAreNoneDoNoHarm() throws Exception {
+    light(
+        room(0, 0, 0, 4, GREY)
+            + LAMP
+            + "<Shape><Appearance><Material/></Appearance><IndexedFaceSet coordIndex='0 1 2 -1 0 1 1"
+            + " -1 3 1 2 -1'><Coordinate point='0 1 0, 1 1 0, 2 1 0, NaN 1 1'/></IndexedFaceSet>"
+            + "</Shape>");
+    String text =
+        new String(Files.readAllBytes(scenes.resolve("room-lit.x3d")), StandardCharsets.UTF_8);
+    assertThat(text).doesNotContain("NaN");
+  }
+}

@@ -1,0 +1,69 @@
+package org.selectiverenderer.radiosity;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.LightSceneReader;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.ReadLimits;
+
+/** Scenes written in tests. */
+final class SmallScene {
+  private SmallScene() {}
+
+  static String x3d(String body) {
+    return "<X3D profile='Immersive' version='3.3'><Scene>" + body + "</Scene></X3D>";
+  }
+
+  static LightScene read(String body) throws IOException, UnlitSceneException {
+    return read(body, new Problems());
+  }
+
+  static LightScene read(String body, Problems problems) throws IOException, UnlitSceneException {
+    try (SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+      byte[] bytes = x3d(body).getBytes(StandardCharsets.UTF_8);
+      LoadedScene loaded =
+          loader.load("test.x3d", new ByteArrayInputStream(bytes), Path.of("").toAbsolutePath());
+      InstanceTree tree = new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
+      return new LightSceneReader(true, problems).read(tree, 1);
+    }
+  }
+
+  /** A flat shape of four points, counter-clockwise seen from its front. */
+  static String quad(String points, String material) {
+    return """
+    <Shape><Appearance><Material %s/></Appearance>
+    <IndexedFaceSet coordIndex='0 1 2 3 -1'><Coordinate point='%s'/></IndexedFaceSet></Shape>
+    """
+        .formatted(material, points);
+  }
+
+  /** A room from the inside: six walls that face inwards. */
+  static String room(double x, double y, double z, double side, String material) {
+    String p =
+        "%s %s %s".formatted(x, y, z)
+            + ", %s %s %s".formatted(x + side, y, z)
+            + ", %s %s %s".formatted(x + side, y + side, z)
+            + ", %s %s %s".formatted(x, y + side, z)
+            + ", %s %s %s".formatted(x, y, z + side)
+            + ", %s %s %s".formatted(x + side, y, z + side)
+            + ", %s %s %s".formatted(x + side, y + side, z + side)
+            + ", %s %s %s".formatted(x, y + side, z + side);
+    return """
+    <Shape><Appearance><Material %s/></Appearance>
+    <IndexedFaceSet coordIndex='0 1 2 3 -1 5 4 7 6 -1 4 0 3 7 -1 1 5 6 2 -1 3 2 6 7 -1 4 5 1 0 -1'>
+    <Coordinate point='%s'/></IndexedFaceSet></Shape>
+    """
+        .formatted(material, p);
+  }
+}
