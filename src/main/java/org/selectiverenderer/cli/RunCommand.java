@@ -179,6 +179,9 @@ final class RunCommand extends CliCommand {
   }
 
   private void write(RunResult result) throws IOException {
+    if (stats != null) {
+      Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
+    }
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);
     }
@@ -190,9 +193,6 @@ final class RunCommand extends CliCommand {
               "--operator-screenshot "
                   + operatorScreenshot
                   + ": there was no operator's window; nothing is written");
-    }
-    if (stats != null) {
-      Files.writeString(stats, result.figures().json() + "\n", StandardCharsets.UTF_8);
     }
   }
 

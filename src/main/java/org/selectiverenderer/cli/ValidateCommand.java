@@ -136,6 +136,15 @@ final class ValidateCommand extends CliCommand {
     ValidationSettings settings = settings(catalogue);
     Baseline old = baseline == null ? Baseline.none() : Baseline.read(baseline);
     Report report = old.without(new Validator(catalogue, settings, base).validate(files()));
+    RunFiles written =
+        new RunFiles()
+            .reads("--config", config)
+            .reads("--baseline", baseline)
+            .writes("--output", output);
+    report.files().stream()
+        .filter(file -> file.content() == null)
+        .forEach(file -> written.reads("", file.path()));
+    written.check(); // Before it is written: Inlines are known now only.
     boolean colours = console().colours() && output == null;
     print(format.write(report, new ReportFormat.Style(colours, least, Version.number())));
     return report.has(least) ? ExitStatus.PROBLEMS : ExitStatus.DONE;

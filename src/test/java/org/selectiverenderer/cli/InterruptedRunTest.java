@@ -61,6 +61,7 @@ class InterruptedRunTest {
                   .get("frames")
                   .asInt())
           .isPositive();
+      assertThat(folder.resolve("p01.png")).isNotEmptyFile();
       assertThat(log).content().endsWith("\n");
     }
   }
@@ -86,6 +87,8 @@ class InterruptedRunTest {
                 folder.resolve("p01.csv").toString(),
                 "--timeline",
                 folder.resolve("p01.jsonl").toString(),
+                "--screenshot",
+                folder.resolve("p01.png").toString(),
                 "--stats",
                 folder.resolve("stats.json").toString()));
     return command;

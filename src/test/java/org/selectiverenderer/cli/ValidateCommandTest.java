@@ -196,6 +196,27 @@ class ValidateCommandTest {
   }
 
   @Test
+  void writesOverNothingThatItReads() throws IOException {
+    Path settings = write("settings.json", "{}");
+    Path old = write("old.json", "{\"issues\": []}");
+    write("outer.x3d", GOOD.formatted("<Inline url='\"error.x3d\"'/>"));
+    for (String name : List.of("outer.x3d", "error.x3d", "settings.json", "old.json")) {
+      Path file = folder.resolve(name);
+      String before = Files.readString(file);
+      assertFails(
+          "which is read",
+          "outer.x3d",
+          "--config",
+          settings.toString(),
+          "--baseline",
+          old.toString(),
+          "--output",
+          file.toString());
+      assertThat(file).content().isEqualTo(before);
+    }
+  }
+
+  @Test
   void explainsItsRules() {
     assertThat(execute("validate", "--rules")).isZero();
     assertThat(text(out)).contains("SR001  error", "SR102  error");

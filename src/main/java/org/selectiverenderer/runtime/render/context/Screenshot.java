@@ -10,6 +10,8 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
  * A picture that was drawn.
@@ -51,8 +53,10 @@ public record Screenshot(int width, int height, byte[] rgba) {
         image.setRGB(x, height - 1 - y, rgb(x, y));
       }
     }
-    try (OutputStream out = Files.newOutputStream(file)) {
-      if (!ImageIO.write(image, "png", out)) {
+    // ImageIO's own cache is a file with a shutdown hook, which is refused after Ctrl-C.
+    try (OutputStream out = Files.newOutputStream(file);
+        ImageOutputStream cached = new MemoryCacheImageOutputStream(out)) {
+      if (!ImageIO.write(image, "png", cached)) {
         throw new IOException("this Java has no PNG writer");
       }
     }
