@@ -104,6 +104,15 @@ class ValidateCommandTest {
   }
 
   @Test
+  void aBaselineOfMoreFindingsThanAreKeptLetsNothingPass() throws IOException {
+    Path report = folder.resolve("many.json");
+    write("many.x3d", GOOD.formatted("<Group size='1'/>".repeat(10_001)));
+    assertThat(validate("many.x3d", "--format", "json", "--output", report.toString()))
+        .isEqualTo(1);
+    assertThat(validate("many.x3d", "--baseline", report.toString())).isEqualTo(1);
+  }
+
+  @Test
   void aCommentSuppressesWhatIsInTheElementAfterIt() throws IOException {
     write(
         "error.x3d",

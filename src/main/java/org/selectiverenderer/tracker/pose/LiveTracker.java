@@ -108,7 +108,7 @@ public final class LiveTracker implements HeadTracker {
         } catch (IOException e) {
           lost(e.getMessage());
         } catch (RuntimeException e) {
-          lost("the tracker's driver failed, please report it (" + e + ")");
+          lost(failed(e));
         }
       } while (reopened());
     } finally {
@@ -134,9 +134,15 @@ public final class LiveTracker implements HeadTracker {
         return true;
       } catch (TrackerException e) {
         lost(e.getMessage());
+      } catch (RuntimeException e) {
+        lost(failed(e)); // As drivers may while a device is being plugged in; it is tried again.
       }
     }
     return false;
+  }
+
+  private static String failed(RuntimeException e) {
+    return "the tracker's driver failed, please report it (" + e + ")";
   }
 
   private boolean pausedAndStillWanted() {

@@ -21,7 +21,9 @@ class LiveTrackerTest {
         new PoseSource() {
           @Override
           public void open() {
-            opened.incrementAndGet();
+            if (opened.incrementAndGet() == 2) {
+              throw new IllegalStateException("the device is half plugged in");
+            }
           }
 
           @Override
