@@ -75,7 +75,7 @@ public final class GeometryRules {
           .see("X3D 4.0, 11.2.1");
 
   static final Rule NON_MANIFOLD =
-      Rule.info("SR207", "{count} edges belong to more than two faces, the first of them {edge}")
+      Rule.info("SR207", "edges shared by more than two faces: {count}, the first of them {edge}")
           .because(
               """
               Surfaces of real things have two faces at an edge. Where more meet, simplification \
