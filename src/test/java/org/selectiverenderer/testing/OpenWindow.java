@@ -17,6 +17,7 @@ import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
 import org.selectiverenderer.enricher.driving.Hands;
 
 /** Windows that code under test opens by itself, and waits for on a thread of its own. */
@@ -53,6 +54,21 @@ public final class OpenWindow {
     return frame;
   }
 
+  /**
+   * Puts a window over the others, in whatever order they came: one that comes late covers what is
+   * to be clicked.
+   */
+  private static void raise(Component within) {
+    Hands.onEdt(
+        () -> {
+          Window window =
+              within instanceof Window itself ? itself : SwingUtilities.getWindowAncestor(within);
+          window.toFront();
+          return true;
+        });
+    settle();
+  }
+
   private static Optional<JFrame> shown(String name) {
     return Arrays.stream(Window.getWindows())
         .filter(window -> window.isShowing() && name.equals(window.getName()))
@@ -70,7 +86,7 @@ public final class OpenWindow {
           frame.setLocation(x, y);
           return true;
         });
-    settle();
+    raise(frame);
   }
 
   /** Lets a window that is shown come to where it will stay: a click would miss it before. */
@@ -89,6 +105,7 @@ public final class OpenWindow {
    */
   public static void click(Hands hands, Component component, BooleanSupplier effect) {
     for (int i = 0; i < CLICKS && !Hands.onEdt(effect::getAsBoolean); i++) {
+      raise(component);
       hands.click(component);
       for (int wait = 0; wait < WAITS && !Hands.onEdt(effect::getAsBoolean); wait++) {
         settle();
@@ -115,6 +132,15 @@ public final class OpenWindow {
         .filter(window -> window instanceof JDialog && window.isShowing())
         .map(JDialog.class::cast)
         .findFirst();
+  }
+
+  /** Takes away what is open, so that one failure is not the next test's, too. */
+  public static void closeAll() {
+    Hands.onEdt(
+        () -> {
+          Arrays.stream(Window.getWindows()).forEach(Window::dispose);
+          return true;
+        });
   }
 
   /** Does what the close button of its frame does. */

@@ -18,6 +18,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JFrame;
@@ -25,6 +26,7 @@ import javax.swing.JLabel;
 import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -85,25 +87,30 @@ class AttendedSessionTest {
     material = StudyMaterial.read(folder.resolve("study.json"), new Problems()).orElseThrow();
   }
 
+  @AfterEach
+  void leave() {
+    watching.set(false);
+    OpenWindow.closeAll();
+  }
+
   @Test
   void fromTheFormToTheThanksWithAPauseAndWithoutAFlash() throws IOException {
     FutureTask<SessionRunner.Outcome> session = OpenWindow.asking(() -> run(1));
     FutureTask<Boolean> picture = OpenWindow.asking(this::watch);
     fillInTheForm();
     status("practice: 1 s so far");
-    press("Go on");
-    status("exposure-hall: 3");
-    press("Pause");
-    status("exposure-hall: PAUSED");
-    press("Continue");
+    press("Go on", () -> shows("exposure-hall: "));
+    press("Pause", () -> shows("exposure-hall: PAUSED"));
+    press("Continue", () -> !shows("exposure-hall: PAUSED"));
     JFrame questions = OpenWindow.named(hands, "questionnaire");
     watching.set(false);
     OpenWindow.answer(picture);
-    hands.click(Hands.named(questions, "Coat: Yes", JToggleButton.class));
-    hands.click(Hands.named(questions, "Coat: 5", JToggleButton.class));
+    JToggleButton yes = Hands.named(questions, "Coat: Yes", JToggleButton.class);
+    OpenWindow.click(hands, yes, yes::isSelected);
     JButton next = Hands.named(questions, "Continue", JButton.class);
-    hands.await("Continue", next::isEnabled);
-    hands.click(next);
+    OpenWindow.click(
+        hands, Hands.named(questions, "Coat: 5", JToggleButton.class), next::isEnabled);
+    OpenWindow.click(hands, next, () -> !questions.isShowing());
     OpenWindow.close(OpenWindow.named(hands, "thanks"));
     assertThat(OpenWindow.answer(session)).isEqualTo(SessionRunner.Outcome.FINISHED);
     // Practice, hall until the pause, hall after it, bath: each comes once and goes once.
@@ -132,8 +139,7 @@ class AttendedSessionTest {
     FutureTask<SessionRunner.Outcome> second = OpenWindow.asking(() -> run(2));
     fillInTheForm();
     status("practice: 1 s so far");
-    press("Go on");
-    status("exposure-hall: 3");
+    press("Go on", () -> shows("exposure-hall: "));
     abort();
     assertThat(OpenWindow.answer(second)).isEqualTo(SessionRunner.Outcome.ABORTED);
     assertThat(events(2)).endsWith("step-began", "scene", "shown", "aborted");
@@ -145,7 +151,7 @@ class AttendedSessionTest {
                 material,
                 "001",
                 number,
-                new SessionOptions(Optional.empty(), OptionalDouble.of(4), false, "test"));
+                new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"));
         SessionDesk desk = new WindowDesk(material.wording())) {
       return new SessionRunner(session, desk, show(), text -> {}).run();
     }
@@ -175,13 +181,16 @@ class AttendedSessionTest {
         });
   }
 
-  /** Notes when the picture turns from dark to bright and back. */
+  /**
+   * Notes when the picture turns from dark to white and back; windows that come by are less than
+   * white.
+   */
   private boolean watch() throws AWTException {
     Robot robot = new Robot();
     boolean bright = false;
     while (watching.get()) {
       double now = brightness(robot.createScreenCapture(WITHIN_THE_PICTURE));
-      if (bright ? now < 0.1 : now > 0.9) {
+      if (bright ? now < 0.1 : now > 0.985) {
         bright = !bright;
         flips.add(bright);
       }
@@ -221,11 +230,13 @@ class AttendedSessionTest {
         .anyMatch(part -> part instanceof JLabel label && label.getText().startsWith(begins));
   }
 
-  private void press(String button) {
-    hands.click(
+  private void press(String button, BooleanSupplier effect) {
+    OpenWindow.click(
+        hands,
         button.equals("Go on")
             ? Hands.named(controls, button, JButton.class)
-            : Hands.named(controls, button, JToggleButton.class));
+            : Hands.named(controls, button, JToggleButton.class),
+        effect);
   }
 
   private void abort() {

@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.BorderLayout;
-import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -54,17 +52,14 @@ class SessionWindowsTest {
 
   @BeforeEach
   void look() {
+    OpenWindow.closeAll();
     Hands.onEdt(FlatLightLaf::setup);
   }
 
   @AfterEach
   void closeAll() {
     over.set(true);
-    Hands.onEdt(
-        () -> {
-          Arrays.stream(Window.getWindows()).forEach(Window::dispose);
-          return true;
-        });
+    OpenWindow.closeAll();
   }
 
   private StudyMaterial material(String language) throws IOException {
