@@ -233,7 +233,7 @@ class PreviewPanelTest {
     try (PreviewWindow window = open()) {
       boxes(window, false);
       Frame start = window.await(frame -> middle(frame) == GREEN);
-      window.click(start.image().getWidth() - 20, 20); // Gives it the keyboard.
+      window.takeKeyboard(start.image().getWidth() - 20, 20);
       PreviewWindow.edt(() -> window.panel.walk(true));
       assertThat(window.await(Frame::walking).areas()).isEmpty();
       window.robot.keyPress(KeyEvent.VK_W);

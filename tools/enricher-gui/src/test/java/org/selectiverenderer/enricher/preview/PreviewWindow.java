@@ -106,6 +106,22 @@ final class PreviewWindow implements AutoCloseable {
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
   }
 
+  /**
+   * Clicks at a place of the picture until it has the keyboard: without a window manager a window
+   * that has just come up may miss the first click.
+   */
+  void takeKeyboard(int x, int y) {
+    for (int tries = 0; tries < 20; tries++) {
+      edt(window::toFront);
+      click(x, y);
+      robot.delay(200);
+      if (get(() -> panel.view().isFocusOwner())) {
+        return;
+      }
+    }
+    throw new AssertionError("the picture does not get the keyboard");
+  }
+
   void screenshot(String name) throws IOException {
     BufferedImage image =
         get(
