@@ -150,8 +150,10 @@ final class RadiosityCommand extends CliCommand {
       print(target, report, (System.nanoTime() - start) / 1e9);
       return ExitStatus.of(problems);
     } catch (UnlitSceneException e) {
-      String message = String.valueOf(e.getMessage());
-      console().message(message.startsWith(scene + ":") ? message : scene + ": " + message);
+      if (!e.isTold()) {
+        String message = String.valueOf(e.getMessage());
+        console().message(message.startsWith(scene + ":") ? message : scene + ": " + message);
+      }
       return ExitStatus.PROBLEMS;
     }
   }
