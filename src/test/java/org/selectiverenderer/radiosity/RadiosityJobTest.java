@@ -275,6 +275,16 @@ class RadiosityJobTest {
   }
 
   @Test
+  void ofBytesThatAreNoTextNothingIsSaidAboutTheirEncoding() throws Exception {
+    Path file = scenes.resolve("room.x3d");
+    Files.write(file, new byte[] {'x', (byte) 0xff, (byte) 0xfe, 0x12, (byte) 0x80});
+    assertThatThrownBy(() -> job(file, QUICK).run(problems, Progress.NONE, (b, q) -> {}))
+        .isInstanceOf(UnlitSceneException.class);
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).message()).contains("no XML file");
+  }
+
+  @Test
   void previewIsAPictureOfTheWholeWay() throws Exception {
     Path scene = scene("<Viewpoint position='2 2 3.9'/>" + room(0, 0, 0, 4, GREY) + LAMP);
     Path preview = folder.resolve("p.png");
