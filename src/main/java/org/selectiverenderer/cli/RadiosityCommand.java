@@ -140,18 +140,29 @@ final class RadiosityCommand extends CliCommand {
       throw CommandFailure.usage("--output names the scene itself, which is left alone");
     }
     Path folder = inlines == null ? RadiosityJob.inlinesOf(target) : inlines;
+    try (ProgressBar bar = ProgressBar.on(console())) {
+      ExitStatus status = light(new RadiosityJob(scene, target, folder, preview, settings), bar);
+      // After Ctrl-C the program ends as soon as the bar is closed.
+      console().out().flush();
+      return status;
+    }
+  }
+
+  private ExitStatus light(RadiosityJob job, ProgressBar bar) throws IOException {
     Problems problems = new Problems(console()::problem);
     long start = System.nanoTime();
-    try (ProgressBar bar = ProgressBar.on(console())) {
+    try {
       RadiosityJob.Report report =
-          new RadiosityJob(scene, target, folder, preview, settings)
-              .run(problems, bar, (balance, wanted) -> bar.line(iteration(balance)));
+          job.run(problems, bar, (balance, wanted) -> bar.line(iteration(balance)));
       bar.end();
-      print(target, report, (System.nanoTime() - start) / 1e9);
+      print(job.output(), report, (System.nanoTime() - start) / 1e9);
       return ExitStatus.of(problems);
     } catch (UnlitSceneException e) {
-      String message = String.valueOf(e.getMessage());
-      console().message(message.startsWith(scene + ":") ? message : scene + ": " + message);
+      bar.end();
+      if (!e.isTold()) {
+        String message = String.valueOf(e.getMessage());
+        console().message(message.startsWith(scene + ":") ? message : scene + ": " + message);
+      }
       return ExitStatus.PROBLEMS;
     }
   }

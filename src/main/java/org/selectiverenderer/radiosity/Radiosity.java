@@ -61,7 +61,8 @@ public final class Radiosity {
    * Lights a scene. If it is cancelled, the last complete iteration is what it is lit by.
    *
    * @param each hears the solution after every iteration
-   * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work
+   * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work, or
+   *     if it is cancelled before the first iteration is complete
    */
   public LitScene light(LightScene scene, Consumer<Solution> each) throws UnlitSceneException {
     MeshPlan plan = MeshPlan.of(scene, settings);
@@ -72,6 +73,10 @@ public final class Radiosity {
     Solution solution =
         new Solver(scene, transport)
             .solve(settings.iterations(), settings.quality(), progress, each);
+    if (solution.balances().isEmpty()) {
+      throw new UnlitSceneException(
+          "cancelled before the first iteration was complete; nothing is written");
+    }
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
     long rays = transport.cast();
     Map<Integer, List<Facet>> divided = new HashMap<>();

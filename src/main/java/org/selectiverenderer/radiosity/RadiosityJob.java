@@ -24,6 +24,7 @@ import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.Problem;
 import org.selectiverenderer.x3d.Problems;
 import org.selectiverenderer.x3d.ReadLimits;
 
@@ -88,11 +89,12 @@ public record RadiosityJob(
   }
 
   /**
-   * Does it. If it is cancelled, the last complete iteration is written.
+   * Does it. If it is cancelled, the last complete iteration is written; nothing before the first.
    *
    * @param iterations hears the energy balance of each
    * @throws IOException if a file cannot be read or written, with one line
-   * @throws UnlitSceneException if the scene cannot be lit, before the long work
+   * @throws UnlitSceneException if the scene cannot be lit, before the long work, or if it is
+   *     cancelled before the first iteration is complete
    */
   public Report run(
       Problems problems, Progress progress, BiConsumer<EnergyBalance, Double> iterations)
@@ -101,6 +103,9 @@ public record RadiosityJob(
         new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
       LoadedScene loaded = loader.load(scene);
       InstanceTree tree = new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
+      if (tree.root().children().isEmpty() && hasError(problems)) {
+        throw UnlitSceneException.unread();
+      }
       progress.at(Progress.Stage.READING, 0.5);
       LightScene lightScene =
           new LightSceneReader(settings.photometric(), problems)
@@ -137,6 +142,11 @@ public record RadiosityJob(
           files,
           lit.light().complete());
     }
+  }
+
+  private static boolean hasError(Problems problems) {
+    return problems.list().stream()
+        .anyMatch(problem -> problem.severity() == Problem.Severity.ERROR);
   }
 
   private int write(

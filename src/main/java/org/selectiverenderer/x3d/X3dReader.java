@@ -119,13 +119,13 @@ public final class X3dReader {
       return empty(source);
     }
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());
-    if (text.complaint() != null) {
-      problems.warning(whole, text.complaint());
-    }
     String foreign = foreign(text.head(64));
     if (foreign != null) {
       problems.error(whole, foreign);
       return empty(source);
+    }
+    if (text.complaint() != null) {
+      problems.warning(whole, text.complaint());
     }
     String cut = bytes.cut();
     Location end = whole;

@@ -239,6 +239,52 @@ class RadiosityJobTest {
   }
 
   @Test
+  void whatIsCancelledBeforeTheFirstIterationIsNotWritten() throws Exception {
+    Progress cancelling =
+        new Progress() {
+          private volatile boolean cancelled;
+
+          @Override
+          public void at(Stage stage, double share) {
+            cancelled |= stage == Stage.TRANSPORT;
+          }
+
+          @Override
+          public boolean cancelled() {
+            return cancelled;
+          }
+        };
+    Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
+    assertThatThrownBy(() -> job(scene, QUICK).run(problems, cancelling, (b, q) -> {}))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("cancelled before the first iteration");
+    assertThat(written().keySet()).containsExactly("scenes/room.x3d");
+  }
+
+  @Test
+  void whatIsNoSceneIsSaidOnce() throws Exception {
+    Path text = scenes.resolve("room.x3d");
+    for (String content : List.of("hello, no XML", "", "<X3D><Scene>", "<html/>")) {
+      Files.writeString(text, content);
+      Problems said = new Problems();
+      assertThatThrownBy(() -> job(text, QUICK).run(said, Progress.NONE, (b, q) -> {}))
+          .isInstanceOfSatisfying(
+              UnlitSceneException.class, unlit -> assertThat(unlit.isTold()).isTrue());
+      assertThat(said.list()).hasSize(1);
+    }
+  }
+
+  @Test
+  void ofBytesThatAreNoTextNothingIsSaidAboutTheirEncoding() throws Exception {
+    Path file = scenes.resolve("room.x3d");
+    Files.write(file, new byte[] {'x', (byte) 0xff, (byte) 0xfe, 0x12, (byte) 0x80});
+    assertThatThrownBy(() -> job(file, QUICK).run(problems, Progress.NONE, (b, q) -> {}))
+        .isInstanceOf(UnlitSceneException.class);
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).message()).contains("no XML file");
+  }
+
+  @Test
   void previewIsAPictureOfTheWholeWay() throws Exception {
     Path scene = scene("<Viewpoint position='2 2 3.9'/>" + room(0, 0, 0, 4, GREY) + LAMP);
     Path preview = folder.resolve("p.png");

@@ -53,7 +53,8 @@ public final class Solver {
   }
 
   /**
-   * Passes light on.
+   * Passes light on. If it is cancelled, the last complete iteration stays; before the first there
+   * are no balances.
    *
    * @param iterations at most
    * @param quality percent of the energy distributed at which it stops
@@ -96,7 +97,7 @@ public final class Solver {
                   }
                 }
               });
-      if (!whole && k > 1) {
+      if (!whole) {
         break; // The last complete iteration stays.
       }
       balances.add(balance(k, source, arriving, after, buried, balances));
@@ -112,7 +113,7 @@ public final class Solver {
               buried,
               List.copyOf(balances));
       each.accept(solution);
-      if (solution.last().distributed() >= quality || !whole) {
+      if (solution.last().distributed() >= quality) {
         break;
       }
     }
