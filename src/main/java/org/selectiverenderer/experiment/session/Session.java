@@ -47,10 +47,15 @@ public final class Session implements AutoCloseable {
   /**
    * Begins a session: makes its folder, writes what it is begun with.
    *
+   * @param problems hears when the participant has another condition already
    * @throws IOException if it was begun before, or the disk fails
    */
   public static Session begin(
-      StudyMaterial material, String participant, int number, SessionOptions options)
+      StudyMaterial material,
+      String participant,
+      int number,
+      SessionOptions options,
+      Problems problems)
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
     if (Files.exists(folder.journal())) {
@@ -77,6 +82,9 @@ public final class Session implements AutoCloseable {
     began.putAll(options.recorded());
     journal.keep("session-began", began);
     session.writeSettings();
+    session.tellConditionKept(
+        new Participants(material.study()).of(participant).map(Participants.Assigned::condition),
+        problems);
     return session;
   }
 
@@ -152,6 +160,21 @@ public final class Session implements AutoCloseable {
               + " and its events say so");
     }
     history.headLogs().forEach(motion::write);
+    tellConditionKept(history.condition(), problems);
+  }
+
+  /**
+   * A participant keeps the condition of the first session; one that is asked for now is too late.
+   */
+  private void tellConditionKept(Optional<Condition> kept, Problems problems) throws IOException {
+    Optional<Condition> asked = options.condition();
+    if (kept.isPresent() && asked.isPresent() && !kept.equals(asked)) {
+      problems.warning(
+          Location.of(new Participants(material.study()).file().toString()),
+          "participant %s was assigned to %s and stays there; --condition %s is not used"
+              .formatted(folder.participant(), kept.get().spelling(), asked.get().spelling()));
+      journal.keep("condition-kept", Map.of("asked_for", asked.get().spelling()));
+    }
   }
 
   /** The steps that are still to be done, in order. */
