@@ -75,6 +75,13 @@ final class ExperimentCollectCommand extends CliCommand {
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
     OutputFile.check("--bands", bands, ".csv");
+    RunFiles files =
+        new RunFiles()
+            .writes("--responses", responses)
+            .writes("--ratings", ratings)
+            .writes("--bands", bands);
+    paper.forEach(table -> files.reads("--paper", table));
+    files.check();
     Problems problems = new Problems(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
     if (material.isEmpty()) {

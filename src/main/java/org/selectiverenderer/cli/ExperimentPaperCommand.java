@@ -76,7 +76,7 @@ final class ExperimentPaperCommand extends CliCommand {
       console().out().print(page);
     }
     if (csv != null) {
-      OutputFile.write(csv, table(screens, group(material.get())));
+      OutputFile.writeOnce("--csv", csv, table(screens, group(material.get())));
     }
     return ExitStatus.of(problems);
   }

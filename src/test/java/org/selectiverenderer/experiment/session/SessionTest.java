@@ -342,6 +342,14 @@ class SessionTest {
     assertThat(status.text()).contains("1 session, 0 finished");
   }
 
+  @Test
+  void aFolderThatIsNoSessionIsPassedOver() throws IOException {
+    Path stray = folder.resolve("sub-001/ses-99999999999");
+    Files.createDirectories(stray);
+    Files.writeString(stray.resolve("events.jsonl"), "");
+    assertThat(StudyStatus.of(material()).sessions()).isEmpty();
+  }
+
   private CollectedAnswers withPaper(String text, Problems problems) throws IOException {
     Path table = folder.resolve("typed.csv");
     Files.writeString(table, text);
