@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.session;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -92,6 +93,13 @@ public final class Session implements AutoCloseable {
   private void writeSettings() throws IOException {
     folder.writeOnce("study.json", Files.readString(material.study().file()));
     Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
+    settings.put("sha256", checksums());
+    folder.writeOnce(
+        "settings.json", new ObjectMapper().valueToTree(settings).toPrettyString() + "\n");
+  }
+
+  /** SHA-256 of what is shown and asked, by the names of the files. */
+  private Map<String, String> checksums() throws IOException {
     Map<String, String> sums = new LinkedHashMap<>();
     if (material.study().scene().isPresent()) {
       sums.putAll(Checksums.ofScene(material.study().scene().get()));
@@ -103,15 +111,25 @@ public final class Session implements AutoCloseable {
       sums.put(
           String.valueOf(questionnaire.items().getFileName()), Checksums.of(questionnaire.items()));
     }
-    settings.put("sha256", sums);
-    folder.writeOnce(
-        "settings.json", new ObjectMapper().valueToTree(settings).toPrettyString() + "\n");
+    return sums;
+  }
+
+  /** The files among those that have changed since the session began. */
+  private List<String> changedFiles() throws IOException {
+    JsonNode before =
+        new ObjectMapper()
+            .readTree(Files.readString(folder.path().resolve("settings.json")))
+            .path("sha256");
+    return checksums().entrySet().stream()
+        .filter(sum -> !before.path(sum.getKey()).asText().equals(sum.getValue()))
+        .map(Map.Entry::getKey)
+        .toList();
   }
 
   /**
    * Goes on with a session after its last finished step.
    *
-   * @param problems hears when the study has changed meanwhile
+   * @param problems hears when the study or what it shows and asks has changed meanwhile
    * @throws IOException if there is none, it is complete, or the disk fails
    */
   public static Session resume(
@@ -158,6 +176,15 @@ public final class Session implements AutoCloseable {
           Location.of(material.study().file().toString()),
           "the study has changed since this session began; it goes on with the study as it is now,"
               + " and its events say so");
+    }
+    List<String> changed = changedFiles();
+    if (!changed.isEmpty()) {
+      problems.warning(
+          Location.of(folder.path().resolve("settings.json").toString()),
+          "since this session began %s changed; it goes on with them as they are now, and its events"
+                  .formatted(String.join(", ", changed))
+              + " say so");
+      journal.keep("files-changed", Map.of("files", changed));
     }
     history.headLogs().forEach(motion::write);
     tellConditionKept(history.condition(), problems);

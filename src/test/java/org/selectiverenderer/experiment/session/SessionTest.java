@@ -279,6 +279,23 @@ class SessionTest {
   }
 
   @Test
+  void itemsThatChangedMeanwhileAreSaid() throws IOException {
+    begin("001").close();
+    Path items = folder.resolve("r.csv");
+    Files.writeString(items, Files.readString(items).replace("hall,boat", "hall,ship"));
+    Problems problems = new Problems();
+    Session.resume(material(), "001", 1, OPTIONS, problems).close();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .singleElement()
+        .asString()
+        .startsWith("since this session began r.csv changed;");
+    assertThat(folder.resolve("sub-001/ses-01/events.jsonl"))
+        .content()
+        .contains("\"files-changed\",\"files\":[\"r.csv\"]");
+  }
+
+  @Test
   void statusTellsWhoIsDoneAndWhatIsMissing() throws IOException {
     try (Session session = begin("001")) {
       form(session);
