@@ -65,7 +65,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
   @Override
   ExitStatus run() throws IOException {
     AnovaOptions options = choices.options();
-    output.check();
+    output.check(new RunFiles().reads("", responses).reads("--participants", participants));
     Problems problems = new Problems(console()::problem);
     Optional<Roster> roster = Optional.empty();
     if (participants != null) {

@@ -93,7 +93,7 @@ final class ExperimentAnovaCommand extends CliCommand {
       throw CommandFailure.usage("--dv, --subject, --within and --between are different columns");
     }
     AnovaOptions options = choices.options();
-    output.check();
+    output.check(new RunFiles().reads("", data));
     Problems problems = new Problems(console()::problem);
     Optional<Observations> read =
         ObservationsReader.read(

@@ -2,11 +2,14 @@ package org.selectiverenderer.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.experiment.session.CollectedAnswers;
+import org.selectiverenderer.experiment.session.PaperAnswers;
 import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.x3d.Counted;
 import org.selectiverenderer.x3d.Problems;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -21,6 +24,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer experiment collect mystudy --responses responses.csv",
+      "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv --responses"
+          + " responses.csv",
       "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv --bands bands.csv"
     })
 final class ExperimentCollectCommand extends CliCommand {
@@ -49,6 +54,15 @@ final class ExperimentCollectCommand extends CliCommand {
               + " answered, else the first with answers)")
   private @Nullable Integer number;
 
+  @Option(
+      names = "--paper",
+      paramLabel = "F.csv",
+      split = ",",
+      description =
+          "answers given on paper, in tables of experiment paper that were filled in; may be given"
+              + " many times")
+  private List<Path> paper = List.of();
+
   ExperimentCollectCommand(Console console) {
     super(console);
   }
@@ -61,6 +75,13 @@ final class ExperimentCollectCommand extends CliCommand {
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
     OutputFile.check("--bands", bands, ".csv");
+    RunFiles files =
+        new RunFiles()
+            .writes("--responses", responses)
+            .writes("--ratings", ratings)
+            .writes("--bands", bands);
+    paper.forEach(table -> files.reads("--paper", table));
+    files.check();
     Problems problems = new Problems(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
     if (material.isEmpty()) {
@@ -70,6 +91,7 @@ final class ExperimentCollectCommand extends CliCommand {
         CollectedAnswers.of(
             material.get(),
             number == null ? OptionalInt.empty() : OptionalInt.of(number),
+            PaperAnswers.read(material.get(), paper, problems),
             problems);
     if (responses == null && ratings == null && bands == null) {
       console().out().print(answers.responses());
@@ -79,8 +101,10 @@ final class ExperimentCollectCommand extends CliCommand {
     write(bands, answers.bands());
     console()
         .message(
-            "collected: %d answers of %d participants"
-                .formatted(answers.answers(), answers.participants()));
+            "collected: %s of %s"
+                .formatted(
+                    Counted.of(answers.answers(), "answer"),
+                    Counted.of(answers.participants(), "participant")));
     return ExitStatus.of(problems);
   }
 

@@ -10,6 +10,7 @@ import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
 import org.selectiverenderer.experiment.questionnaire.PaperPage;
 import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.session.Participants;
 import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.x3d.Problems;
@@ -41,7 +42,8 @@ final class ExperimentPaperCommand extends CliCommand {
       names = "--condition",
       converter = ConditionOptions.Converter.class,
       paramLabel = "NAME",
-      description = "the participant's, for the table (default: to be typed in)")
+      description =
+          "the participant's, for the table (default: the one assigned, else to be typed in)")
   private @Nullable Condition condition;
 
   @Option(names = "--output", paramLabel = "F.html", description = "the page (default: printed)")
@@ -74,18 +76,27 @@ final class ExperimentPaperCommand extends CliCommand {
       console().out().print(page);
     }
     if (csv != null) {
-      OutputFile.write(csv, table(screens));
+      OutputFile.writeOnce("--csv", csv, table(screens, group(material.get())));
     }
     return ExitStatus.of(problems);
   }
 
-  private String table(List<Screen> screens) {
+  private String group(StudyMaterial material) throws IOException {
+    if (condition != null) {
+      return condition.spelling();
+    }
+    return new Participants(material.study())
+        .of(participant)
+        .map(assigned -> assigned.condition().spelling())
+        .orElse("");
+  }
+
+  private String table(List<Screen> screens, String group) {
     boolean recognition = screens.stream().anyMatch(Screen::withConfidence);
     StringBuilder text =
         new StringBuilder(recognition ? AnswersCsv.responsesHeader() : AnswersCsv.RATINGS);
     for (Screen screen : screens) {
       if (screen.withConfidence() == recognition) {
-        String group = condition == null ? "" : condition.spelling();
         text.append(AnswersCsv.lines(screen, participant, group, Map.of()));
       }
     }

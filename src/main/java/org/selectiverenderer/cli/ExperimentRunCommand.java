@@ -51,7 +51,7 @@ final class ExperimentRunCommand extends CliCommand {
       names = "--session",
       defaultValue = "1",
       paramLabel = "N",
-      description = "the participant's how manieth (default: ${DEFAULT-VALUE})")
+      description = "which session of the participant this is (default: ${DEFAULT-VALUE})")
   private int number = 1;
 
   @Option(names = "--resume", description = "goes on with a session that was cut off or aborted")
@@ -159,7 +159,7 @@ final class ExperimentRunCommand extends CliCommand {
     String id = participant == null ? SessionFolder.nextId(material.study()) : participant;
     return resume
         ? Session.resume(material, id, number, options, problems)
-        : Session.begin(material, id, number, options);
+        : Session.begin(material, id, number, options, problems);
   }
 
   private static Optional<Presentation> presentation(Study study, Problems problems)

@@ -216,8 +216,8 @@ final class ExperimentSimulateCommand extends CliCommand {
     return ExitStatus.DONE;
   }
 
-  private void check() {
-    output.check();
+  private void check() throws IOException {
+    output.check(new RunFiles());
     if (participants < 1 || studies < 1 || most < 1) {
       throw CommandFailure.usage("--participants, --studies and --most are numbers from 1");
     }

@@ -32,6 +32,23 @@ final class OutputFile {
   }
 
   /**
+   * Writes a text into a file that somebody fills in afterwards: what is there is not written over.
+   *
+   * @throws IOException if it is there with another text, or cannot be written
+   */
+  static void writeOnce(String option, Path file, String text) throws IOException {
+    if (Files.isRegularFile(file)
+        && !Arrays.equals(Files.readAllBytes(file), text.getBytes(StandardCharsets.UTF_8))) {
+      throw new IOException(
+          option
+              + " "
+              + file
+              + ": is there already with other content, answers perhaps; nothing is written over");
+    }
+    write(file, text);
+  }
+
+  /**
    * @param option by which the user named the file; null when there is none
    * @param endings of which the name is to have one, such as {@code .png}; none for any
    */

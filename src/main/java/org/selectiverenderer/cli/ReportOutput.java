@@ -13,8 +13,12 @@ final class ReportOutput {
       description = "writes to a file (default: standard output)")
   private @Nullable Path output;
 
-  void check() {
+  /**
+   * @param files that the report is made of
+   */
+  void check(RunFiles files) throws IOException {
     OutputFile.check("--output", output, "");
+    files.writes("--output", output).check();
   }
 
   void write(String text, Console console) throws IOException {

@@ -142,6 +142,68 @@ class ExperimentCommandsTest {
     assertThat(text(err)).contains("simulate: 12 participants: 20 of 20 studies");
   }
 
+  @Test
+  void aReportIsNotWrittenOverTheAnswersItIsMadeOf() throws IOException {
+    Path answers = folder.resolve("r.csv");
+    Files.writeString(answers, simulated(12));
+    String before = Files.readString(answers);
+    String name = answers.toString();
+    assertThat(execute("experiment", "analyse", name, "--format", "tidy", "--output", name))
+        .isEqualTo(2);
+    assertThat(text(err)).contains("which is read");
+    assertThat(answers).hasContent(before);
+    assertThat(anova("--within", "type", "--output", data)).isEqualTo(2);
+    assertThat(Path.of(data)).content().startsWith("id,type");
+  }
+
+  @Test
+  void aTableThatWasFilledInIsNotWrittenOver() throws IOException {
+    Path study = folder.resolve("study.json");
+    Files.writeString(
+        study,
+        """
+        {"name": "One room", "conditions": ["high"], "participants": 4,
+         "questionnaires": [{"kind": "recognition", "items": "items.csv"}]}
+        """);
+    Files.writeString(
+        folder.resolve("items.csv"),
+        "area,object,consistency,present,en\nhall,coat,consistent,yes,Coat\n");
+    Path table = folder.resolve("001.csv");
+    List<String> paper =
+        List.of(
+            "experiment",
+            "paper",
+            study.toString(),
+            "--participant",
+            "001",
+            "--condition",
+            "high",
+            "--csv",
+            table.toString());
+    assertThat(execute(paper.toArray(String[]::new))).isZero();
+    assertThat(execute(paper.toArray(String[]::new))).isZero();
+    String filled = Files.readString(table).replace("yes,,", "yes,no,4");
+    Files.writeString(table, filled);
+    assertThat(execute(paper.toArray(String[]::new))).isEqualTo(2);
+    assertThat(text(err)).contains("answers perhaps; nothing is written over");
+    String name = table.toString();
+    List<String> collect =
+        List.of("experiment", "collect", study.toString(), "--paper", name, "--responses");
+    assertThat(execute(with(collect, name))).isEqualTo(2);
+    assertThat(table).hasContent(filled);
+    err.reset();
+    Path all = folder.resolve("all.csv");
+    assertThat(execute(with(collect, all.toString()))).isZero();
+    assertThat(all).hasContent(filled);
+    assertThat(text(err)).contains("collected: 1 answer of 1 participant");
+  }
+
+  private static String[] with(List<String> arguments, String last) {
+    List<String> all = new ArrayList<>(arguments);
+    all.add(last);
+    return all.toArray(String[]::new);
+  }
+
   private int analyse(String answers, Charset charset) throws IOException {
     Path file = folder.resolve("r.csv");
     Files.writeString(file, answers, charset);

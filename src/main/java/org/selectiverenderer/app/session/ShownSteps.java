@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.app.GuidedRun;
 import org.selectiverenderer.app.HeadSettings;
 import org.selectiverenderer.app.RunFigures;
@@ -36,6 +38,7 @@ final class ShownSteps implements WindowChain.Runs {
   private final SessionShow show;
   private final OperatorControls controls;
   private final ObjectMapper json = new ObjectMapper();
+  private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
 
   ShownSteps(Session session, SessionShow show, OperatorControls controls) {
     this.session = session;
@@ -64,7 +67,7 @@ final class ShownSteps implements WindowChain.Runs {
     Path log = session.headLog(step.get());
     session.began(step.get(), true);
     return Optional.of(
-        new GuidedRun(settings(step.get(), log), listener(step.get()), guide(step.get())));
+        new GuidedRun(settings(step.get(), log), listener(step.get(), log), guide(step.get())));
   }
 
   private StepGuide guide(SessionStep step) {
@@ -116,12 +119,15 @@ final class ShownSteps implements WindowChain.Runs {
     return session.material().study().seed() * 31 + session.folder().participant().hashCode();
   }
 
-  private RunListener listener(SessionStep step) {
+  private RunListener listener(SessionStep step, Path log) {
     TimelineJson lines = new TimelineJson();
     return new RunListener() {
       @Override
       public void problem(Problem problem) {
         session.journal().tell("problem", Map.of("step", step.id(), "text", problem.toString()));
+        if (problem.location().file().equals(log.toString())) {
+          brokenLogs.add(step.id()); // The log's thread says so before the log is closed.
+        }
         show.listener().problem(problem);
       }
 
@@ -156,6 +162,9 @@ final class ShownSteps implements WindowChain.Runs {
     more.put("lot", run.settings().rendering().seed());
     more.put("figures", read(figures.json()));
     more.put("display", List.of(run.settings().width(), run.settings().height()));
+    if (brokenLogs.remove(step.id())) {
+      more.put("head_log_incomplete", true);
+    }
     session.finished(step, more);
   }
 }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
@@ -19,9 +20,9 @@ import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
 /**
- * The answers of a study, one session of each participant, from their journals. Screens that were
- * finished count, of sessions that were not, too; every answer that does not count, and every
- * session that is not what it seems, is a problem with its file's name.
+ * The answers of a study, one session of each participant, from their journals, and those given on
+ * paper. Screens that were finished count, of sessions that were not, too; every answer that does
+ * not count, and every session that is not what it seems, is a problem with its file's name.
  *
  * @param responses as {@code experiment analyse} reads them
  * @param ratings as {@code enrich --ratings} reads them
@@ -37,6 +38,7 @@ public record CollectedAnswers(
   /** Gathers what the record holds. */
   private static final class Gathering {
     private final StudyMaterial material;
+    private final PaperAnswers paper;
     private final Problems problems;
     private final StringBuilder responses = new StringBuilder(AnswersCsv.responsesHeader());
     private final StringBuilder ratings = new StringBuilder(AnswersCsv.RATINGS);
@@ -44,15 +46,26 @@ public record CollectedAnswers(
     private int participants;
     private int answers;
 
-    Gathering(StudyMaterial material, Problems problems) {
+    Gathering(StudyMaterial material, PaperAnswers paper, Problems problems) {
       this.material = material;
+      this.paper = paper;
       this.problems = problems;
     }
 
+    /** A participant with a session. */
     void session(SessionFolder folder, SessionHistory history) {
       Location place = Location.of(folder.journal().toString());
       if (history.refused()) {
         problems.info(place, "the participant does not take part");
+        paper
+            .sheets(folder.participant())
+            .values()
+            .forEach(
+                sheet ->
+                    problems.error(
+                        sheet.place(),
+                        "participant %s does not take part; the answers typed in are left out"
+                            .formatted(folder.participant())));
         return;
       }
       if (history.unattended()) {
@@ -74,25 +87,80 @@ public record CollectedAnswers(
               place, "the study no longer has " + step + "; the answers to it are left out");
         }
       }
+      unasked(folder.participant());
       participants += answers > before ? 1 : 0;
+    }
+
+    /** A participant who has answered on paper and has no session. */
+    void onPaper(String participant) {
+      int before = answers;
+      for (SessionStep step : material.steps()) {
+        if (step instanceof SessionStep.Questions questions) {
+          paper
+              .sheet(participant, step.id())
+              .ifPresent(sheet -> sheet(questions, participant, sheet));
+        }
+      }
+      unasked(participant);
+      participants += answers > before ? 1 : 0;
+    }
+
+    private void unasked(String participant) {
+      List<String> steps = material.steps().stream().map(SessionStep::id).toList();
+      paper
+          .sheets(participant)
+          .forEach(
+              (step, sheet) -> {
+                if (!steps.contains(step)) {
+                  problems.error(
+                      sheet.place(),
+                      "the study has no %s; the answers of participant %s to it are left out"
+                          .formatted(step, participant));
+                }
+              });
     }
 
     private void screen(
         SessionFolder folder, SessionHistory history, SessionStep.Questions step, Location place) {
       Map<String, Answer> given = history.answers(step);
-      if (!history.finished(step)) {
+      Optional<PaperAnswers.Sheet> sheet = paper.sheet(folder.participant(), step.id());
+      if (history.finished(step)) {
+        sheet.ifPresent(
+            typed ->
+                problems.error(
+                    typed.place(),
+                    "participant %s has answered %s in the program; what was typed in is left out"
+                        .formatted(folder.participant(), step.id())));
+        String condition = history.condition().map(Condition::spelling).orElse("");
+        take(step, folder.participant(), condition, given, place);
+        return;
+      }
+      if (sheet.isEmpty() || !given.isEmpty()) {
         problems.warning(
             place,
             "the questions of %s were not finished; %s left out"
                 .formatted(
                     step.id(),
                     given.size() == 1 ? "the 1 answer is" : given.size() + " answers are"));
-        return;
       }
-      Screen screen = material.screen(step, folder.participant());
-      String condition = history.condition().map(Condition::spelling).orElse("");
+      sheet.ifPresent(typed -> sheet(step, folder.participant(), typed));
+    }
+
+    private void sheet(SessionStep.Questions step, String participant, PaperAnswers.Sheet sheet) {
+      String condition = paper.condition(participant).map(Condition::spelling).orElse("");
+      take(step, participant, condition, sheet.answers(), sheet.place());
+    }
+
+    /** Takes the answers to a screen into the tables. */
+    private void take(
+        SessionStep.Questions step,
+        String participant,
+        String condition,
+        Map<String, Answer> given,
+        Location place) {
+      Screen screen = material.screen(step, participant);
       (screen.withConfidence() ? responses : ratings)
-          .append(AnswersCsv.lines(screen, folder.participant(), condition, given));
+          .append(AnswersCsv.lines(screen, participant, condition, given));
       Map<String, Answer> left = new LinkedHashMap<>(given);
       for (Item item : screen.items()) {
         Optional<Answer> answer = Optional.ofNullable(left.remove(item.object()));
@@ -120,18 +188,25 @@ public record CollectedAnswers(
    *
    * @param session the number of the session that counts; empty for each participant's first whose
    *     questions are all answered, or the first with answers where there is none
+   * @param paper answers typed in; they stand for screens that a session has not finished
    * @throws IOException if a journal cannot be read
    */
-  public static CollectedAnswers of(StudyMaterial material, OptionalInt session, Problems problems)
+  public static CollectedAnswers of(
+      StudyMaterial material, OptionalInt session, PaperAnswers paper, Problems problems)
       throws IOException {
-    Gathering gathering = new Gathering(material, problems);
+    Gathering gathering = new Gathering(material, paper, problems);
+    Set<String> onPaper = paper.participants();
     for (ParticipantSessions sessions : ParticipantSessions.all(material)) {
       Optional<SessionFolder> chosen = sessions.chosen(session);
-      sessions.tellOthers(chosen, session, problems);
+      if (chosen.isPresent() || !onPaper.contains(sessions.participant())) {
+        sessions.tellOthers(chosen, session, problems);
+      }
       if (chosen.isPresent()) {
         gathering.session(chosen.get(), sessions.history(chosen.get()));
+        onPaper.remove(sessions.participant());
       }
     }
+    onPaper.forEach(gathering::onPaper);
     return new CollectedAnswers(
         gathering.responses.toString(),
         gathering.ratings.toString(),

@@ -35,6 +35,10 @@ final class ParticipantSessions {
     return new ArrayList<>(all.values());
   }
 
+  String participant() {
+    return participant;
+  }
+
   SessionHistory history(SessionFolder folder) {
     return sessions.get(folder);
   }

@@ -117,6 +117,15 @@ public final class Participants {
     return parse(Files.readString(file, StandardCharsets.UTF_8));
   }
 
+  /** What a participant was assigned, if anything yet. */
+  public Optional<Assigned> of(String participant) throws IOException {
+    return all().stream().filter(known -> known.participant().equals(participant)).findFirst();
+  }
+
+  Path file() {
+    return file;
+  }
+
   private static String text(FileChannel channel) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate((int) channel.size());
     while (bytes.hasRemaining() && channel.read(bytes) >= 0) {

@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.session;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -47,10 +48,15 @@ public final class Session implements AutoCloseable {
   /**
    * Begins a session: makes its folder, writes what it is begun with.
    *
+   * @param problems hears when the participant has another condition already
    * @throws IOException if it was begun before, or the disk fails
    */
   public static Session begin(
-      StudyMaterial material, String participant, int number, SessionOptions options)
+      StudyMaterial material,
+      String participant,
+      int number,
+      SessionOptions options,
+      Problems problems)
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
     if (Files.exists(folder.journal())) {
@@ -77,6 +83,9 @@ public final class Session implements AutoCloseable {
     began.putAll(options.recorded());
     journal.keep("session-began", began);
     session.writeSettings();
+    session.tellConditionKept(
+        new Participants(material.study()).of(participant).map(Participants.Assigned::condition),
+        problems);
     return session;
   }
 
@@ -84,6 +93,13 @@ public final class Session implements AutoCloseable {
   private void writeSettings() throws IOException {
     folder.writeOnce("study.json", Files.readString(material.study().file()));
     Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
+    settings.put("sha256", checksums());
+    folder.writeOnce(
+        "settings.json", new ObjectMapper().valueToTree(settings).toPrettyString() + "\n");
+  }
+
+  /** SHA-256 of what is shown and asked, by the names of the files. */
+  private Map<String, String> checksums() throws IOException {
     Map<String, String> sums = new LinkedHashMap<>();
     if (material.study().scene().isPresent()) {
       sums.putAll(Checksums.ofScene(material.study().scene().get()));
@@ -95,15 +111,25 @@ public final class Session implements AutoCloseable {
       sums.put(
           String.valueOf(questionnaire.items().getFileName()), Checksums.of(questionnaire.items()));
     }
-    settings.put("sha256", sums);
-    folder.writeOnce(
-        "settings.json", new ObjectMapper().valueToTree(settings).toPrettyString() + "\n");
+    return sums;
+  }
+
+  /** The files among those that have changed since the session began. */
+  private List<String> changedFiles() throws IOException {
+    JsonNode before =
+        new ObjectMapper()
+            .readTree(Files.readString(folder.path().resolve("settings.json")))
+            .path("sha256");
+    return checksums().entrySet().stream()
+        .filter(sum -> !before.path(sum.getKey()).asText().equals(sum.getValue()))
+        .map(Map.Entry::getKey)
+        .toList();
   }
 
   /**
    * Goes on with a session after its last finished step.
    *
-   * @param problems hears when the study has changed meanwhile
+   * @param problems hears when the study or what it shows and asks has changed meanwhile
    * @throws IOException if there is none, it is complete, or the disk fails
    */
   public static Session resume(
@@ -151,7 +177,31 @@ public final class Session implements AutoCloseable {
           "the study has changed since this session began; it goes on with the study as it is now,"
               + " and its events say so");
     }
+    List<String> changed = changedFiles();
+    if (!changed.isEmpty()) {
+      problems.warning(
+          Location.of(folder.path().resolve("settings.json").toString()),
+          "since this session began %s changed; it goes on with them as they are now, and its events"
+                  .formatted(String.join(", ", changed))
+              + " say so");
+      journal.keep("files-changed", Map.of("files", changed));
+    }
     history.headLogs().forEach(motion::write);
+    tellConditionKept(history.condition(), problems);
+  }
+
+  /**
+   * A participant keeps the condition of the first session; one that is asked for now is too late.
+   */
+  private void tellConditionKept(Optional<Condition> kept, Problems problems) throws IOException {
+    Optional<Condition> asked = options.condition();
+    if (kept.isPresent() && asked.isPresent() && !kept.equals(asked)) {
+      problems.warning(
+          Location.of(new Participants(material.study()).file().toString()),
+          "participant %s was assigned to %s and stays there; --condition %s is not used"
+              .formatted(folder.participant(), kept.get().spelling(), asked.get().spelling()));
+      journal.keep("condition-kept", Map.of("asked_for", asked.get().spelling()));
+    }
   }
 
   /** The steps that are still to be done, in order. */

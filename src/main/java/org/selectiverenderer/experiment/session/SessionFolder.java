@@ -24,7 +24,7 @@ public record SessionFolder(Path study, String participant, int number) {
   public static List<SessionFolder> all(Study study) throws IOException {
     List<SessionFolder> all = new ArrayList<>();
     for (Path subject : named(study.folder(), "sub-" + LABEL)) {
-      for (Path session : named(subject, "ses-\\d{2,}")) {
+      for (Path session : named(subject, "ses-\\d{2,9}")) {
         SessionFolder found =
             new SessionFolder(study.folder(), label(subject), Integer.parseInt(label(session)));
         if (Files.isRegularFile(found.journal())) {

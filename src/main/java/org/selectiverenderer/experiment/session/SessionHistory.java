@@ -28,6 +28,7 @@ public final class SessionHistory {
   private final Map<String, Integer> runs = new HashMap<>();
   private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
   private final List<String> headLogs = new ArrayList<>();
+  private final Set<String> brokenLogs = new LinkedHashSet<>();
   private Optional<Condition> condition = Optional.empty();
   private String checksum = "";
   private boolean unattended;
@@ -89,7 +90,12 @@ public final class SessionHistory {
           headLogs.add(event.get("head_log").asText());
         }
       }
-      case "step-finished" -> finished.add(step);
+      case "step-finished" -> {
+        finished.add(step);
+        if (event.path("head_log_incomplete").asBoolean()) {
+          brokenLogs.add(step);
+        }
+      }
       case "answer" ->
           answers
               .computeIfAbsent(step, key -> new LinkedHashMap<>())
@@ -133,6 +139,11 @@ public final class SessionHistory {
   /** Names of all head logs that were begun. */
   public List<String> headLogs() {
     return List.copyOf(headLogs);
+  }
+
+  /** Steps that were shown to their end with a head log that a full or slow disk cut short. */
+  Set<String> brokenLogs() {
+    return brokenLogs;
   }
 
   /** The participant's condition, once it is assigned. */

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.x3d.Counted;
 
 /**
  * What a study has so far: whose sessions are in what state, how the groups stand.
@@ -36,7 +37,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
    *
    * @param condition empty before it is assigned
    * @param missing steps that are not finished
-   * @param notes what sets it apart: simulated, shortened
+   * @param notes what sets it apart: simulated, shortened, a head log that lacks frames
    */
   public record Row(
       String participant,
@@ -97,6 +98,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     if (history.shortened()) {
       notes.add("exposure shortened");
     }
+    history.brokenLogs().forEach(step -> notes.add("head log of " + step + " incomplete"));
     return new Row(
         folder.participant(),
         folder.number(),
@@ -141,8 +143,8 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       text.append(
           String.format(
               Locale.ROOT,
-              "%n%d sessions, %d finished%n%-14s %-10s %-10s %s%n",
-              sessions.size(),
+              "%n%s, %d finished%n%-14s %-10s %-10s %s%n",
+              Counted.of(sessions.size(), "session"),
               finished,
               "session",
               "condition",

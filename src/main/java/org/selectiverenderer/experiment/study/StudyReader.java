@@ -18,6 +18,7 @@ import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.Counted;
 import org.selectiverenderer.x3d.Location;
 import org.selectiverenderer.x3d.Problems;
 
@@ -76,8 +77,11 @@ public final class StudyReader {
     if (participants < conditions.size()) {
       keys.fault(
           "participants",
-          "%d participants are fewer than the %d groups"
-              .formatted(participants, conditions.size()));
+          "%s %s fewer than the %d groups"
+              .formatted(
+                  Counted.of(participants, "participant"),
+                  participants == 1 ? "is" : "are",
+                  conditions.size()));
     }
     int groups = Math.max(1, conditions.size());
     int block = (int) keys.whole("block", 1, MOST_PARTICIPANTS, groups);

@@ -2,6 +2,7 @@ package org.selectiverenderer.statistics.anova;
 
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.x3d.Counted;
 
 /**
  * What was measured on whom: each subject belongs to one level of the between factor and was
@@ -46,8 +47,11 @@ public record Design(String measure, Factor within, Factor between, List<Subject
     }
     return subjects.size() <= groups
         ? Optional.of(
-            "%d participants in %d groups leave no degrees of freedom for the error"
-                .formatted(subjects.size(), groups))
+            "%s in %s %s no degrees of freedom for the error"
+                .formatted(
+                    Counted.of(subjects.size(), "participant"),
+                    Counted.of(groups, "group"),
+                    subjects.size() == 1 ? "leaves" : "leave"))
         : Optional.empty();
   }
 }

@@ -13,6 +13,7 @@ import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.simulation.Power;
 import org.selectiverenderer.statistics.simulation.PowerAnalysis;
 import org.selectiverenderer.statistics.simulation.PowerGoal;
+import org.selectiverenderer.x3d.Counted;
 
 /**
  * A power analysis in its forms.
@@ -60,10 +61,12 @@ public record PowerReport(
     List<Block> blocks = new ArrayList<>();
     blocks.add(
         new Paragraph(
-            "%d simulated studies of %d participants; %s, %s; seed %d."
+            "%s of %s; %s, %s; seed %d."
                 .formatted(
-                    power.studies(),
-                    power.participants(),
+                    power.studies() == 1
+                        ? "1 simulated study"
+                        : power.studies() + " simulated studies",
+                    Counted.of(power.participants(), "participant"),
                     analysis.area(),
                     analysis.measure().symbol(),
                     analysis.seed())));
@@ -77,10 +80,10 @@ public record PowerReport(
   private String sentence(Wanted goal) {
     String percent = String.format(Locale.ROOT, "%.0f %%", 100 * goal.target());
     return needed.isPresent()
-        ? "For a power of %s for %s it takes %d participants."
-            .formatted(percent, goal.goal().finding(), needed.getAsInt())
-        : "%d participants are not enough for a power of %s for %s."
-            .formatted(goal.most(), percent, goal.goal().finding());
+        ? "For a power of %s for %s it takes %s."
+            .formatted(percent, goal.goal().finding(), Counted.of(needed.getAsInt(), "participant"))
+        : "%s are not enough for a power of %s for %s."
+            .formatted(Counted.of(goal.most(), "participant"), percent, goal.goal().finding());
   }
 
   /** For programs. */

@@ -11,6 +11,7 @@ import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.Study;
+import org.selectiverenderer.x3d.Counted;
 
 /**
  * Means and standard deviations (in brackets) of d' and log beta at the three levels of confidence:
@@ -69,9 +70,9 @@ final class ScoresTable {
       }
     }
     return fewer.isEmpty()
-        ? "n = %d participants.".formatted(all)
-        : "Of %d participants not all have every score (%s); named below."
-            .formatted(all, String.join(", ", fewer));
+        ? "n = %s.".formatted(Counted.of(all, "participant"))
+        : "Of %s not all have every score (%s); named below."
+            .formatted(Counted.of(all, "participant"), String.join(", ", fewer));
   }
 
   private String objects(String type) {

@@ -18,6 +18,7 @@ import org.selectiverenderer.statistics.report.Block.Section;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.Study;
+import org.selectiverenderer.x3d.Counted;
 
 /** A study's report: methods, exclusions, and for each area tables, plots and details. */
 final class StudyBlocks {
@@ -47,11 +48,12 @@ final class StudyBlocks {
     study
         .conditions()
         .forEach(name -> groups.add("%s (%d)".formatted(name, study.participants(name))));
-    return "%d participants in the conditions %s; %d usable answers about %s. Source: %s."
+    return "%s in the condition%s %s; %s about %s. Source: %s."
         .formatted(
-            study.participants().size(),
+            Counted.of(study.participants().size(), "participant"),
+            groups.size() == 1 ? "" : "s",
             String.join(", ", groups),
-            study.responses().usable().size(),
+            Counted.of(study.responses().usable().size(), "usable answer"),
             String.join(", ", study.areas()),
             study.responses().source());
   }

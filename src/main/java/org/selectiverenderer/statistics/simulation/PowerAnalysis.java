@@ -18,6 +18,7 @@ import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.study.AreaStudy;
+import org.selectiverenderer.x3d.Counted;
 
 /**
  * Power by simulation: many studies of a model, each through the same analysis as a real one, on
@@ -45,6 +46,8 @@ public record PowerAnalysis(
   public Power power(int participants) {
     Model own = model.of(area);
     AtomicInteger done = new AtomicInteger();
+    Object order = new Object();
+    AtomicInteger told = new AtomicInteger();
     List<List<String>> found =
         IntStream.range(0, studies)
             .parallel()
@@ -53,9 +56,15 @@ public record PowerAnalysis(
                   List<String> findings = findings(own, participants, i);
                   int count = done.incrementAndGet();
                   if (count % Math.max(1, studies / REPORTS) == 0) {
-                    progress.accept(
-                        "%d participants: %d of %d studies"
-                            .formatted(participants, count, studies));
+                    synchronized (order) { // Numbers only ever grow.
+                      if (count > told.get()) {
+                        told.set(count);
+                        progress.accept(
+                            "%s: %d of %d studies"
+                                .formatted(
+                                    Counted.of(participants, "participant"), count, studies));
+                      }
+                    }
                   }
                   return findings;
                 })

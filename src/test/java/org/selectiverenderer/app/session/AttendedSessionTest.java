@@ -151,7 +151,8 @@ class AttendedSessionTest {
                 material,
                 "001",
                 number,
-                new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"));
+                new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
+                new Problems());
         SessionDesk desk = new WindowDesk(material.wording())) {
       return new SessionRunner(session, desk, show(), text -> {}).run();
     }

@@ -17,6 +17,7 @@ import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Item;
@@ -62,7 +63,7 @@ class SessionTest {
   }
 
   private Session begin(String id) throws IOException {
-    return Session.begin(material(), id, 1, OPTIONS);
+    return Session.begin(material(), id, 1, OPTIONS, new Problems());
   }
 
   private Session resume(String id) throws IOException {
@@ -101,7 +102,8 @@ class SessionTest {
       session.end();
     }
     Problems problems = new Problems();
-    CollectedAnswers collected = CollectedAnswers.of(material(), OptionalInt.empty(), problems);
+    CollectedAnswers collected =
+        CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems);
     assertThat(collected.responses())
         .isEqualTo(Files.readString(folder.resolve("sub-001/ses-01/responses.csv")));
     Responses responses =
@@ -118,7 +120,8 @@ class SessionTest {
 
   private List<String> collecting(OptionalInt session, int lines) throws IOException {
     Problems problems = new Problems();
-    assertThat(CollectedAnswers.of(material(), session, problems).responses()).hasLineCount(lines);
+    assertThat(CollectedAnswers.of(material(), session, PaperAnswers.none(), problems).responses())
+        .hasLineCount(lines);
     return problems.list().stream()
         .filter(problem -> !problem.message().startsWith("the questions of"))
         .map(Problem::toString)
@@ -132,7 +135,7 @@ class SessionTest {
       answerAll(session, "yes", 4);
     }
     assertThat(collecting(OptionalInt.empty(), 3)).isEmpty();
-    try (Session session = Session.begin(material(), "001", 2, OPTIONS)) {
+    try (Session session = Session.begin(material(), "001", 2, OPTIONS, new Problems())) {
       form(session);
       answerAll(session, "yes", 4);
       answerAll(session, "yes", 4);
@@ -276,6 +279,23 @@ class SessionTest {
   }
 
   @Test
+  void itemsThatChangedMeanwhileAreSaid() throws IOException {
+    begin("001").close();
+    Path items = folder.resolve("r.csv");
+    Files.writeString(items, Files.readString(items).replace("hall,boat", "hall,ship"));
+    Problems problems = new Problems();
+    Session.resume(material(), "001", 1, OPTIONS, problems).close();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .singleElement()
+        .asString()
+        .startsWith("since this session began r.csv changed;");
+    assertThat(folder.resolve("sub-001/ses-01/events.jsonl"))
+        .content()
+        .contains("\"files-changed\",\"files\":[\"r.csv\"]");
+  }
+
+  @Test
   void statusTellsWhoIsDoneAndWhatIsMissing() throws IOException {
     try (Session session = begin("001")) {
       form(session);
@@ -296,9 +316,188 @@ class SessionTest {
         .containsExactlyInAnyOrder(0, 1);
     assertThat(status.text()).contains("0 of 4 participants planned have a finished session");
     Problems problems = new Problems();
-    assertThat(CollectedAnswers.of(material(), OptionalInt.empty(), problems).responses())
+    assertThat(
+            CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems)
+                .responses())
         .hasLineCount(3);
     assertThat(problems.list()).isNotEmpty();
     assertThat(SessionFolder.nextId(material().study())).isEqualTo("003");
+  }
+
+  @Test
+  void aConditionThatIsAskedForTooLateIsSaidNotToBeUsed() throws IOException {
+    Condition own;
+    try (Session session = begin("001")) {
+      form(session);
+      own = session.condition().orElseThrow();
+    }
+    Condition other = own == Condition.HIGH ? Condition.SELECTIVE : Condition.HIGH;
+    SessionOptions options =
+        new SessionOptions(Optional.of(other), OptionalDouble.empty(), false, "test");
+    Problems problems = new Problems();
+    Session.resume(material(), "001", 1, options, problems).close();
+    Session.begin(material(), "001", 2, options, problems).close();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .hasSize(2)
+        .allMatch(
+            text ->
+                text.equals(
+                    "participant 001 was assigned to %s and stays there; --condition %s is not used"
+                        .formatted(own.spelling(), other.spelling())));
+  }
+
+  @Test
+  void aHeadLogThatADiskCutShortIsNotedInTheStatus() throws IOException {
+    try (Session session = begin("001")) {
+      SessionStep step = session.remaining().get(0);
+      session.began(step, true);
+      session.finished(step, Map.of("head_log_incomplete", true));
+    }
+    StudyStatus status = StudyStatus.of(material());
+    assertThat(status.sessions().get(0).notes()).containsExactly("head log of form incomplete");
+    assertThat(status.text()).contains("1 session, 0 finished");
+  }
+
+  @Test
+  void aFolderThatIsNoSessionIsPassedOver() throws IOException {
+    Path stray = folder.resolve("sub-001/ses-99999999999");
+    Files.createDirectories(stray);
+    Files.writeString(stray.resolve("events.jsonl"), "");
+    assertThat(StudyStatus.of(material()).sessions()).isEmpty();
+  }
+
+  private CollectedAnswers withPaper(String text, Problems problems) throws IOException {
+    Path table = folder.resolve("typed.csv");
+    Files.writeString(table, text);
+    return CollectedAnswers.of(
+        material(),
+        OptionalInt.empty(),
+        PaperAnswers.read(material(), List.of(table), problems),
+        problems);
+  }
+
+  @Test
+  void answersOnPaperStandForTheScreensThatASessionLacks() throws IOException {
+    String own;
+    try (Session session = begin("001")) {
+      form(session);
+      own = session.condition().orElseThrow().spelling();
+      answerAll(session, "yes", 4);
+      session.abort("recognition-bath");
+    }
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        withPaper(
+            """
+            participant,condition,area,object,consistency,present,response,confidence
+            001,,bath,soap,,,No,2
+            """,
+            problems);
+    assertThat(collected.responses())
+        .hasLineCount(4)
+        .contains("001," + own + ",bath,soap,consistent,yes,no,2\n");
+    assertThat(collected.participants()).isEqualTo(1);
+    assertThat(collected.answers()).isEqualTo(3);
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("expectancy-hall were not finished");
+  }
+
+  @Test
+  void whoAnsweredOnPaperAloneNeedsAConditionTypedIn() throws IOException {
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        withPaper(
+            """
+            participant,condition,area,object,consistency,present,response,confidence
+            011,selective,hall,coat,consistent,yes,yes,5
+            011,selective,hall,boat,inconsistent,no,,
+            012,,hall,coat,consistent,yes,yes,5
+            012,,hall,boat,consistent,yes,yes,5
+            """,
+            problems);
+    assertThat(collected.responses())
+        .contains("011,selective,hall,coat,consistent,yes,yes,5\n")
+        .contains("011,selective,hall,boat,inconsistent,no,,\n")
+        .hasLineCount(3);
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("typed.csv:4:1: ", "participant 012: no condition is assigned");
+  }
+
+  @Test
+  void aSpreadsheetThatDropsZerosDoesNotMakeAnotherParticipant() throws IOException {
+    new Participants(material().study()).assign("001", Optional.empty(), "18-22", false);
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        withPaper(
+            "participant,condition,area,object,response,confidence\n1,high,hall,coat,yes,5\n",
+            problems);
+    assertThat(collected.participants()).isZero();
+    assertThat(problems.list())
+        .anyMatch(
+            problem ->
+                problem.message().contains("there is a participant 001: did a spreadsheet drop"));
+  }
+
+  @Test
+  void whatIsWrongOnPaperIsSaidWithItsPlaceAndNothingElseIsLost() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+    }
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        withPaper(
+            """
+            participant,condition,area,object,response,confidence
+            001,,hall,coat,no,1
+            002,high,attic,coat,no,1
+            002,high,hall,coat,maybe,1
+            002,high,hall,boat,no,6
+            002,high,hall,boat,,3
+            002,high,bath,soap,yes,3
+            002,high,bath,soap,no,3
+            002,high,hall,hat,no,3
+            002,high,hall,coat,no,3
+            """,
+            problems);
+    assertThat(collected.responses())
+        .hasLineCount(5)
+        .contains("002,high,hall,coat,consistent,yes,no,3\n");
+    assertThat(problems.list().stream().map(Problem::toString).toList())
+        .anyMatch(line -> line.contains(":2:1: ") && line.contains("in the program"))
+        .anyMatch(line -> line.contains(":3:1: ") && line.contains("no recognition-attic"))
+        .anyMatch(line -> line.contains(":4:20: ") && line.contains("is not yes or no"))
+        .anyMatch(line -> line.contains(":5:23: ") && line.contains("no confidence from 1 to 5"))
+        .anyMatch(line -> line.contains(":6:20: ") && line.contains("a confidence and no answer"))
+        .anyMatch(line -> line.contains(":8:1: ") && line.contains("both are left out"))
+        .anyMatch(line -> line.contains("no longer asks about hat"));
+  }
+
+  @Test
+  void ratingsOnPaperCountWithTheOthers() throws IOException {
+    Problems problems = new Problems();
+    Path table = folder.resolve("typed.csv");
+    Files.writeString(
+        table,
+        "participant,area,object,schema,rating\n7,hall,coat,,6\n7,hall,boat,,\n8,hall,coat,,9\n");
+    Files.writeString(
+        file, Files.readString(file).replace("[\"high\", \"selective\"]", "[\"high\"]"));
+    CollectedAnswers collected =
+        CollectedAnswers.of(
+            material(),
+            OptionalInt.empty(),
+            PaperAnswers.read(material(), List.of(table), problems),
+            problems);
+    assertThat(collected.ratings()).contains("7,hall,coat,HallSchema,6\n");
+    assertThat(collected.bands()).contains("hall,HallSchema,coat,6.000000,1,");
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("typed.csv:4:14: ", "'9' is no rating");
   }
 }

@@ -213,7 +213,8 @@ class SessionWindowsTest {
             material,
             "001",
             1,
-            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"))) {
+            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
+            new Problems())) {
       OperatorControls controls = new OperatorControls(session.journal());
       assertThat(controls.askAbort()).as("nobody there to ask").isFalse();
       ControlWindow opened = ControlWindow.open(controls);

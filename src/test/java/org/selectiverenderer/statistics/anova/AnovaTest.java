@@ -100,6 +100,11 @@ class AnovaTest {
   void fewerParticipantsThanGroupsOrNothingToCompareIsAnObstacle() {
     assertThat(oneWay(new double[][] {{1}, {2}}).obstacle())
         .contains("2 participants in 2 groups leave no degrees of freedom for the error");
+    Factor one = new Factor("group", List.of("all"));
+    Factor two = new Factor("level", List.of("a", "b"));
+    assertThat(
+            new Design("y", two, one, List.of(new Subject("1", 0, List.of(1.0, 2.0)))).obstacle())
+        .contains("1 participant in 1 group leaves no degrees of freedom for the error");
     assertThat(oneWay(new double[][] {{1, 2, 3}}).obstacle())
         .hasValueSatisfying(why -> assertThat(why).contains("nothing to compare"));
     assertThat(oneWay(new double[][] {{1, 2}, {}}).obstacle())

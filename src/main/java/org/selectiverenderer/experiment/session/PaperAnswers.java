@@ -1,0 +1,157 @@
+package org.selectiverenderer.experiment.session;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.PaperTable;
+import org.selectiverenderer.experiment.questionnaire.PaperTable.Filled;
+import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.Problems;
+
+/**
+ * Answers that were given on paper, by participant and screen. A participant's condition is the one
+ * in {@code participants.tsv}, or the one typed in where the program has assigned none.
+ */
+public final class PaperAnswers {
+  /** The answers to one screen, by object, and where the first of them was typed. */
+  record Sheet(Map<String, Answer> answers, Location place) {}
+
+  private record Key(String participant, String step) {}
+
+  private final Map<Key, Sheet> sheets = new LinkedHashMap<>();
+  private final Map<String, Condition> conditions = new LinkedHashMap<>();
+  private final Set<String> known = new HashSet<>();
+  private final Set<String> refused = new HashSet<>();
+
+  private PaperAnswers() {}
+
+  /** None. */
+  public static PaperAnswers none() {
+    return new PaperAnswers();
+  }
+
+  /**
+   * Reads tables that were typed in.
+   *
+   * @param problems hears of every answer that cannot be used
+   * @throws IOException if a file cannot be read at all
+   */
+  public static PaperAnswers read(StudyMaterial material, List<Path> files, Problems problems)
+      throws IOException {
+    PaperAnswers paper = new PaperAnswers();
+    for (Participants.Assigned assigned : new Participants(material.study()).all()) {
+      paper.conditions.put(assigned.participant(), assigned.condition());
+    }
+    paper.known.addAll(paper.conditions.keySet());
+    for (Path file : files) {
+      Optional<PaperTable> table = PaperTable.read(file, problems);
+      if (table.isPresent()) {
+        paper.add(material, table.get(), problems);
+      }
+    }
+    return paper;
+  }
+
+  private void add(StudyMaterial material, PaperTable table, Problems problems) {
+    Set<Key> others = Set.copyOf(sheets.keySet());
+    Set<Key> told = new HashSet<>();
+    for (Filled row : table.rows()) {
+      Key key =
+          new Key(row.participant(), new SessionStep.Questions(table.kind(), row.area()).id());
+      if (!belongs(material, row, problems)) {
+        continue;
+      }
+      if (others.contains(key)) {
+        if (told.add(key)) {
+          problems.error(
+              row.location(),
+              "the answers of participant %s about %s are in another file, too; these are left out"
+                  .formatted(row.participant(), row.area()));
+        }
+        continue;
+      }
+      sheets
+          .computeIfAbsent(key, first -> new Sheet(new LinkedHashMap<>(), row.location()))
+          .answers()
+          .put(row.object(), row.answer());
+    }
+  }
+
+  /** Whether a row is of a participant whose condition is known; each is told of once. */
+  private boolean belongs(StudyMaterial material, Filled row, Problems problems) {
+    String id = row.participant();
+    if (refused.contains(id)) {
+      return false;
+    }
+    Optional<Condition> typed =
+        Condition.of(row.condition()).filter(material.study().conditions()::contains);
+    String fault = "";
+    if (!id.matches(SessionFolder.LABEL)) {
+      fault = "a participant's id is made of letters and digits";
+    } else if (known.contains(id)) {
+      if (!row.condition().isEmpty() && !typed.equals(Optional.of(conditions.get(id)))) {
+        fault =
+            "the condition typed in is %s, the one assigned is %s"
+                .formatted(row.condition(), conditions.get(id).spelling());
+      }
+    } else if (!padded(id).equals(id) && known.contains(padded(id))) {
+      fault = "there is a participant %s: did a spreadsheet drop the zeros?".formatted(padded(id));
+    } else if (typed.isEmpty() && material.study().conditions().size() > 1) {
+      fault = "no condition is assigned in participants.tsv, and none of the study's is typed in";
+    } else {
+      Condition own = typed.orElse(material.study().conditions().get(0));
+      if (conditions.putIfAbsent(id, own) != null && conditions.get(id) != own) {
+        fault = "two conditions are typed in";
+      }
+    }
+    if (!fault.isEmpty()) {
+      refused.add(id);
+      sheets.keySet().removeIf(key -> key.participant().equals(id));
+      problems.error(
+          row.location(), "participant %s: %s; no answer typed in counts".formatted(id, fault));
+    }
+    return fault.isEmpty();
+  }
+
+  /** As the program numbers participants. */
+  private static String padded(String id) {
+    return "0".repeat(Math.max(0, 3 - id.length())) + id;
+  }
+
+  /** Of whom there are answers, in the files' order. */
+  Set<String> participants() {
+    Set<String> all = new LinkedHashSet<>();
+    sheets.keySet().forEach(key -> all.add(key.participant()));
+    return all;
+  }
+
+  /** The condition of one of {@link #participants}. */
+  Optional<Condition> condition(String participant) {
+    return Optional.ofNullable(conditions.get(participant));
+  }
+
+  /** The answers to a screen. */
+  Optional<Sheet> sheet(String participant, String step) {
+    return Optional.ofNullable(sheets.get(new Key(participant, step)));
+  }
+
+  /** A participant's sheets, by the steps that ask for them. */
+  Map<String, Sheet> sheets(String participant) {
+    Map<String, Sheet> own = new LinkedHashMap<>();
+    sheets.forEach(
+        (key, sheet) -> {
+          if (key.participant().equals(participant)) {
+            own.put(key.step(), sheet);
+          }
+        });
+    return own;
+  }
+}
