@@ -143,8 +143,9 @@ public final class Layout {
     String body = laid ? inner + String.join(inner, lines) : String.join("", stripped(lines));
     if (!into.open()) {
       int tagStart = document.tag(into).end();
-      String close = (laid ? outer : "") + "</" + written(into) + ">";
-      return new TextChange(tagStart, into.end(), ">" + body + close);
+      String close = (laid ? outer : "") + "</" + written(into);
+      // The last ">" stays, so that the change is within the element, which stays the same then.
+      return new TextChange(tagStart, into.end() - 1, ">" + body + close);
     }
     int endTag = endTag(into);
     boolean blank = text.subSequence(at, endTag).toString().isBlank();

@@ -124,7 +124,7 @@ public final class EnrichmentEdits {
     List<SwitchWish> switches = new ArrayList<>();
     for (SwitchNode node : enrichment.switches()) {
       List<ChoiceValues> without =
-          node.values().stream().map(v -> v.with(without(v.schemas(), schema))).toList();
+          node.values().stream().map(values -> without(values, schema)).toList();
       switches.add(new SwitchWish(node, without));
     }
     List<SensorWish> sensors = new ArrayList<>();
@@ -137,6 +137,15 @@ public final class EnrichmentEdits {
                   without(schemas.enter(), schema), without(schemas.exit(), schema))));
     }
     return all("Remove the schema " + schema, switches, sensors);
+  }
+
+  /**
+   * A choice that belonged to that schema only says nothing any more, as when a cell is emptied.
+   */
+  private static ChoiceValues without(ChoiceValues values, String schema) {
+    List<String> rest = without(values.schemas(), schema);
+    boolean last = rest.isEmpty() && !values.schemas().isEmpty();
+    return last ? ChoiceValues.NONE : values.with(rest);
   }
 
   private static List<String> without(List<String> schemas, String schema) {

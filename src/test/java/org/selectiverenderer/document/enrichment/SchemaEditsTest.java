@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.schema.SensorSchemas;
 
 class SchemaEditsTest {
@@ -33,6 +35,20 @@ class SchemaEditsTest {
                 .replaceFirst("^  ", "  ")
                 .replaceAll("(?m)^  ", ""));
     assertThat(scene.sensor("DeskProx").schemas().exit()).containsExactly("Office", "Room");
+  }
+
+  @Test
+  void aSensorThatWasAnEmptyElementStaysTheSameElementThatItsFormStandsFor() {
+    String nodes = "  <ProximitySensor DEF='DeskProx' size='1 1 1'/>\n";
+    Scenes scene = Scenes.with(nodes);
+    SensorNode before = scene.sensor("DeskProx");
+    SensorSchemas wanted = new SensorSchemas(List.of("Desk"), List.of());
+    scene.perform(scene.edits().sensor(before, wanted));
+    assertThat(before.element().attached()).isTrue();
+    assertThat(scene.sensor("DeskProx").element()).isSameAs(before.element());
+    scene.document.history().undo();
+    assertThat(scene.nodes()).isEqualTo(nodes);
+    assertThat(scene.sensor("DeskProx").element()).isSameAs(before.element());
   }
 
   @Test
@@ -88,6 +104,16 @@ class SchemaEditsTest {
     Scenes scene = Scenes.with(SMALL);
     scene.perform(scene.edits().removeSchema("Desk"));
     assertThat(scene.enrichment.schemas()).containsExactly("Dest", "Office");
+  }
+
+  @Test
+  void aChoiceThatBelongedToARemovedSchemaOnlySaysNothingAnyMore() {
+    String plain = "  <Switch DEF='S' whichChoice='0'>\n    <Shape/>\n    <Shape/>\n  </Switch>\n";
+    Scenes scene = Scenes.with(plain);
+    ChoiceValues desk = new ChoiceValues(Optional.empty(), Optional.of(Degree.HIGH), List.of("D"));
+    scene.perform(scene.edits().choice(scene.switchNode("S"), 1, desk));
+    scene.perform(scene.edits().removeSchema("D"));
+    assertThat(scene.nodes()).isEqualTo(plain);
   }
 
   private static final String SMALL =

@@ -64,6 +64,11 @@ final class DialogQuestions implements Questions {
     return choose(sentence, "Keep what is here", "Reload") == 1;
   }
 
+  @Override
+  public boolean leaveBehind(String sentence) {
+    return choose(sentence, "Cancel", "Save There Anyway") == 1;
+  }
+
   private static JFileChooser chooser(Optional<Path> near) {
     JFileChooser chooser = new JFileChooser();
     chooser.setFileFilter(new FileNameExtensionFilter("X3D scenes", "x3d", "x3dz", "xml"));

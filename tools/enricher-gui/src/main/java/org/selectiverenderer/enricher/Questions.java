@@ -38,6 +38,13 @@ interface Questions {
   /** Whether to take the file of the disk in place of the document. */
   boolean reload(String sentence);
 
+  /**
+   * Whether to save where the scene will miss files.
+   *
+   * @param sentence which
+   */
+  boolean leaveBehind(String sentence);
+
   Optional<Path> fileToOpen(Optional<Path> near);
 
   Optional<Path> fileToSave(Path near);

@@ -2,11 +2,13 @@ package org.selectiverenderer.enricher;
 
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import org.selectiverenderer.document.file.DiskState;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.FileChanged;
+import org.selectiverenderer.document.file.LeftBehind;
 import org.selectiverenderer.document.file.Writing;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
@@ -50,13 +52,32 @@ final class Saving {
     }
     Path now = session.file().path().toAbsolutePath();
     Optional<Path> target = questions.fileToSave(now);
-    target.ifPresent(
-        other ->
-            write(
-                other.toAbsolutePath().equals(now)
-                    ? session.file().writing()
-                    : session.file().writing(other),
-                saved));
+    target
+        .filter(other -> complete(now, other.toAbsolutePath()))
+        .ifPresent(
+            other ->
+                write(
+                    other.toAbsolutePath().equals(now)
+                        ? session.file().writing()
+                        : session.file().writing(other),
+                    saved));
+  }
+
+  /** Whether the scene finds its files from the other place, or the author accepts that not. */
+  private boolean complete(Path now, Path other) {
+    List<String> left = LeftBehind.in(session.document(), now.getParent(), other.getParent());
+    if (left.isEmpty()) {
+      return true;
+    }
+    boolean one = left.size() == 1;
+    return questions.leaveBehind(
+        "From %s the scene does not find %s that it names by a path from its own folder, such as %s; %s will be missing. Save it beside %s instead, or copy the files, too."
+            .formatted(
+                other.getParent(),
+                one ? "a file" : left.size() + " files",
+                left.get(0),
+                one ? "it" : "they",
+                now.getFileName()));
   }
 
   private void write(Writing what, Runnable saved) {

@@ -50,6 +50,11 @@ class KeptWorkTest {
     }
 
     @Override
+    public boolean leaveBehind(String sentence) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
     public Optional<Path> fileToOpen(Optional<Path> near) {
       throw new AssertionError(near);
     }

@@ -58,6 +58,12 @@ class SavingTest {
     }
 
     @Override
+    public boolean leaveBehind(String sentence) {
+      asked.add(sentence);
+      return agree;
+    }
+
+    @Override
     public Optional<Path> fileToOpen(Optional<Path> near) {
       return Optional.empty();
     }
@@ -199,6 +205,27 @@ class SavingTest {
     assertThat(done).isEqualTo(1);
     assertThat(Files.readString(first)).doesNotContain("mine");
     assertThat(session.file().path()).hasFileName("other.x3d");
+  }
+
+  @Test
+  void savingWhereTheScenesFilesAreNotFoundIsAskedAboutFirst()
+      throws IOException, InterruptedException {
+    Path first = session.file().path().toAbsolutePath();
+    Files.writeString(first.resolveSibling("cup.x3d"), "<X3D/>");
+    int scene = session.document().text().toString().indexOf("</Scene>");
+    session.document().type(scene, scene, "<Inline url='\"cup.x3d\"'/>");
+    Path other = Files.createDirectories(first.resolveSibling("other"));
+    answers.target = other.resolve("saved.x3d");
+    answers.agree = false;
+    saving.saveAs(() -> done++);
+    assertThat(answers.asked).singleElement().asString().contains(other + "", "cup.x3d", "missing");
+    assertThat(answers.target).doesNotExist();
+    assertThat(session.file().path()).isEqualTo(first);
+    answers.agree = true;
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(done).isEqualTo(1);
+    assertThat(answers.target).content().contains("cup.x3d");
   }
 
   @Test

@@ -89,7 +89,7 @@ public final class OverviewPanel extends JPanel {
     tools.add(new JLabel("Schema:"), "span, split 4");
     tools.add(button("Add\u2026", 'A', "A column for another schema", () -> addSchema(naming)));
     tools.add(button("Rename\u2026", 'R', "Rename wherever named", () -> rename(naming)));
-    tools.add(button("Remove", 'v', "Take out of all objects and areas", this::remove));
+    tools.add(button("Remove", 'M', "Take out of all objects and areas", this::remove));
     return tools;
   }
 

@@ -2,9 +2,9 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.Optional;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JTextField;
-import javax.swing.SwingUtilities;
 
 /** Asks for the name of a schema. */
 final class SchemaNaming {
@@ -23,14 +23,34 @@ final class SchemaNaming {
     JTextField field = new JTextField(proposed, 24);
     field.getAccessibleContext().setAccessibleName(question);
     field.selectAll();
-    SwingUtilities.invokeLater(field::requestFocusInWindow);
-    int answer =
-        JOptionPane.showConfirmDialog(
-            parent,
-            new Object[] {question, field},
-            title,
-            JOptionPane.OK_CANCEL_OPTION,
-            JOptionPane.PLAIN_MESSAGE);
-    return answer == JOptionPane.OK_OPTION ? Optional.of(field.getText()) : Optional.empty();
+    FieldFirst pane = new FieldFirst(question, field);
+    JDialog dialog = pane.createDialog(parent, title);
+    dialog.setVisible(true);
+    dialog.dispose();
+    return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue())
+        ? Optional.of(field.getText())
+        : Optional.empty();
+  }
+
+  /**
+   * Begins in the field whenever the dialog gets the focus; a request before that is lost where a
+   * window manager gives the focus later.
+   */
+  @SuppressWarnings("serial") // never written
+  private static final class FieldFirst extends JOptionPane {
+    private static final long serialVersionUID = 1L;
+
+    private final JTextField field;
+
+    FieldFirst(String question, JTextField field) {
+      super(new Object[] {question, field}, PLAIN_MESSAGE, OK_CANCEL_OPTION);
+      this.field = field;
+    }
+
+    @Override
+    public void selectInitialValue() {
+      super.selectInitialValue(); // OK stays what Enter presses
+      field.requestFocusInWindow();
+    }
   }
 }

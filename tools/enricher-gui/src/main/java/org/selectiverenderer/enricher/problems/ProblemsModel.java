@@ -83,7 +83,12 @@ final class ProblemsModel {
     faulty = Collections.newSetFromMap(new IdentityHashMap<>());
     all.stream()
         .filter(entry -> entry.severity() != Problem.Severity.INFO)
-        .flatMap(entry -> entry.element().stream())
+        .flatMap(
+            entry ->
+                entry.element().stream()
+                    .filter(
+                        element ->
+                            entry.severity() == Problem.Severity.ERROR || !untouched(element)))
         .forEach(faulty::add);
   }
 
@@ -111,7 +116,22 @@ final class ProblemsModel {
     return entry.element().<Object>map(element -> element).orElse(entry.place());
   }
 
-  /** Whether there is an error or a warning of the element itself. */
+  /** Whether an element is an object or an area of which the author has not said anything yet. */
+  private boolean untouched(DocumentElement element) {
+    return enrichment
+            .switchNode(element)
+            .filter(node -> !node.enriched() && node.findings().isEmpty())
+            .isPresent()
+        || enrichment
+            .sensorNode(element)
+            .filter(node -> !node.enriched() && node.findings().isEmpty())
+            .isPresent();
+  }
+
+  /**
+   * Whether there is an error or a warning of the element itself. Of objects and areas without
+   * metadata only errors count: that they are not enriched yet is no fault while one works.
+   */
   boolean faulty(DocumentElement element) {
     return faulty.contains(element);
   }

@@ -37,7 +37,7 @@ final class NodeRenderer extends DefaultTreeCellRenderer {
       setIcon(new NodeIcon(NodeIcon.Kind.of(element.name()), mark));
       setToolTipText(
           switch (mark) {
-            case NONE -> null;
+            case NONE -> describable(element) ? "Not enriched yet" : null;
             case ENRICHED -> "Has schema metadata";
             case FAULTY -> "Has a problem: see the list below";
           });
@@ -45,10 +45,15 @@ final class NodeRenderer extends DefaultTreeCellRenderer {
     return this;
   }
 
+  private static boolean describable(DocumentElement element) {
+    return element.name().equals("Switch") || element.name().equals("ProximitySensor");
+  }
+
   static String text(DocumentElement element) {
     String name = element.def().orElseGet(() -> element.use().map(use -> "uses " + use).orElse(""));
-    boolean known = element.name().equals("Switch") || element.name().equals("ProximitySensor");
-    return name.isEmpty() ? element.name() : known ? name : element.name() + "  " + name;
+    return name.isEmpty()
+        ? element.name()
+        : describable(element) ? name : element.name() + "  " + name;
   }
 
   private NodeIcon.Mark mark(DocumentElement element) {

@@ -117,11 +117,29 @@ public final class Hands {
       robot.delay(STEP);
     }
     if (onEdt(dialog::isShowing)) {
+      assertThat(onEdt(() -> reachable(dialog, chosen)))
+          .as("the mouse can hit the button " + button)
+          .isTrue();
       onEdt(chosen::requestFocusInWindow);
       settle();
       press(KeyEvent.VK_SPACE);
     }
     await("the end of the dialog", () -> !dialog.isShowing());
+  }
+
+  /** Whether all of a button shows on the screen, enabled, with nothing of the dialog over it. */
+  private static boolean reachable(JDialog dialog, JButton button) {
+    Rectangle shown = button.getVisibleRect();
+    Rectangle onScreen = new Rectangle(button.getLocationOnScreen(), button.getSize());
+    Point middle =
+        SwingUtilities.convertPoint(
+            button, button.getWidth() / 2, button.getHeight() / 2, dialog.getContentPane());
+    return button.isShowing()
+        && button.isEnabled()
+        && shown.getSize().equals(button.getSize())
+        && dialog.getGraphicsConfiguration().getBounds().contains(onScreen)
+        && SwingUtilities.getDeepestComponentAt(dialog.getContentPane(), middle.x, middle.y)
+            == button;
   }
 
   /** The component of that accessible name. */

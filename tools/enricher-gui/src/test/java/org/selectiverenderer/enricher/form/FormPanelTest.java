@@ -111,6 +111,22 @@ class FormPanelTest {
   }
 
   @Test
+  void fromTheFirstSchemaOfAnAreaTabGoesOnToWhatLeavingActivates() throws Exception {
+    try (FormWindow window = open(false)) {
+      int end = SCENE.indexOf("</Scene>");
+      FormWindow.edt(
+          () -> window.session.document().type(end, end, "<ProximitySensor DEF='Sofa'/>"));
+      window.select("Sofa");
+      Component leaving = window.named("On leaving");
+      window.fill(window.named("On entering"), "sofa");
+      window.press(KeyEvent.VK_TAB);
+      assertThat(window.text("Sofa")).contains("enterTimeSchema", "\"sofa\"");
+      assertThat(window.named("On leaving")).isSameAs(leaving);
+      assertThat(FormWindow.get(leaving::isFocusOwner)).isTrue();
+    }
+  }
+
+  @Test
   void whatMeansNothingIsMarkedAndNotWritten() throws Exception {
     try (FormWindow window = open(false)) {
       window.select("Switch_Bin");

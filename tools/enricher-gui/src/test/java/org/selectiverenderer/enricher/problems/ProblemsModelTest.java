@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.validation.RuleCatalogue;
@@ -132,6 +133,26 @@ class ProblemsModelTest {
     model.refresh();
     assertThat(only("no number").offset()).isEmpty();
     assertThat(only("no number").location(document)).hasToString("bin.x3d:3:4");
+  }
+
+  @Test
+  void anObjectIsFaultyByItsWarningsOnlyOnceItIsEnriched() {
+    int group = document.text().toString().indexOf("<Transform");
+    document.type(group, group, "<Switch DEF='Cup' whichChoice='0'><Group/></Switch>");
+    DocumentElement cup = document.tree().orElseThrow().named("Cup").orElseThrow();
+    DocumentElement bin = document.tree().orElseThrow().named("Bin").orElseThrow();
+    Problem error =
+        new Problem(Severity.ERROR, at("<Switch DEF='Cup'", "").location(), "no such field");
+    model.checked(
+        document.revision(),
+        List.of(at("<Switch DEF='Cup'", "never shown"), at("<Switch DEF='Bin'", "never shown")));
+    model.refresh();
+    assertThat(model.entries()).filteredOn(e -> e.message().equals("never shown")).hasSize(2);
+    assertThat(model.faulty(cup)).isFalse();
+    assertThat(model.faulty(bin)).isTrue();
+    model.checked(document.revision(), List.of(error));
+    model.refresh();
+    assertThat(model.faulty(cup)).isTrue();
   }
 
   @Test
