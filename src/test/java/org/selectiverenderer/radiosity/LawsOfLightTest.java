@@ -16,6 +16,8 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.solve.Solver;
 import org.selectiverenderer.radiosity.solve.Transport;
 import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.Problems;
 
 /** The solution on patches against closed forms and conservation. */
 class LawsOfLightTest {
@@ -152,5 +154,26 @@ class LawsOfLightTest {
     float less =
         Transport.find(covered, new Patches(covered, 100), 4, 4, 1, Progress.NONE).direct()[0];
     assertThat(less).isCloseTo(0.75f * free, within(1e-3f * free));
+  }
+
+  @Test
+  void photometricMetadataThatSaysNothingIsTold() throws Exception {
+    String set =
+        "<MetadataSet containerField='metadata' name='photometric'>"
+            + "<MetadataFloat containerField='value' name='%s' value='%s'/></MetadataSet>";
+    for (String said : List.of("lumens 800", "lux 800", "lumen -1")) {
+      String[] words = said.split(" ");
+      Problems problems = new Problems();
+      SmallScene.read(
+          room(0, 0, 0, 4, "diffuseColor='0.7 0.7 0.7'")
+              + "<PointLight location='2 3 2'>"
+              + set.formatted(words[0], words[1])
+              + "</PointLight>",
+          problems);
+      assertThat(problems.list()).extracting(Problem::message).as(said).hasSize(1);
+      assertThat(problems.list().get(0).message())
+          .contains(words[0].equals("lumen") ? "lumen must be a number above 0" : "no member ")
+          .contains("lumen");
+    }
   }
 }

@@ -1,6 +1,9 @@
 package org.selectiverenderer.radiosity.scene;
 
 import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.selectiverenderer.radiosity.light.Falloff;
@@ -10,6 +13,7 @@ import org.selectiverenderer.radiosity.light.RectangleLamp;
 import org.selectiverenderer.radiosity.light.SunLamp;
 import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.x3d.Problems;
 
 /**
  * X3D's lights as lamps.
@@ -26,14 +30,26 @@ final class LampReader {
 
   private final boolean photometric;
   private final double unit;
+  private final Problems problems;
 
   /**
    * @param photometric whether light falls off with the square of the distance
    * @param unit metres per unit of length
+   * @param problems hears of photometric metadata that says nothing
    */
-  LampReader(boolean photometric, double unit) {
+  LampReader(boolean photometric, double unit, Problems problems) {
     this.photometric = photometric;
     this.unit = unit;
+    this.problems = problems;
+  }
+
+  private static SortedSet<String> members(Light light) {
+    return new TreeSet<>(
+        switch (light.kind()) {
+          case DIRECTIONAL -> Set.of("lux");
+          case POINT -> Set.of("candela", "lumen");
+          case SPOT -> Set.of("candela", "lumen", "luminance", "size");
+        });
   }
 
   /** The lamp of a light; empty if it is off or has no place. */
@@ -42,7 +58,7 @@ final class LampReader {
     if (!light.on() || !(light.intensity() > 0)) {
       return Optional.empty();
     }
-    Optional<Wishes> wishes = Wishes.of(instance.node(), "photometric");
+    Optional<Wishes> wishes = Wishes.of(instance.node(), "photometric", members(light), problems);
     float[] hue = Photometry.linear(light.color());
     double luminance = Photometry.luminance(hue);
     if (!(luminance > 0)) {

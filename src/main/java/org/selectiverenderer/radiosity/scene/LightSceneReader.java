@@ -59,7 +59,7 @@ public final class LightSceneReader {
           bodyOf, body.firstTriangle(), body.firstTriangle() + body.triangles(), i);
     }
     List<Lamp> lamps = new ArrayList<>();
-    LampReader reader = new LampReader(photometric, unit);
+    LampReader reader = new LampReader(photometric, unit, problems);
     for (LightInstance light : tree.lights()) {
       reader.read(light).ifPresent(lamps::add);
     }

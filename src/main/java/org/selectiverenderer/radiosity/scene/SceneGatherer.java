@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.selectiverenderer.radiosity.trace.Versions;
@@ -22,6 +25,8 @@ import org.selectiverenderer.x3d.geometry.Mesh;
  * Switch within a version only what is shown takes part in shadows.
  */
 final class SceneGatherer {
+  private static final SortedSet<String> MEMBERS = new TreeSet<>(Set.of("polygons"));
+
   private final double unit;
   private final Problems problems;
   private final List<Body> bodies = new ArrayList<>();
@@ -88,7 +93,7 @@ final class SceneGatherer {
   }
 
   private int budget(GroupInstance group, int above) {
-    return Wishes.of(group.node(), "radiosity")
+    return Wishes.of(group.node(), "radiosity", MEMBERS, problems)
         .flatMap(wishes -> wishes.number("polygons"))
         .map(
             polygons -> {

@@ -1,9 +1,11 @@
 package org.selectiverenderer.radiosity.scene;
 
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.stream.Stream;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.Problems;
 
 /**
  * What a scene asks of the light, in metadata: a MetadataSet named {@code photometric} on a light
@@ -16,7 +18,14 @@ final class Wishes {
     this.set = set;
   }
 
-  static Optional<Wishes> of(NodeView node, String name) {
+  /**
+   * What a node asks for.
+   *
+   * @param members that the set may have; of others, and of values that none can have, the problems
+   *     hear, and they are passed over
+   */
+  static Optional<Wishes> of(
+      NodeView node, String name, SortedSet<String> members, Problems problems) {
     if (node.type().field("metadata").isEmpty()) {
       return Optional.empty();
     }
@@ -24,7 +33,28 @@ final class Wishes {
         .flatMap(own -> Stream.concat(Stream.of(own), own.children().stream()))
         .filter(data -> data.isSet() && data.name().equals(name))
         .findFirst()
-        .map(Wishes::new);
+        .map(
+            data -> {
+              Wishes wishes = new Wishes(data);
+              wishes.check(members, problems);
+              return wishes;
+            });
+  }
+
+  private void check(SortedSet<String> members, Problems problems) {
+    for (NodeMetadata child : set.children()) {
+      String member = child.name();
+      if (!members.contains(member)) {
+        problems.warning(
+            child.node().location(),
+            "the metadata %s has no member %s, which is passed over; it may have %s"
+                .formatted(set.name(), member, String.join(", ", members)));
+      } else if (numbers(member).filter(values -> values.length > 0).isEmpty()) {
+        problems.warning(
+            child.node().location(),
+            "%s must be a number above 0; it is passed over".formatted(member));
+      }
+    }
   }
 
   /** The first number of a member; empty if there is none, or if it is no finite number above 0. */
