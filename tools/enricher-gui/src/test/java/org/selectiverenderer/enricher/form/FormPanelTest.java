@@ -225,7 +225,7 @@ class FormPanelTest {
         window.select(name);
         JLabel polygons = (JLabel) window.named("Polygons of choice 1");
         while (!FormWindow.get(polygons::getText).endsWith("polygons")) {
-          window.robot.waitForIdle();
+          window.settle();
         }
         window.screenshot("form-switch-" + (dark ? "dark" : "light"), dark ? 2 : 1);
         String area =

@@ -40,6 +40,8 @@ import org.selectiverenderer.x3d.NodeCatalogue;
 
 /** A window with the form, the help and the problems of a scene, driven by a robot. */
 final class FormWindow implements AutoCloseable {
+  private static final int SETTLING = 100;
+
   final EnricherSession session;
   final FormPanel form;
   final HelpPanel help;
@@ -61,7 +63,7 @@ final class FormWindow implements AutoCloseable {
     problems = get(() -> new ProblemsPanel(session, List.of(validator)));
     window = get(this::window);
     robot = new Robot();
-    robot.setAutoWaitForIdle(true);
+    robot.setAutoDelay(15);
   }
 
   private static void theme(boolean dark) {
@@ -138,6 +140,16 @@ final class FormWindow implements AutoCloseable {
     robot.mouseMove(at.x + 12, at.y + component.getHeight() / 2);
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    settle();
+  }
+
+  /**
+   * Lets what was done arrive. Robot's own waiting for an idle queue can wait ten seconds in vain
+   * at every step.
+   */
+  void settle() {
+    robot.delay(SETTLING);
+    edt(() -> {});
   }
 
   /** Types letters, digits and signs without a modifier, capitals with Shift. */
@@ -156,11 +168,9 @@ final class FormWindow implements AutoCloseable {
 
   /** Nothing is waited for while the key is down: the display would repeat it. */
   void press(int key) {
-    robot.setAutoWaitForIdle(false);
     robot.keyPress(key);
     robot.keyRelease(key);
-    robot.setAutoWaitForIdle(true);
-    robot.waitForIdle();
+    settle();
   }
 
   /** Replaces what a text control has. */

@@ -28,6 +28,7 @@ final class PreviewWindow implements AutoCloseable {
   static final int WIDTH = 640;
   static final int HEIGHT = 480;
   private static final long PATIENCE = 60;
+  private static final int SETTLING = 150;
 
   final EnricherSession session;
   final PreviewPanel panel;
@@ -56,7 +57,7 @@ final class PreviewWindow implements AutoCloseable {
               return made;
             });
     robot = new Robot();
-    robot.setAutoWaitForIdle(true);
+    robot.setAutoDelay(15);
   }
 
   static void edt(Runnable task) {
@@ -104,6 +105,16 @@ final class PreviewWindow implements AutoCloseable {
     robot.mouseMove(origin.x + x, origin.y + y);
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    settle();
+  }
+
+  /**
+   * Lets what was done arrive. Robot's own waiting for an idle queue can wait ten seconds in vain
+   * at every step.
+   */
+  void settle() {
+    robot.delay(SETTLING);
+    edt(() -> {});
   }
 
   /**
@@ -114,7 +125,6 @@ final class PreviewWindow implements AutoCloseable {
     for (int tries = 0; tries < 20; tries++) {
       edt(window::toFront);
       click(x, y);
-      robot.delay(200);
       if (get(() -> panel.view().isFocusOwner())) {
         return;
       }
