@@ -23,7 +23,7 @@ powershell -NoProfile -ExecutionPolicy Bypass -Command ^
   "Set-Location -LiteralPath $env:SR_HOME;" ^
   "$jar = Get-Item -LiteralPath $env:SR_JAR, target\x3d-sai.jar -ErrorAction SilentlyContinue;" ^
   "if (@($jar).Count -lt 2) { exit 1 };" ^
-  "$roots = 'pom.xml', 'src\main', 'tools\enricher-gui\src' | Where-Object { Test-Path $_ };" ^
+  "$roots = 'pom.xml', 'src\main', 'src\sai', 'tools' | Where-Object { Test-Path $_ };" ^
   "$files = @(Get-Item $roots) + @(Get-ChildItem $roots -Recurse);" ^
   "if ($files | Where-Object { $_.LastWriteTimeUtc -gt $jar[0].LastWriteTimeUtc }) { exit 1 }"
 if not errorlevel 1 goto start

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The launcher script in a copy of the repository, with a Maven and a Java that only take notes.
@@ -111,9 +113,10 @@ class LauncherTest {
     assertThat(builds()).isEqualTo(1);
   }
 
-  @Test
-  void anEditedEnricherIsBuiltAgain() throws Exception {
-    Path source = home.resolve("tools/enricher-gui/src/main/java/B.java");
+  @ParameterizedTest
+  @ValueSource(strings = {"tools/enricher-gui/src/main/java/B.java", "src/sai/java/B.java"})
+  void anEditedSourceOfAnotherRootIsBuiltAgain(String name) throws Exception {
+    Path source = home.resolve(name);
     Files.createDirectories(source.getParent());
     Files.writeString(source, "");
     touchLater(source);

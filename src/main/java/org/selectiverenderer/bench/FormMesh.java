@@ -1,5 +1,7 @@
 package org.selectiverenderer.bench;
 
+import org.selectiverenderer.geometry.TriangleMath;
+
 /**
  * A form cut into {@code 2 * rows * columns} triangles, with a normal per point.
  *
@@ -9,7 +11,7 @@ package org.selectiverenderer.bench;
  */
 record FormMesh(double[] points, double[] normals, int[] triangles) {
 
-  static FormMesh of(Form form, double phase, int rows, int columns) {
+  static FormMesh of(BenchForm form, double phase, int rows, int columns) {
     int grid = rows * columns;
     double[] points = new double[3 * (form.isRing() ? grid : grid + 2)];
     double[] point = new double[3];
@@ -85,20 +87,16 @@ record FormMesh(double[] points, double[] normals, int[] triangles) {
   /** Face normals summed by area, then brought to length 1. */
   private static double[] normals(double[] p, int[] triangles) {
     double[] normals = new double[p.length];
+    double[] normal = new double[3];
     for (int t = 0; t < triangles.length; t += 3) {
       int a = 3 * triangles[t];
       int b = 3 * triangles[t + 1];
       int c = 3 * triangles[t + 2];
-      double ux = p[b] - p[a];
-      double uy = p[b + 1] - p[a + 1];
-      double uz = p[b + 2] - p[a + 2];
-      double vx = p[c] - p[a];
-      double vy = p[c + 1] - p[a + 1];
-      double vz = p[c + 2] - p[a + 2];
+      TriangleMath.normal(p, a, b, c, normal);
       for (int corner : new int[] {a, b, c}) {
-        normals[corner] += uy * vz - uz * vy;
-        normals[corner + 1] += uz * vx - ux * vz;
-        normals[corner + 2] += ux * vy - uy * vx;
+        normals[corner] += normal[0];
+        normals[corner + 1] += normal[1];
+        normals[corner + 2] += normal[2];
       }
     }
     for (int i = 0; i < normals.length; i += 3) {

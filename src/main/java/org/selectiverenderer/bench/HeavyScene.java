@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.stream.IntStream;
+import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * A scene of the thesis's size: 70 inlined objects with 784,000 triangles in about 31 MB of X3D
@@ -63,7 +65,7 @@ public final class HeavyScene {
     Path scene = dir.resolve("scene.x3d");
     bytes += write(scene, sceneText());
     Path path = dir.resolve("bench-path.csv");
-    write(path, Tour.csv());
+    write(path, BenchTour.csv());
     long triangles = 2L * columns * IntStream.of(rows).sum();
     return new BenchScene(scene, path, OBJECTS, triangles, bytes);
   }
@@ -84,37 +86,39 @@ public final class HeavyScene {
   }
 
   private static long writeObject(Path objects, int i, int rows, int columns) {
-    Form form = Form.values()[i % Form.values().length];
+    BenchForm form = BenchForm.values()[i % BenchForm.values().length];
     String name = name(i);
     FormMesh mesh = FormMesh.of(form, 0.7 * i, rows, columns);
     try {
       return write(
-          objects.resolve(name.toLowerCase(Locale.ROOT) + ".x3d"), ObjectFile.text(name, i, mesh));
+          objects.resolve(name.toLowerCase(Locale.ROOT) + ".x3d"), BenchObject.text(name, i, mesh));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
   private static String sceneText() {
-    StringBuilder text = new StringBuilder();
-    text.append(
-        """
-        <?xml version="1.0" encoding="UTF-8"?>
-        <X3D profile='Immersive' version='3.3'>
-          <Scene>
-            <NavigationInfo type='"WALK" "ANY"' avatarSize='0.25 1.7 0.6' headlight='false'/>
-            <Background skyColor='0.6 0.7 0.8'/>
-            <DirectionalLight direction='-0.5 -0.75 -0.4' intensity='0.7' ambientIntensity='0.6'/>
-            <DirectionalLight direction='0.7 -0.3 0.6' intensity='0.35'/>
-        """);
-    text.append(Tour.nodes());
-    RoomText.append(text, ROOM_BOUNDS);
+    X3dWriter out = new X3dWriter().file("Immersive", "3.3").open("Scene");
+    out.empty(
+        "NavigationInfo",
+        "type",
+        ValueText.strings("WALK", "ANY"),
+        "avatarSize",
+        "0.25 1.7 0.6",
+        "headlight",
+        "false");
+    out.empty("Background", "skyColor", "0.6 0.7 0.8");
+    out.open("DirectionalLight", "direction", "-0.5 -0.75 -0.4", "intensity", "0.7");
+    out.attribute("ambientIntensity", "0.6").close();
+    out.empty("DirectionalLight", "direction", "0.7 -0.3 0.6", "intensity", "0.35");
+    BenchTour.write(out);
+    BenchRooms.write(out, ROOM_BOUNDS);
     for (int i = 0; i < OBJECTS; i++) {
       double x = -7.65 + 1.7 * (i % PLACES_IN_A_ROW);
       double z = -3 + i / PLACES_IN_A_ROW;
-      SwitchText.append(text, name(i), x, z, room(x));
+      BenchSwitch.write(out, name(i), x, z, room(x));
     }
-    return text.append("  </Scene>\n</X3D>\n").toString();
+    return out.finish();
   }
 
   /** Number of the room, from 1. */

@@ -1,8 +1,8 @@
 package org.selectiverenderer.chart;
 
 /** What a page is drawn on: pixels from the upper left corner, y down. */
-public interface Canvas {
-  void rectangle(double x, double y, double width, double height, Colour colour);
+interface Canvas {
+  void rectangle(double x, double y, double width, double height, ChartColour colour);
 
   /**
    * A line of text.
@@ -10,5 +10,5 @@ public interface Canvas {
    * @param x of its left end
    * @param y of its base line
    */
-  void text(String text, double x, double y, Lettering lettering, Colour colour);
+  void text(String text, double x, double y, SizedFont lettering, ChartColour colour);
 }

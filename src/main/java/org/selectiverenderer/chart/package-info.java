@@ -1,10 +1,15 @@
 /**
- * What charts are drawn with: a canvas, its SVG form, colours and measured text. The charts
- * themselves live where their figures are: {@code app.chart}, {@code statistics.report}.
+ * Charts: a canvas, drawn as SVG or in pixels, colours, measured text, and bar charts as SVG and
+ * PNG files. Which charts there are is decided where their figures are: {@code polygon.count},
+ * {@code statistics.report}.
  *
- * <p>Texts are measured with the program's own fonts of {@code x3d.geometry.text}, so that charts
- * come out the same on machines without fonts or a display. Uses {@code x3d.geometry.text}; no AWT,
+ * <p>In: figures with their labels. Out: files and SVG, the same bytes every time. Texts are
+ * measured with the program's own fonts, so that charts come out the same on machines without fonts
+ * or a display. Uses {@code geometry.font}, {@code base.picture} and {@code base.decimal}; no AWT,
  * no GL.
+ *
+ * <p>JFreeChart is not used: it needs AWT fonts, which a server may lack, and its SVG companion is
+ * under the GPL, which a jar under the MIT licence cannot carry.
  */
 @NullMarked
 package org.selectiverenderer.chart;

@@ -4,7 +4,24 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.file.SettingsFolder;
+import org.selectiverenderer.base.files.SettingsFolder;
+import org.selectiverenderer.cli.author.ApartmentCommand;
+import org.selectiverenderer.cli.author.EnrichCommand;
+import org.selectiverenderer.cli.author.PolygonsCommand;
+import org.selectiverenderer.cli.author.RadiosityCommand;
+import org.selectiverenderer.cli.author.SimplifyCommand;
+import org.selectiverenderer.cli.author.ValidateCommand;
+import org.selectiverenderer.cli.author.VersionsCommand;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.experiment.ExperimentCommand;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.view.BenchCommand;
+import org.selectiverenderer.cli.view.RunCommand;
+import org.selectiverenderer.cli.view.SaiCommand;
+import org.selectiverenderer.cli.view.SimulateCommand;
+import org.selectiverenderer.cli.view.TrackCommand;
 import org.selectiverenderer.enricher.EnricherApp;
 
 /** The commands, in the order of {@code --help}. */
@@ -24,7 +41,7 @@ final class CommandCatalogue {
         new ExperimentCommand(console),
         new ApartmentCommand(console),
         new RadiosityCommand(console),
-        new BenchCommand(console),
+        new BenchCommand(console, Main.class.getName()),
         new SaiCommand(console, System.in));
   }
 

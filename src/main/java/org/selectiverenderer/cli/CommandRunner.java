@@ -3,6 +3,12 @@ package org.selectiverenderer.cli;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFailure;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -26,7 +32,7 @@ final class CommandRunner {
       console.out().flush();
       return ExitStatus.of(code);
     } catch (OutputFailure | Error e) { // Output can fail as late as in the flush.
-      return report(RootCommand.NAME, e);
+      return report(ProgramVersion.PROGRAM, e);
     }
   }
 
@@ -61,7 +67,7 @@ final class CommandRunner {
         && failure.getCommandLine().getCommand() instanceof RootCommand
         && !unmatched.isUnknownOption()) {
       List<String> near = unmatched.getSuggestions();
-      return "no command '"
+      return "unknown command '"
           + unmatched.getUnmatched().get(0)
           + "'"
           + (near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?");

@@ -9,6 +9,10 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFailure;
 
 /** Turns whatever ended a command into one line for the user and an exit status. */
 final class FailureReport {
@@ -69,7 +73,7 @@ final class FailureReport {
     } else if (failure instanceof AccessDeniedException) {
       return "permission denied: " + file;
     } else if (failure instanceof FileAlreadyExistsException) {
-      return "there is a file already: " + file;
+      return "the file exists already: " + file;
     } else if (failure instanceof NotDirectoryException) {
       return "not a folder: " + file;
     }

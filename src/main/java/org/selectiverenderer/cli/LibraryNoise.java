@@ -3,6 +3,8 @@ package org.selectiverenderer.cli;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.util.Arrays;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.output.Console;
 
 /**
  * Keeps what libraries print on standard error, JOGL's handled exceptions for instance, from users'
@@ -25,7 +27,7 @@ final class LibraryNoise {
     Thread.setDefaultUncaughtExceptionHandler(
         (thread, failure) ->
             err.println(
-                RootCommand.NAME
+                ProgramVersion.PROGRAM
                     + ": internal error in thread "
                     + thread.getName()
                     + ", please report it: "

@@ -5,6 +5,10 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.StandardOutput;
 import picocli.CommandLine.Help.Ansi;
 
 /** The program's entry: arguments to a command, and its end to an exit status. */
@@ -14,6 +18,9 @@ public final class Main {
   /** Runs one command and ends the process, whatever windows or threads are left. */
   public static void main(String[] args) {
     LibraryProperties.set();
+    // Programs read messages and reports too: no digits and decimal signs of the machine's
+    // language.
+    Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
     boolean colours = Ansi.AUTO.enabled();
     // UTF-8 whatever the platform's charset: what is written is read by other programs.
     PrintStream out =

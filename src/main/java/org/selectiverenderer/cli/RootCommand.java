@@ -1,32 +1,32 @@
 package org.selectiverenderer.cli;
 
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.output.CommandFailure;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
 /** The program itself: what all commands share, and what is printed without a command. */
 @Command(
-    name = RootCommand.NAME,
+    name = ProgramVersion.PROGRAM,
     scope = ScopeType.INHERIT,
     mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
+    versionProvider = ProgramVersion.class,
     sortOptions = false,
     usageHelpWidth = 100,
     synopsisSubcommandLabel = "COMMAND",
-    description = "Shows X3D scenes and renders them selectively, by memory schemata.",
+    description = "Shows X3D scenes and renders them selectively, by memory schemas.",
     descriptionHeading = "%n",
     optionListHeading = "%nOptions:%n",
     parameterListHeading = "%nParameters:%n",
     commandListHeading = "%nCommands:%n",
     footerHeading = "%nExample:%n",
-    footer = "  ./" + RootCommand.NAME + " run scenes/trashcan.x3d")
+    footer = "  ./" + ProgramVersion.PROGRAM + " run scenes/trashcan.x3d")
 final class RootCommand implements Runnable {
-  static final String NAME = "selective-renderer";
-
   @Option(
       names = "--debug",
       scope = ScopeType.INHERIT,
-      description = "Print the stack trace of a failure; also SELECTIVE_RENDERER_DEBUG=1.")
+      description = "Print the stack trace of a failure; SELECTIVE_RENDERER_DEBUG=1 does the same.")
   private boolean debug;
 
   /** Whether a failure shows its stack trace. */

@@ -8,12 +8,16 @@ import java.util.Map;
  * stamps of the browser in seconds.
  */
 public sealed interface ControlEvent {
+  /** When it happened. */
+  double time();
+
   /**
    * A scene is under control.
    *
+   * @param time 0 where the browser has not told a time yet
    * @param switches the choice of each enriched Switch by name, in the order of the scene
    */
-  record Start(Map<String, Integer> switches) implements ControlEvent {}
+  record Start(double time, Map<String, Integer> switches) implements ControlEvent {}
 
   /**
    * The viewer entered an area.

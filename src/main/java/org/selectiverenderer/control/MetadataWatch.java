@@ -43,7 +43,7 @@ final class MetadataWatch {
 
   /** Ends the watch. */
   void close() {
-    watched.forEach(field -> Release.remove(field, onChange));
+    watched.forEach(field -> FieldRelease.remove(field, onChange));
     watched = List.of();
   }
 

@@ -53,7 +53,7 @@ final class NodeNames {
     }
     String name = names.get(node);
     if (name == null) {
-      throw new IllegalArgumentException("no name was asked for " + node.getNodeName());
+      throw new IllegalArgumentException("no name was requested for " + node.getNodeName());
     }
     return name;
   }

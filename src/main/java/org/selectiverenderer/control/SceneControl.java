@@ -19,14 +19,14 @@ import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
 import org.web3d.x3d.sai.grouping.Switch;
 
 /** Control over one scene, from its beginning to its end. */
-final class SceneControl implements Area.Listener {
+final class SceneControl implements ControlledArea.Listener {
   private final Settings settings;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
   private final NodeNames names;
-  private final SceneWalk walk;
-  private final Activation<Area, VersionedObject> activation = new Activation<>();
-  private final Map<X3DNode, Area> areas = new LinkedHashMap<>();
+  private final SceneWatch walk;
+  private final Activation<ControlledArea, VersionedObject> activation = new Activation<>();
+  private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private boolean started;
   private double now;
@@ -41,7 +41,7 @@ final class SceneControl implements Area.Listener {
     this.problems = problems;
     this.names = new NodeNames(scene);
     this.walk =
-        new SceneWalk(
+        new SceneWatch(
             scene, n -> n instanceof Switch || n instanceof ProximitySensor, this::changed);
   }
 
@@ -52,7 +52,7 @@ final class SceneControl implements Area.Listener {
     started = true;
     problems().forEach(problems);
     UnmatchedSchemas.of(areas.values(), objects.values()).forEach(problems);
-    events.accept(new ControlEvent.Start(choices()));
+    events.accept(new ControlEvent.Start(now, choices()));
     areas.values().forEach(this::enterIfInside);
   }
 
@@ -64,7 +64,7 @@ final class SceneControl implements Area.Listener {
   /** Leaves the scene without a listener. */
   void close() {
     walk.close();
-    areas.values().forEach(Area::close);
+    areas.values().forEach(ControlledArea::close);
     objects.values().forEach(VersionedObject::close);
   }
 
@@ -76,7 +76,7 @@ final class SceneControl implements Area.Listener {
   }
 
   List<String> enteredAreas() {
-    return activation.enteredAreas().stream().map(Area::name).toList();
+    return activation.enteredAreas().stream().map(ControlledArea::name).toList();
   }
 
   List<String> activeSchemas() {
@@ -94,7 +94,7 @@ final class SceneControl implements Area.Listener {
   }
 
   @Override
-  public void entered(Area area, double time) {
+  public void entered(ControlledArea area, double time) {
     now = time;
     if (area.schemas().isPresent()) {
       events.accept(new ControlEvent.Enter(time, area.name(), area.schemas().get().enter()));
@@ -103,7 +103,7 @@ final class SceneControl implements Area.Listener {
   }
 
   @Override
-  public void left(Area area, double time) {
+  public void left(ControlledArea area, double time) {
     now = time;
     if (area.schemas().isPresent()) {
       events.accept(new ControlEvent.Exit(time, area.name(), area.schemas().get().exit()));
@@ -112,7 +112,7 @@ final class SceneControl implements Area.Listener {
   }
 
   @Override
-  public void metadataChanged(Area area, double time) {
+  public void metadataChanged(ControlledArea area, double time) {
     now = time;
     boolean known = area.schemas().isPresent();
     List<ControlProblem> before = area.problems();
@@ -153,11 +153,11 @@ final class SceneControl implements Area.Listener {
   private void changed(List<X3DNode> found, List<X3DNode> lost, double time) {
     now = time;
     names.add(found);
-    List<Area> foundAreas = new ArrayList<>();
+    List<ControlledArea> foundAreas = new ArrayList<>();
     List<VersionedObject> foundObjects = new ArrayList<>();
     for (X3DNode node : found) {
       if (node instanceof ProximitySensor sensor) {
-        Area area = new Area(sensor, () -> names.of(node), this);
+        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), this);
         areas.put(node, area);
         area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
         foundAreas.add(area);
@@ -184,7 +184,7 @@ final class SceneControl implements Area.Listener {
       object.close();
       activation.removeSwitch(object);
     }
-    Area area = areas.remove(node);
+    ControlledArea area = areas.remove(node);
     if (area != null) {
       area.close();
       apply(activation.removeArea(area));
@@ -193,7 +193,7 @@ final class SceneControl implements Area.Listener {
   }
 
   /** A sensor that came under control while the viewer was in its box sends no entry any more. */
-  private void enterIfInside(Area area) {
+  private void enterIfInside(ControlledArea area) {
     if (area.active()) {
       entered(area, Math.max(now, area.lastEntry()));
     }
@@ -216,7 +216,7 @@ final class SceneControl implements Area.Listener {
 
   private Set<String> activatedSchemas() {
     Set<String> activated = new HashSet<>();
-    for (Area area : areas.values()) {
+    for (ControlledArea area : areas.values()) {
       area.schemas()
           .ifPresent(
               schemas -> {

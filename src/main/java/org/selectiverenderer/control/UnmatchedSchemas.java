@@ -18,9 +18,10 @@ final class UnmatchedSchemas {
   private UnmatchedSchemas() {}
 
   /** One problem for each such schema, at the first node that names it. */
-  static List<ControlProblem> of(Collection<Area> areas, Collection<VersionedObject> objects) {
+  static List<ControlProblem> of(
+      Collection<ControlledArea> areas, Collection<VersionedObject> objects) {
     SchemaUse<Namer> use = new SchemaUse<>();
-    for (Area area : areas) {
+    for (ControlledArea area : areas) {
       Namer namer = new Namer(area.name(), area.sensor());
       area.schemas().ifPresent(schemas -> use.area(namer, schemas));
     }

@@ -149,8 +149,8 @@ final class VersionedObject {
 
   /** Leaves the Switch without a listener. */
   void close() {
-    Release.remove(children, onChildren);
-    Release.remove(whichChoice, onChoice);
+    FieldRelease.remove(children, onChildren);
+    FieldRelease.remove(whichChoice, onChoice);
     watch.close();
   }
 }

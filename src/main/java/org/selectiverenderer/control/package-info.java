@@ -2,11 +2,16 @@
  * The selective rendering controller (thesis 4.3, Figs 48 and 49): which version of each object is
  * shown, as the viewer enters and leaves areas.
  *
- * <p>In: a browser seen through {@code org.web3d.x3d.sai} only, so that the controller runs
- * unchanged on Xj3D; of package {@code schema} the metadata vocabulary and {@link
- * org.selectiverenderer.schema.Activation}, the algorithm without a browser. Out: {@code
- * whichChoice} of Switch nodes, and {@link org.selectiverenderer.control.ControlEvent}s. May use
- * {@code schema} and {@code org.web3d.x3d.sai}; loads no AWT and no GL.
+ * <p>It sees a browser through {@code org.web3d.x3d.sai} only, so that it runs unchanged on Xj3D,
+ * the browser of the thesis. The standard's {@code BrowserFactory} picks the browser; ours is the
+ * default. The build puts the interfaces into a jar of their own, so that another browser's copy
+ * can take their place on the class path.
+ *
+ * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, and {@link
+ * org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary of the
+ * metadata and {@link org.selectiverenderer.schema.Activation}, the algorithm without a browser: an
+ * index from schemas to Switches, so that activation costs what it changes. Uses {@code schema} and
+ * {@code org.web3d.x3d.sai} only; loads no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.control;

@@ -1,6 +1,7 @@
 package org.selectiverenderer.document;
 
 import java.util.List;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /** Hears of changes of a document, on the thread that makes them, after they are made. */
 public interface DocumentListener {

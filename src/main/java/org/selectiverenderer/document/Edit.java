@@ -3,6 +3,7 @@ package org.selectiverenderer.document;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /**
  * A named change of a document, one step to undo.
@@ -21,11 +22,6 @@ public record Edit(String name, List<TextChange> changes) {
       }
     }
     changes = List.copyOf(sorted);
-  }
-
-  /** Several edits of different elements as one. */
-  public static Edit all(String name, List<Edit> edits) {
-    return new Edit(name, edits.stream().flatMap(edit -> edit.changes().stream()).toList());
   }
 
   /** Whether nothing would change. */

@@ -1,17 +1,19 @@
 package org.selectiverenderer.document;
 
 import java.util.List;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.StartTag;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.write.XmlAttribute;
 
 /** Lays out what is added to a document as its author does: indentation, ends of lines, quotes. */
 public final class Layout {
   private static final int LOOKED_AT = 4096;
 
-  private final SceneDocument document;
   private final CharSequence text;
 
-  Layout(SceneDocument document) {
-    this.document = document;
-    this.text = document.text();
+  Layout(CharSequence text) {
+    this.text = text;
   }
 
   /** Whether nothing but white space stands before an element on its line. */
@@ -142,7 +144,7 @@ public final class Layout {
     boolean laid = onItsOwnLine(into);
     String body = laid ? inner + String.join(inner, lines) : String.join("", stripped(lines));
     if (!into.open()) {
-      int tagStart = document.tag(into).end();
+      int tagStart = into.tag().end();
       String close = (laid ? outer : "") + "</" + written(into);
       // The last ">" stays, so that the change is within the element, which stays the same then.
       return new TextChange(tagStart, into.end() - 1, ">" + body + close);
@@ -198,21 +200,21 @@ public final class Layout {
 
   /** Gives an attribute another value, or the element the attribute. */
   public TextChange attribute(DocumentElement element, String name, String value) {
-    StartTag tag = document.tag(element);
+    StartTag tag = element.tag();
     return tag.attribute(name)
         .map(
             old ->
                 new TextChange(
                     old.valueFrom(),
                     old.valueTo(),
-                    XmlValues.written(value, text.charAt(old.valueTo()))))
+                    XmlAttribute.escaped(value, text.charAt(old.valueTo()))))
         .orElseGet(() -> TextChange.insert(tag.end(), written(name, value, quote(element))));
   }
 
   /** An attribute as it is written, with the space before it. */
   public static String written(String name, String value, char quote) {
     char used = value.indexOf(quote) >= 0 && value.indexOf(other(quote)) < 0 ? other(quote) : quote;
-    return " " + name + "=" + used + XmlValues.written(value, used) + used;
+    return " " + name + "=" + used + XmlAttribute.escaped(value, used) + used;
   }
 
   private static char other(char quote) {

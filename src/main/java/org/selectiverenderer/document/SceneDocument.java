@@ -6,11 +6,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.ElementScanner;
-import org.selectiverenderer.x3d.EncodedText;
-import org.selectiverenderer.x3d.Gzip;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.XmlFault;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.ElementSource;
+import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.EncodedText;
+import org.selectiverenderer.x3d.source.Gzip;
+import org.selectiverenderer.x3d.source.StartTag;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.WrittenAttribute;
+import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
  * A scene open for editing. Whatever its bytes are, an unchanged document gives them back; a
@@ -26,10 +33,11 @@ public final class SceneDocument {
   private final boolean compressed;
   private final byte @Nullable [] original;
   private final TextBuffer buffer;
+  private final ElementSource source = new Live();
   private final UndoHistory history = new UndoHistory(this::apply);
   private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
   private @Nullable ElementTree tree;
-  private @Nullable Fault fault;
+  private @Nullable DocumentFault fault;
   private long revision;
 
   /** The latest snapshot, which all who ask for one share as long as one of them has it. */
@@ -42,10 +50,8 @@ public final class SceneDocument {
     // Bytes that are made again from the characters need not be kept.
     this.original = compressed || !encoding.exact() ? bytes : null;
     this.buffer = new TextBuffer(encoding.characters());
-    ElementBuilder builder = new ElementBuilder(0, revision);
     try {
-      encoding.scan(builder);
-      tree = new ElementTree(builder.root());
+      tree = encoding.elements(source);
     } catch (XmlFault e) {
       readAnew(); // as after an edit, so that the fault has the same place then
     }
@@ -98,7 +104,7 @@ public final class SceneDocument {
   }
 
   /** Where the text is not well formed; empty when it is. */
-  public Optional<Fault> fault() {
+  public Optional<DocumentFault> fault() {
     return Optional.ofNullable(fault);
   }
 
@@ -110,17 +116,18 @@ public final class SceneDocument {
             encoding
                     .complaint()
                     .orElse("its " + encoding.encoding() + " cannot be written again as it is")
-                + "; it can be looked at but not changed. Save it as UTF-8 with a text editor first");
+                + "; it can be viewed but not changed. Save it as UTF-8 with a text "
+                + "editor first");
   }
 
   /** The attributes of an element. */
   public StartTag tag(DocumentElement element) {
-    return StartTag.of(element, buffer.characters());
+    return element.tag();
   }
 
   /** An attribute's value, references replaced; empty when it is not given. */
   public Optional<String> attribute(DocumentElement element, String attribute) {
-    return tag(element).attribute(attribute).map(Attribute::value);
+    return tag(element).attribute(attribute).map(WrittenAttribute::value);
   }
 
   /** The place of a character. */
@@ -143,7 +150,7 @@ public final class SceneDocument {
 
   /** How to lay out what is added here, after the hand of the author. */
   public Layout layout() {
-    return new Layout(this);
+    return new Layout(buffer.characters());
   }
 
   /**
@@ -184,11 +191,6 @@ public final class SceneDocument {
     return history.modified();
   }
 
-  /** The text is in the file now. */
-  public void markSaved() {
-    history.markSaved();
-  }
-
   /**
    * The text as it was then is in the file now. After changes meanwhile all is unsaved, whatever is
    * undone.
@@ -211,24 +213,15 @@ public final class SceneDocument {
     Snapshot now = latest.get();
     if (now == null || now.revision() != revision) {
       String text = buffer.characters().toString();
-      byte[] unchanged = revision == 0 ? original : null;
-      now =
-          new Snapshot(
-              name, revision, text, () -> unchanged != null ? unchanged.clone() : encoded(text));
+      now = new Snapshot(name, revision, text, locked(), this::encoded);
       latest = new WeakReference<>(now);
     }
     return now;
   }
 
-  /** The bytes that saving writes: those of the file when nothing has changed. */
-  public byte[] bytes() {
-    return snapshot().bytes();
-  }
-
   private byte[] encoded(String text) {
-    boolean same = original != null && text.equals(encoding.characters());
-    if (same) {
-      return original.clone(); // undone to the start
+    if (original != null && text.equals(encoding.characters())) {
+      return original.clone(); // nothing has changed, or all is undone
     }
     byte[] plain = encoding.bytes(text);
     return compressed ? Gzip.packed(plain) : plain;
@@ -242,10 +235,35 @@ public final class SceneDocument {
     listeners.remove(listener);
   }
 
+  /** The text as it is now. */
+  private final class Live implements ElementSource {
+    private final FieldParser parser = new FieldParser();
+
+    @Override
+    public String file() {
+      return name;
+    }
+
+    @Override
+    public CharSequence characters() {
+      return buffer.characters();
+    }
+
+    @Override
+    public Location location(int offset) {
+      return SceneDocument.this.location(offset);
+    }
+
+    @Override
+    public FieldParser parser() {
+      return parser;
+    }
+  }
+
   private List<TextChange> apply(List<TextChange> changes) {
     List<TextChange> inverse = buffer.apply(changes);
     revision++;
-    boolean followed = tree != null && tree.follow(changes, buffer.characters(), revision);
+    boolean followed = tree != null && tree.follow(changes, revision);
     if (!followed) {
       readAnew();
     }
@@ -255,17 +273,15 @@ public final class SceneDocument {
   }
 
   private void readAnew() {
-    ElementBuilder builder = new ElementBuilder(0, revision);
     if (tree != null) {
-      tree.root().detach();
+      tree.detach();
     }
     try {
-      ElementScanner.scan(buffer.characters(), builder);
-      tree = new ElementTree(builder.root());
+      tree = ElementTree.of(source, revision);
       fault = null;
     } catch (XmlFault e) {
       tree = null;
-      fault = new Fault(e.line(), e.column(), e.getMessage());
+      fault = e.fault();
     }
   }
 }

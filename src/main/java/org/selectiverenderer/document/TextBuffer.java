@@ -2,6 +2,8 @@ package org.selectiverenderer.document;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.x3d.source.LineIndex;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /** Characters that change, with the starts of their lines. */
 final class TextBuffer {
@@ -44,16 +46,10 @@ final class TextBuffer {
       for (int i = changes.size() - 1; i >= 0; i--) {
         TextChange change = changes.get(i);
         text.replace(change.from(), change.to(), change.text());
-        lines.changed(change, text);
+        lines.changed(change.from(), change.to(), change.text().length(), text);
       }
     } else {
-      StringBuilder changed = new StringBuilder(text.length() + Math.max(0, grown));
-      int at = 0;
-      for (TextChange change : changes) {
-        changed.append(text, at, change.from()).append(change.text());
-        at = change.to();
-      }
-      text = changed.append(text, at, text.length());
+      text = TextChange.applied(changes, text);
       lines.reset();
     }
     return inverse;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /** The steps that led to a document's text, and those that were undone. */
 public final class UndoHistory {
@@ -33,7 +34,7 @@ public final class UndoHistory {
     }
   }
 
-  /** Makes a change by hand, which joins the one before unless {@link #endTyping} came between. */
+  /** Makes a change by hand, which joins the one before when that was made by hand, too. */
   void type(String name, TextChange change) {
     List<TextChange> inverse = text.apply(List.of(change));
     if (typing && saved != done.size() && undone.isEmpty()) {
@@ -53,11 +54,6 @@ public final class UndoHistory {
     }
     undone.clear();
     done.add(new Step(name, undo));
-  }
-
-  /** Lets the next change by hand be a step of its own. */
-  public void endTyping() {
-    typing = false;
   }
 
   /** The name of the step that undo takes back. */

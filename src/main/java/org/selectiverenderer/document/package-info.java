@@ -2,19 +2,35 @@
  * A scene's file as its author's text, open for editing: lossless, every edit a named step that can
  * be undone, the elements and their places known after each.
  *
- * <p>The text is the truth. An edit is a few replacements of characters; the tree of elements
- * follows by reading again only what the replacements touch, so that an edit of a 30 MB scene takes
- * a few milliseconds. Elements that were not touched stay the same objects. A text that is not well
+ * <p>The text is the truth, never a running scene: what an edit leaves alone keeps every byte.
+ * {@link org.selectiverenderer.x3d.source.EncodedText} turns the characters into the file's bytes
+ * again, with encoding and byte order mark, and knows when it cannot: such a document can be looked
+ * at but not changed. Attributes are read from the text when asked for. A text that is not well
  * formed has no tree and a fault with its place; nothing is guessed.
+ *
+ * <p>An edit is a few replacements of characters and a name; undoing it is its inverse. The tree of
+ * elements follows: for each replacement the smallest element around it is found, and of that only
+ * what lies between its last child before and its first child behind is parsed again; the offsets
+ * of all later elements are shifted. So elements that were not touched stay the same objects (a
+ * selection survives), and an edit costs one pass over the elements behind it: a scene of 30 MB
+ * opens in less than a second on 4 cores, and an edit of it takes some 10 milliseconds. Where a
+ * part does not parse, all of the text is read again and tells where the fault is. {@code
+ * RandomEditsTest} holds the tree against a fresh one after thousands of random edits.
+ *
+ * <p>The library domtrip-core was the alternative: it keeps files byte for byte too, but knows no
+ * positions in the text, which source view and messages need, has no undo, and writes all of the
+ * file to show one change.
  *
  * <p>A document belongs to one thread at a time. Snapshots of it are values.
  *
  * <p>Within: {@code enrichment} (the vocabulary of the thesis in a document), {@code ratings}
  * (expectancy ratings to metadata), {@code versions} (the polygon count process as an edit), {@code
- * file} (saving, recovery, differences).
+ * file} (saving, recovery, differences), {@code headless} (the edits of the enricher, told by
+ * tables).
  *
- * <p>In: bytes of a file, edits. Out: text, elements, bytes. Uses {@code x3d}; the packages within
- * also {@code schema} and {@code polygon}. No AWT, no GL, no running scene.
+ * <p>In: bytes of a file, edits. Out: text, elements, bytes. Uses {@code x3d} and {@code
+ * base.problem}; the packages within also {@code schema}, {@code polygon} and the rest of {@code
+ * base}. No AWT, no GL, no running scene.
  */
 @NullMarked
 package org.selectiverenderer.document;

@@ -6,10 +6,10 @@ import java.util.Locale;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.render.DepthRange;
-import org.selectiverenderer.runtime.render.EyeView;
-import org.selectiverenderer.runtime.render.ViewLayout;
-import org.selectiverenderer.runtime.render.sketch.Mark;
+import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.camera.EyeView;
+import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
  * A picture for each eye to check a display by ({@code run --hmd-check}), instead of the world:
@@ -26,7 +26,7 @@ import org.selectiverenderer.runtime.render.sketch.Mark;
  *
  * @param layout of the two views
  */
-public record CheckPattern(StereoLayout layout) implements ViewLayout {
+record CheckPattern(StereoLayout layout) implements ViewLayout {
   private static final int FRAME = 0xffffffff;
   private static final int FINE = 0xff2f6f3f;
   private static final int COARSE = 0xff55c878;

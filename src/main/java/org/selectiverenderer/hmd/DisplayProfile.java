@@ -64,10 +64,12 @@ public record DisplayProfile(
    */
   public DisplayProfile {
     if (width < 1 || height < 1 || leftScreen < 0 || rightScreen < 0) {
-      throw new IllegalArgumentException("a display has pixels, its screens count from 0");
+      throw new IllegalArgumentException(
+          "a display needs pixels, and its screens are counted from 0");
     }
     if (!(overlap > 0 && overlap <= 1) || !(imageDistance > 0)) {
-      throw new IllegalArgumentException("overlap is above 0 to 1, the image is before the eyes");
+      throw new IllegalArgumentException(
+          "the overlap must be above 0 and at most 1, and the image in front of the eyes");
     }
     leftOffset = new Vector3d(leftOffset);
     rightOffset = new Vector3d(rightOffset);

@@ -1,23 +1,17 @@
 package org.selectiverenderer.hmd;
 
-import com.fasterxml.jackson.core.JsonLocation;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 import org.joml.Vector3d;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonSettings;
+import org.selectiverenderer.base.json.JsonValue;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * Finds a display profile by the name of a built-in one or in a JSON file:
@@ -31,32 +25,16 @@ import org.selectiverenderer.x3d.Problems;
  *  "screens": {"left": 0, "right": 1}}
  * }</pre>
  *
- * Width, height and field of view are required.
+ * Width, height and field of view are required. The file is read as {@link
+ * org.selectiverenderer.base.json} says.
  */
 public final class DisplayProfiles {
-  private static final Set<String> KEYS =
-      Set.of(
-          "name",
-          "width",
-          "height",
-          "field_of_view",
-          "overlap",
-          "image_distance",
-          "eye_offsets_mm",
-          "screens");
+  private static final JsonSettings JSON =
+      new JsonSettings("a display profile", "the display profile is not used");
 
-  private static final Set<String> ANGLES =
-      new TreeSet<>(Set.of("diagonal", "horizontal", "vertical"));
-  private static final Set<String> EYES = new TreeSet<>(Set.of("left", "right"));
+  private static final List<String> AXES = List.of("right", "up", "back");
 
-  private final String file;
-  private final Problems problems;
-  private boolean faulty;
-
-  private DisplayProfiles(String file, Problems problems) {
-    this.file = file;
-    this.problems = problems;
-  }
+  private DisplayProfiles() {}
 
   /** A built-in one: {@code proview50}, {@code proview30} or {@code desk}. */
   public static Optional<DisplayProfile> builtIn(String name) {
@@ -73,7 +51,7 @@ public final class DisplayProfiles {
    * Reads a file.
    *
    * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if the file cannot be read at all
+   * @throws IOException if the file cannot be read at all, or is no UTF-8
    */
   public static Optional<DisplayProfile> read(Path path, Problems problems) throws IOException {
     return parse(path.toString(), Files.readString(path, StandardCharsets.UTF_8), problems);
@@ -84,156 +62,87 @@ public final class DisplayProfiles {
    *
    * @param file its name, for messages
    */
-  public static Optional<DisplayProfile> parse(String file, String text, Problems problems) {
-    return new DisplayProfiles(file, problems).parse(text);
+  static Optional<DisplayProfile> parse(String file, String text, Problems problems) {
+    return JSON.parse(file, text, problems, DisplayProfiles::profile);
   }
 
-  private Optional<DisplayProfile> parse(String text) {
-    try {
-      JsonNode root =
-          new ObjectMapper().enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION).readTree(text);
-      if (!root.isObject()) {
-        fault("a display profile is a JSON object");
-        return Optional.empty();
-      }
-      DisplayProfile profile = profile(root);
-      return faulty ? Optional.empty() : Optional.of(profile);
-    } catch (JsonProcessingException e) {
-      JsonLocation at = e.getLocation();
-      problems.error(
-          at == null
-              ? Location.of(file)
-              : new Location(file, Math.max(1, at.getLineNr()), Math.max(1, at.getColumnNr())),
-          "the display profile is no JSON: " + e.getOriginalMessage());
-      return Optional.empty();
+  private static DisplayProfile profile(JsonMembers display) {
+    int width = (int) display.whole("width", 1, 16384, Double.NaN);
+    int height = (int) display.whole("height", 1, 16384, Double.NaN);
+    Optional<FieldOfView> field =
+        display.object("field_of_view", "\"field_of_view\"", part -> field(part, width, height));
+    if (field.isEmpty()) {
+      angles(display);
     }
+    List<Vector3d> offsets =
+        display
+            .object(
+                "eye_offsets_mm",
+                "\"eye_offsets_mm\"",
+                eyes -> List.of(offset(eyes, "left"), offset(eyes, "right")))
+            .orElse(List.of(new Vector3d(), new Vector3d()));
+    List<Integer> screens =
+        display
+            .object(
+                "screens",
+                "\"screens\"",
+                eyes ->
+                    List.of(
+                        (int) eyes.whole("left", 0, 15, 0), (int) eyes.whole("right", 0, 15, 1)))
+            .orElse(List.of(0, 1));
+    return new DisplayProfile(
+        display.text("name", false).orElse("own display"),
+        width,
+        height,
+        field.orElse(DisplayProfile.DESK.fieldOfView()),
+        display.number("overlap", 1, 100, 100) / 100,
+        display.number("image_distance", 0.05, 1e6, Double.POSITIVE_INFINITY),
+        offsets.get(0),
+        offsets.get(1),
+        screens.get(0),
+        screens.get(1));
   }
 
-  private DisplayProfile profile(JsonNode root) {
-    known(root, KEYS, "a display profile");
-    int width = whole(root, "width", 1, 16384, -1);
-    int height = whole(root, "height", 1, 16384, -1);
-    JsonNode offsets = part(root, "eye_offsets_mm", EYES);
-    JsonNode screens = part(root, "screens", EYES);
-    FieldOfView field = field(part(root, "field_of_view", ANGLES), width, height);
-    double overlap = number(root, "overlap", 1, 100, 100) / 100;
-    double distance = number(root, "image_distance", 0.05, 1e6, Double.POSITIVE_INFINITY);
-    Vector3d left = offset(offsets, "left");
-    Vector3d right = offset(offsets, "right");
-    int leftScreen = whole(screens, "left", 0, 15, 0);
-    int rightScreen = whole(screens, "right", 0, 15, 1);
-    return faulty
-        ? DisplayProfile.DESK
-        : new DisplayProfile(
-            root.path("name").asText("own display"),
-            width,
-            height,
-            field,
-            overlap,
-            distance,
-            left,
-            right,
-            leftScreen,
-            rightScreen);
-  }
-
-  private FieldOfView field(JsonNode field, int width, int height) {
+  private static FieldOfView field(JsonMembers field, int width, int height) {
     boolean diagonal = field.has("diagonal");
-    if (diagonal
-        ? field.has("horizontal") || field.has("vertical")
-        : !(field.has("horizontal") && field.has("vertical"))) {
-      fault("\"field_of_view\" needs \"diagonal\", or \"horizontal\" and \"vertical\", in degrees");
+    boolean horizontal = field.has("horizontal");
+    boolean vertical = field.has("vertical");
+    if (diagonal ? horizontal || vertical : !(horizontal && vertical)) {
+      angles(field);
       return DisplayProfile.DESK.fieldOfView();
     }
-    if (diagonal) {
-      double degrees = number(field, "diagonal", 1, FieldOfView.WIDEST, Double.NaN);
-      return faulty
-          ? DisplayProfile.DESK.fieldOfView()
-          : FieldOfView.diagonal(degrees, width, height);
-    }
-    double horizontal = number(field, "horizontal", 1, FieldOfView.WIDEST, Double.NaN);
-    double vertical = number(field, "vertical", 1, FieldOfView.WIDEST, Double.NaN);
-    return faulty ? DisplayProfile.DESK.fieldOfView() : FieldOfView.angles(horizontal, vertical);
+    return diagonal
+        ? FieldOfView.diagonal(angle(field, "diagonal"), width, height)
+        : FieldOfView.angles(angle(field, "horizontal"), angle(field, "vertical"));
   }
 
-  /** A part that is an object of its own; an empty one where it is missing. */
-  private JsonNode part(JsonNode root, String key, Set<String> keys) {
-    JsonNode part = root.path(key);
-    if (part.isMissingNode()) {
-      return part;
-    }
-    if (!part.isObject()) {
-      fault("\"" + key + "\" is to be an object with " + String.join(", ", keys));
-    }
-    known(part, keys, "\"" + key + "\"");
-    return part;
+  private static void angles(JsonMembers at) {
+    at.fault(
+        "\"field_of_view\" needs \"diagonal\", or \"horizontal\" and \"vertical\", in degrees");
   }
 
-  /** Mentions keys that nobody reads. */
-  private void known(JsonNode node, Set<String> keys, String whose) {
-    for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
-      String name = names.next();
-      if (!keys.contains(name)) {
-        problems.warning(Location.of(file), whose + " has no \"" + name + "\"; it is passed over");
-      }
-    }
+  private static double angle(JsonMembers field, String key) {
+    return field.number(key, 1, FieldOfView.WIDEST, Double.NaN);
   }
 
-  /** A whole number in a range; the default where it is missing, a fault where that is below 0. */
-  private int whole(JsonNode node, String key, int least, int most, int otherwise) {
-    double number = number(node, key, least, most, otherwise < 0 ? Double.NaN : otherwise);
-    if (number != Math.rint(number)) {
-      fault("\"" + key + "\" is to be a whole number, not " + node.path(key).asText());
-    }
-    return Double.isNaN(number) ? least : (int) number;
-  }
-
-  /** A number in a range; the default where it is missing, a fault where that is NaN. */
-  private double number(JsonNode node, String key, double least, double most, double otherwise) {
-    JsonNode value = node.path(key);
-    if (value.isMissingNode() || value.isNull()) {
-      if (Double.isNaN(otherwise)) {
-        fault("\"" + key + "\" is missing");
-      }
-      return otherwise;
-    }
-    double number = value.asDouble(Double.NaN);
-    if (!value.isNumber() || !(number >= least && number <= most)) {
-      fault(
-          String.format(
-              Locale.ROOT,
-              "\"%s\" is to be a number from %s to %s",
-              key,
-              (float) least,
-              (float) most));
-      return least;
-    }
-    return number;
-  }
-
-  private Vector3d offset(JsonNode offsets, String eye) {
-    JsonNode three = offsets.path(eye);
-    if (three.isMissingNode()) {
+  /** Metres; the file has millimetres. */
+  private static Vector3d offset(JsonMembers eyes, String eye) {
+    if (!eyes.has(eye)) {
       return new Vector3d();
     }
-    List<String> axes = List.of("right", "up", "back");
+    List<JsonValue> three = eyes.list(eye, false);
     Vector3d offset = new Vector3d();
-    for (int axis = 0; axis < 3; axis++) {
-      JsonNode value = three.path(axis);
-      double millimetres = value.isNumber() ? value.asDouble() : Double.NaN;
-      if (three.size() != 3 || !(Math.abs(millimetres) <= 500)) {
-        fault(
-            "\"eye_offsets_mm\" of the %s eye are to be three numbers (%s) up to 500"
-                .formatted(eye, String.join(", ", axes)));
+    for (int axis = 0; axis < AXES.size(); axis++) {
+      double millimetres = three.size() == AXES.size() ? three.get(axis).number() : Double.NaN;
+      if (!(Math.abs(millimetres) <= 500)) {
+        eyes.fault(
+            eye,
+            "\"eye_offsets_mm\" of the %s eye must be three numbers (%s) up to 500"
+                .formatted(eye, String.join(", ", AXES)));
         return new Vector3d();
       }
       offset.setComponent(axis, millimetres / 1000);
     }
     return offset;
-  }
-
-  private void fault(String message) {
-    faulty = true;
-    problems.error(Location.of(file), message + "; the display profile is not used");
   }
 }

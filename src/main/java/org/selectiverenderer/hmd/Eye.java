@@ -1,7 +1,7 @@
 package org.selectiverenderer.hmd;
 
 /** One of the two. */
-public enum Eye {
+enum Eye {
   LEFT(-1),
   RIGHT(1);
 

@@ -23,7 +23,7 @@ public record EyeGeometry(DisplayProfile profile, double interpupillaryDistance)
 
   public EyeGeometry {
     if (!(interpupillaryDistance >= 0 && interpupillaryDistance < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("the eyes are some distance apart");
+      throw new IllegalArgumentException("the distance of the eyes must be above 0");
     }
   }
 

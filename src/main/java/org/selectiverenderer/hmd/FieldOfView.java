@@ -13,7 +13,7 @@ public record FieldOfView(double x, double y) {
 
   public FieldOfView {
     if (!(x > 0) || !(y > 0) || x == Double.POSITIVE_INFINITY || y == Double.POSITIVE_INFINITY) {
-      throw new IllegalArgumentException("a field of view has an extent");
+      throw new IllegalArgumentException("a field of view must be larger than 0");
     }
   }
 
@@ -34,7 +34,7 @@ public record FieldOfView(double x, double y) {
 
   private static double tangent(double degrees) {
     if (!(degrees > 0 && degrees <= WIDEST)) {
-      throw new IllegalArgumentException("an angle of view is above 0 and at most " + WIDEST);
+      throw new IllegalArgumentException("an angle of view must be above 0 and at most " + WIDEST);
     }
     return Math.tan(Math.toRadians(degrees) / 2);
   }

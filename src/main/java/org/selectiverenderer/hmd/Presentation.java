@@ -1,7 +1,7 @@
 package org.selectiverenderer.hmd;
 
 import java.util.Locale;
-import org.selectiverenderer.runtime.render.ViewLayout;
+import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
  * How a world is shown: on one screen, or to two eyes through a display.
@@ -86,7 +86,8 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
           case DUAL ->
               "the left eye's on monitor %d, the right eye's on monitor %d"
                   .formatted(profile.leftScreen(), profile.rightScreen());
-          case ANAGLYPH -> "one over the other, the left eye's in red, the right eye's in cyan";
+          case ANAGLYPH ->
+              "one on top of the other, the left eye's in red, the right eye's in cyan";
           default -> "in the left and right buffers";
         };
     return String.format(

@@ -5,12 +5,12 @@ import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.NavigationFrame;
-import org.selectiverenderer.runtime.render.Camera;
-import org.selectiverenderer.runtime.render.DepthRange;
-import org.selectiverenderer.runtime.render.EyeView;
-import org.selectiverenderer.runtime.render.EyeView.Channel;
-import org.selectiverenderer.runtime.render.ViewLayout;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.camera.EyeView;
+import org.selectiverenderer.runtime.camera.EyeView.Channel;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.viewer.NavigationFrame;
 
 /**
  * Both eyes' views of the world's viewer, arranged in a target. Each picture keeps the display's

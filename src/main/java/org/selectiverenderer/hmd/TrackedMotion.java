@@ -3,10 +3,10 @@ package org.selectiverenderer.hmd;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.Heading;
-import org.selectiverenderer.runtime.navigation.NavigationFrame;
-import org.selectiverenderer.runtime.navigation.Viewer;
-import org.selectiverenderer.runtime.navigation.ViewerMotion;
+import org.selectiverenderer.runtime.viewer.Heading;
+import org.selectiverenderer.runtime.viewer.NavigationFrame;
+import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 

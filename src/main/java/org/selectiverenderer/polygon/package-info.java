@@ -1,9 +1,11 @@
 /**
- * The polygon count process (thesis 4.2): models read, reduced, and put into a scene as versions.
+ * The polygon count process (thesis 4.2): models read and reduced, polygons counted; {@code
+ * document.versions} puts reduced models into a scene. A polygon is a triangle.
  *
- * <p>{@code simplify} makes meshes with fewer polygons, {@code model} reads and writes models,
- * {@code versions} puts a Switch of versions in an object's place. Uses {@code x3d} and LWJGL's
- * meshoptimizer and Assimp, no AWT and no GL. A polygon is a triangle.
+ * <p>Within: {@code simplify} makes meshes with fewer polygons, {@code model} reads and writes
+ * models, {@code statistics} counts what a scene has. They use {@code chart}, {@code schema},
+ * {@code geometry}, {@code x3d}, {@code base} and LWJGL's meshoptimizer and Assimp, no AWT and no
+ * GL.
  */
 @NullMarked
 package org.selectiverenderer.polygon;

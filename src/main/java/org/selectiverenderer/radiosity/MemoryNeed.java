@@ -35,7 +35,7 @@ final class MemoryNeed {
     if (bytes > SHARE * most) {
       throw new UnlitSceneException(
           "a maximum mesh size of %s m makes %.0f patches and up to %.0f polygons, which take about"
-                  .formatted(Settings.shortest(plan.maxMesh()), patches, facets)
+                  .formatted(RadiositySettings.shortest(plan.maxMesh()), patches, facets)
               + " %.0f MB of memory, more than Java's %d MB; raise --max-mesh, lower"
                   .formatted(bytes / (1 << 20), most >> 20)
               + " --max-polygons, or give Java more with SELECTIVE_RENDERER_JAVA_OPTS=-Xmx4g");

@@ -31,7 +31,7 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
   /**
    * @throws UnlitSceneException if a budget or the limit of polygons cannot be kept
    */
-  static MeshPlan of(LightScene scene, Settings settings) throws UnlitSceneException {
+  static MeshPlan of(LightScene scene, RadiositySettings settings) throws UnlitSceneException {
     double max = settings.maxMesh().orElse(MAX_SHARE * scene.extent());
     double min = Math.min(max, settings.minMesh().orElse(MIN_SHARE * max));
     List<Region> regions = new ArrayList<>();
@@ -45,7 +45,8 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
     return new MeshPlan(min, max, regions);
   }
 
-  private static void budget(LightScene scene, int number, Settings settings, List<Region> regions)
+  private static void budget(
+      LightScene scene, int number, RadiositySettings settings, List<Region> regions)
       throws UnlitSceneException {
     List<Integer> bodies = new ArrayList<>();
     int triangles = 0;
@@ -76,7 +77,8 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
     }
   }
 
-  private static void free(LightScene scene, Settings settings, double max, List<Region> regions)
+  private static void free(
+      LightScene scene, RadiositySettings settings, double max, List<Region> regions)
       throws UnlitSceneException {
     List<Integer> bodies = new ArrayList<>();
     long triangles = 0;
@@ -101,7 +103,7 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
     if (needed > settings.maxPolygons() && needed > 1.05 * triangles) {
       throw new UnlitSceneException(
           "a maximum mesh size of %s m takes about %.0f polygons, more than the %d allowed; raise"
-                  .formatted(Settings.shortest(max), needed, settings.maxPolygons())
+                  .formatted(RadiositySettings.shortest(max), needed, settings.maxPolygons())
               + " --max-mesh or --max-polygons");
     }
     int limit = (int) Math.min(settings.maxPolygons(), Math.max(2 * triangles, 4 * (long) needed));

@@ -15,14 +15,14 @@ import org.selectiverenderer.radiosity.mesh.Subdivision;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
-import org.selectiverenderer.radiosity.solve.Patches;
+import org.selectiverenderer.radiosity.solve.LightPatches;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.solve.Solver;
 import org.selectiverenderer.radiosity.solve.Transport;
-import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** Lights a scene: the whole way from triangles to light at vertices. */
-public final class Radiosity {
+final class Radiosity {
   /** Sides of patches, as a share of the maximum mesh size. */
   private static final double PATCH = 0.4;
 
@@ -49,10 +49,10 @@ public final class Radiosity {
   /** Errors in shares of white that are not worth dividing a facet. */
   private static final double EVEN_ENOUGH = 0.02;
 
-  private final Settings settings;
-  private final Progress progress;
+  private final RadiositySettings settings;
+  private final WorkProgress progress;
 
-  public Radiosity(Settings settings, Progress progress) {
+  public Radiosity(RadiositySettings settings, WorkProgress progress) {
     this.settings = settings;
     this.progress = progress;
   }
@@ -67,7 +67,7 @@ public final class Radiosity {
   public LitScene light(LightScene scene, Consumer<Solution> each) throws UnlitSceneException {
     MeshPlan plan = MeshPlan.of(scene, settings);
     MemoryNeed.check(scene, plan, PATCH * plan.maxMesh(), PATCH_RAYS);
-    Patches patches = new Patches(scene, PATCH * plan.maxMesh());
+    LightPatches patches = new LightPatches(scene, PATCH * plan.maxMesh());
     Transport transport =
         Transport.find(scene, patches, PATCH_RAYS, PATCH_LAMP_PLACES, settings.seed(), progress);
     Solution solution =
@@ -92,7 +92,7 @@ public final class Radiosity {
                 facets,
                 new VertexGatherer.Effort(
                     count, DIVIDED * count, LAMP_EVERY, settings.regather(), settings.seed()))
-            .gather(progress, Progress.Stage.GATHERING);
+            .gather(progress, WorkProgress.Stage.GATHERING);
     return new LitScene(scene, facets, light, solution, curve, rays + light.rays());
   }
 
@@ -120,9 +120,10 @@ public final class Radiosity {
     subdivision.toLight(fine, light.values(), region.exact() ? 0 : EVEN_ENOUGH);
     if (region.exact() && !subdivision.toNumber()) {
       throw new UnlitSceneException(
-          "the surfaces for which the scene asks %d polygons come to %d: all of them are closed, so"
+          ("the surfaces for which the scene asks %d polygons get %d: all of them are "
+                      + "closed, so")
                   .formatted(region.polygons(), subdivision.count())
-              + " their number is even");
+              + " their number must be even");
     }
     divided.putAll(subdivision.facets());
     return rough.rays() + light.rays();
@@ -150,7 +151,7 @@ public final class Radiosity {
                 facets,
                 new VertexGatherer.Effort(
                     ROUGH_RAYS, ROUGH_RAYS, ROUGH_LAMP_EVERY, true, settings.seed()))
-            .gather(progress, Progress.Stage.SUBDIVISION);
+            .gather(progress, WorkProgress.Stage.SUBDIVISION);
     return new Gathered(values(region.bodies(), facets, light, curve), light.rays());
   }
 

@@ -1,14 +1,17 @@
 package org.selectiverenderer.radiosity;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.polygon.versions.FileActions;
-import org.selectiverenderer.polygon.versions.FileTransaction;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.output.LitSceneWriter;
 import org.selectiverenderer.radiosity.preview.PreviewCamera;
@@ -17,16 +20,14 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.LightSceneReader;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.solve.EnergyBalance;
-import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
  * A scene file lit and written: all files or none.
@@ -37,7 +38,7 @@ import org.selectiverenderer.x3d.ReadLimits;
  * @param preview a PNG file that shows the first viewpoint after every iteration, or null
  */
 public record RadiosityJob(
-    Path scene, Path output, Path inlines, @Nullable Path preview, Settings settings) {
+    Path scene, Path output, Path inlines, @Nullable Path preview, RadiositySettings settings) {
   private static final String LIT = "-lit";
   private static final String UNLIT = "-unlit";
 
@@ -97,7 +98,7 @@ public record RadiosityJob(
    *     cancelled before the first iteration is complete
    */
   public Report run(
-      Problems problems, Progress progress, BiConsumer<EnergyBalance, Double> iterations)
+      Problems problems, WorkProgress progress, BiConsumer<EnergyBalance, Double> iterations)
       throws IOException, UnlitSceneException {
     try (SceneLoader loader =
         new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
@@ -106,11 +107,11 @@ public record RadiosityJob(
       if (tree.root().children().isEmpty() && hasError(problems)) {
         throw UnlitSceneException.unread();
       }
-      progress.at(Progress.Stage.READING, 0.5);
+      progress.at(WorkProgress.Stage.READING, 0.5);
       LightScene lightScene =
           new LightSceneReader(settings.photometric(), problems)
               .read(tree, loaded.scene().unitLength());
-      progress.at(Progress.Stage.READING, 1);
+      progress.at(WorkProgress.Stage.READING, 1);
       PreviewPicture picture =
           new PreviewPicture(lightScene, PreviewCamera.of(tree, loaded.scene().unitLength()));
       LitScene lit =
@@ -125,7 +126,7 @@ public record RadiosityJob(
       EnergyBalance balance = lit.solution().last();
       if (balance.escaped() * 100 > OPEN * balance.emitted()) {
         problems.info(
-            org.selectiverenderer.x3d.Location.of(scene.toString()),
+            org.selectiverenderer.base.problem.Location.of(scene.toString()),
             "the scene is open: %.0f percent of its light leaves it"
                 .formatted(100 * balance.escaped() / balance.emitted()));
       }
@@ -150,32 +151,32 @@ public record RadiosityJob(
   }
 
   private int write(
-      LoadedScene loaded, InstanceTree tree, LitScene lit, Problems problems, Progress progress)
+      LoadedScene loaded, InstanceTree tree, LitScene lit, Problems problems, WorkProgress progress)
       throws IOException {
-    progress.at(Progress.Stage.WRITING, 0);
+    progress.at(WorkProgress.Stage.WRITING, 0);
     Map<Path, String> texts =
         new LitSceneWriter(lit, output, inlines, problems)
             .write(
                 loaded.scene(),
                 tree,
                 "Lit by radiosity, from " + scene.getFileName() + "; light is in the colours");
-    progress.at(Progress.Stage.WRITING, 0.5);
-    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    progress.at(WorkProgress.Stage.WRITING, 0.5);
+    FileTransaction writing = new FileTransaction();
     texts.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
     writing.commit();
-    progress.at(Progress.Stage.WRITING, 1);
+    progress.at(WorkProgress.Stage.WRITING, 1);
     return texts.size();
   }
 
   /**
-   * A preview that cannot be written is no reason to lose the light: the file was checked before.
+   * Over the last one, in its place: it is looked at and thrown away, so the disk need not have it.
    */
   private void show(byte[] png) {
     if (preview != null) {
       try {
         Files.write(preview, png);
       } catch (IOException e) {
-        throw new java.io.UncheckedIOException(preview + ": " + e.getMessage(), e);
+        throw new UncheckedIOException(NotWritten.named(preview, e));
       }
     }
   }

@@ -7,13 +7,13 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.collide.MeshTrees;
+import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.TouchDispatch;
-import org.selectiverenderer.runtime.navigation.MeshBvhs;
-import org.selectiverenderer.runtime.navigation.RayCaster;
-import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
  * Takes the pointing device to the TouchSensors and Anchors of a scene. What it says between two
@@ -23,7 +23,7 @@ import org.selectiverenderer.runtime.scene.Cascade;
  */
 final class Pointing {
   private final InstanceTree instances;
-  private final MeshBvhs meshes;
+  private final MeshTrees meshes;
   private @Nullable RayCaster rays;
   private final Consumer<GroupInstance> activated;
   private final TouchDispatch touch = new TouchDispatch();
@@ -34,7 +34,7 @@ final class Pointing {
   /**
    * @param activated hears of an Anchor that the user clicked on
    */
-  Pointing(InstanceTree instances, MeshBvhs meshes, Consumer<GroupInstance> activated) {
+  Pointing(InstanceTree instances, MeshTrees meshes, Consumer<GroupInstance> activated) {
     this.instances = instances;
     this.activated = activated;
     this.meshes = meshes;

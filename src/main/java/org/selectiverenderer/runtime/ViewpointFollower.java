@@ -7,11 +7,11 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.navigation.NavigationFrame;
-import org.selectiverenderer.runtime.navigation.Viewer;
-import org.selectiverenderer.runtime.nodes.BindStacks;
-import org.selectiverenderer.runtime.nodes.ViewpointNode;
+import org.selectiverenderer.runtime.nodes.bind.BindStacks;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.NavigationFrame;
+import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
  * Ties the viewer to the bound Viewpoint (X3D 4.0, 23.3.1): binding one takes the viewer there

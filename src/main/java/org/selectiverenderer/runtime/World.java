@@ -8,24 +8,24 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
-import org.selectiverenderer.runtime.navigation.MeshBvhs;
-import org.selectiverenderer.runtime.navigation.Viewer;
-import org.selectiverenderer.runtime.navigation.ViewerMotion;
-import org.selectiverenderer.runtime.nodes.BindStacks;
-import org.selectiverenderer.runtime.nodes.FrameNode;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.bind.BindStacks;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
  * A running scene and its viewer, without window and GL. {@link #step} is one frame: tasks posted
@@ -55,7 +55,7 @@ public final class World {
   private ViewpointFollower follower;
   private LiveFiles files;
   private Pointing pointing;
-  private final MeshBvhs meshes = new MeshBvhs();
+  private final MeshTrees meshes = new MeshTrees();
   private List<FrameNode> frameNodes = List.of();
   private long frameNodesOf;
   private boolean cutOff;
@@ -88,7 +88,7 @@ public final class World {
     instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
-    Links links = new Links(scene, files, problems, linkTarget(live));
+    AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
     pointing = new Pointing(instances, meshes, links::follow);
     frameNodesOf = -1;
     cutOff = false;
@@ -101,13 +101,13 @@ public final class World {
       cutOff = true;
       problems.error(
           Location.of(scene.url()),
-          "the scene contains itself or multiplies beyond %s instances; the rest is left out"
+          "the scene contains itself or has more than %s instances; the rest is left out"
               .formatted(instances.maxInstances()));
     }
   }
 
-  private Links.Target linkTarget(LiveFiles from) {
-    return new Links.Target() {
+  private AnchorLinks.Target linkTarget(LiveFiles from) {
+    return new AnchorLinks.Target() {
       @Override
       public void bind(Node viewpoint) {
         bindables.bind(viewpoint, cascade);
@@ -140,7 +140,7 @@ public final class World {
   }
 
   /** What rays and collisions search the meshes by; made where it is needed, for all to share. */
-  public MeshBvhs meshes() {
+  public MeshTrees meshes() {
     return meshes;
   }
 
@@ -257,11 +257,6 @@ public final class World {
     stepListeners.add(listener);
   }
 
-  /** Whether time passes: while not, steps only run posted tasks. */
-  public boolean running() {
-    return running;
-  }
-
   public void running(boolean run) {
     running = run;
   }
@@ -339,7 +334,7 @@ public final class World {
   private List<FrameNode> frameNodes() {
     if (frameNodesOf != instances.structureVersion()) {
       frameNodesOf = instances.structureVersion();
-      SceneWalk walk = SceneWalk.of(scene, instances);
+      FrameNodes walk = FrameNodes.of(scene, instances);
       frameNodes = walk.frameNodes();
       files.watch(walk.inlines());
       pointing.touchable(walk.touchable());

@@ -9,9 +9,9 @@ import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.navigation.Viewer;
-import org.selectiverenderer.runtime.nodes.Frame;
+import org.selectiverenderer.runtime.nodes.sensor.Frame;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.Viewer;
 
 /** A frame as nodes see it. */
 final class WorldFrame implements Frame {

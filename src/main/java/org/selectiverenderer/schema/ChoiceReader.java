@@ -26,14 +26,14 @@ final class ChoiceReader {
             SchemaField.CONSISTENCY_TYPE,
             ConsistencyType::of,
             Kind.UNKNOWN_TYPE,
-            "consistent, inconsistent nor frame");
+            "consistent, inconsistent or frame");
     Optional<Degree> degree =
         single(
             words,
             SchemaField.DEGREE_OF_CONSISTENCY,
             Degree::of,
             Kind.UNKNOWN_DEGREE,
-            "low, high nor a number from 0 to 1");
+            "low, high or a number from 0 to 1");
     List<String> schemas = words.values(SchemaField.SCHEMA_BELONGINESS);
     boolean frame = type.filter(ConsistencyType.FRAME::equals).isPresent();
     if (schemas.isEmpty() && !frame) {
@@ -58,7 +58,7 @@ final class ChoiceReader {
       problems.accept(
           new SchemaProblem(
               Kind.SEVERAL_VALUES,
-              field.spelling() + " has several values; only " + values.get(0) + " counts",
+              field.spelling() + " has several values; only the first is used: " + values.get(0),
               words.source(field)));
     }
     Optional<T> value = parser.apply(values.get(0));
@@ -67,9 +67,9 @@ final class ChoiceReader {
           new SchemaProblem(
               unknown,
               field.spelling()
-                  + " is neither "
+                  + " must be "
                   + known
-                  + " but \""
+                  + ", not \""
                   + values.get(0)
                   + "\"; it is ignored",
               words.source(field)));

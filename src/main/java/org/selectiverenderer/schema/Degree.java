@@ -19,7 +19,8 @@ public record Degree(double value) implements Comparable<Degree> {
 
   public Degree {
     if (!(value >= 0 && value <= 1)) {
-      throw new IllegalArgumentException("a degree of consistency is from 0 to 1, not " + value);
+      throw new IllegalArgumentException(
+          "a degree of consistency must be from 0 to 1, not " + value);
     }
     value += 0.0; // -0 is 0
   }

@@ -4,7 +4,7 @@ import java.lang.reflect.Array;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
  * A metadata node of a file or of the embedded browser's scene.

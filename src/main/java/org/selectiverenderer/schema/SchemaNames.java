@@ -2,7 +2,7 @@ package org.selectiverenderer.schema;
 
 import java.util.Collection;
 import java.util.Optional;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.base.problem.Spelling;
 
 /** Compares names of schemas, in which slips show only by their having no effect. */
 public final class SchemaNames {

@@ -59,7 +59,7 @@ public final class SchemaReader {
       misplaced(
           Vocabulary.ofStringsIn(metadata),
           Owner.CHOICE,
-          "stands beside the MetadataSets of the choices, not in one of them");
+          "is beside the MetadataSets of the choices, not inside one of them");
     }
     compare(metadata, sets, children);
     ChoiceReader reader = new ChoiceReader(problems);
@@ -91,7 +91,9 @@ public final class SchemaReader {
     if (sets.size() < children) {
       problems.accept(
           new SchemaProblem(
-              Kind.FEWER_SETS_THAN_CHOICES, counts + "no schema shows the rest", metadata));
+              Kind.FEWER_SETS_THAN_CHOICES,
+              counts + "no schema shows the other children",
+              metadata));
     }
     for (MetadataSource beyond : sets.subList(Math.min(sets.size(), children), sets.size())) {
       if (Vocabulary.of(beyond).hasAny(Owner.CHOICE)) {

@@ -82,11 +82,6 @@ public final class SchemaUse<N> {
     return new LinkedHashSet<>(known.keySet());
   }
 
-  /** The schemas that entering an area activates. */
-  public Set<String> entered() {
-    return new LinkedHashSet<>(entered.keySet());
-  }
-
   /**
    * Schemas of objects that no area activates, then those that entering an area activates and that
    * no object belongs to. A schema that says of all its objects what they show from the start needs

@@ -9,8 +9,8 @@ import org.apache.commons.math3.geometry.euclidean.threed.RotationOrder;
  *
  * <p>The viewer of X3D looks along -Z with +Y up (X3D 4.0, 23.4.6), so that yaw turns about Y,
  * pitch about X and roll about Z. They are composed in the order YXZ: R = Ry(yaw) Rx(pitch)
- * Rz(roll), roll applied to the viewer first. {@link ThesisOrientation} is the thesis's own
- * formula.
+ * Rz(roll), roll applied to the viewer first. The thesis's own formula (Fig 50) turns an object
+ * that looks along +X; a test compares the two.
  *
  * <p>{@link #rotation} is the definition, by Commons Math, whose rotations are immutable. What runs
  * once per record, {@link PoseSample}, computes the same without allocating; a test holds the two

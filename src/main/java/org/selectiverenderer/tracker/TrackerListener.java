@@ -1,6 +1,6 @@
 package org.selectiverenderer.tracker;
 
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.base.problem.Problem;
 
 /** Hears what happens on a tracker's thread; must return soon. */
 public interface TrackerListener {

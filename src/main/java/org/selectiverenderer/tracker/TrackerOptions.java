@@ -30,16 +30,15 @@ public record TrackerOptions(
     inverted = Set.copyOf(inverted);
     if (!(prediction >= 0 && prediction <= LONGEST_PREDICTION)) {
       throw new IllegalArgumentException(
-          "a prediction lies between 0 and 100 ms, not " + prediction * 1000);
+          "a prediction must be between 0 and 100 ms, not " + prediction * 1000);
     }
   }
 
-  /**
-   * Two angles that change places.
-   *
-   * @throws IllegalArgumentException if they are the same
-   */
+  /** Two angles that change places. */
   public record Swap(Axis one, Axis other) {
+    /**
+     * @throws IllegalArgumentException if they are the same
+     */
     public Swap {
       if (one == other) {
         throw new IllegalArgumentException("an angle cannot be swapped with itself");
@@ -96,7 +95,7 @@ public record TrackerOptions(
         // Said below.
       }
       throw new IllegalArgumentException(
-          "smoothing is written as HZ or HZ,SPEED, such as 1.5,8, not as " + text);
+          "write smoothing as HZ or HZ,SPEED, such as 1.5,8, not as " + text);
     }
   }
 }

@@ -34,7 +34,7 @@ final class TrackerSpecParser {
 
   private TrackerSpec none() {
     if (!rest.isEmpty()) {
-      throw refusal("nothing follows 'none'", "none");
+      throw refusal("nothing may follow 'none'", "none");
     }
     return new TrackerSpec.None();
   }
@@ -130,6 +130,6 @@ final class TrackerSpecParser {
 
   private IllegalArgumentException refusal(String reason, String example) {
     return new IllegalArgumentException(
-        "'" + text + "' is no tracker: " + reason + "; write it like " + example);
+        "'" + text + "' is not a tracker: " + reason + "; write it like " + example);
   }
 }

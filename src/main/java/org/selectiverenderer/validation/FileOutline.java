@@ -3,10 +3,10 @@ package org.selectiverenderer.validation;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
  * What stays of a file after its own checks: the nodes without their coordinates.
@@ -24,7 +24,7 @@ public record FileOutline(
     X3dFile scene,
     List<ParsedNode> nodes,
     Map<Location, Map<String, Location>> places,
-    Map<ParsedNode, Measure> measures) {
+    Map<ParsedNode, GeometryMeasure> measures) {
 
   /** Where a field of a node is given; the node's own place where it is not, or not kept. */
   public Location place(NodeView node, String field) {
@@ -32,7 +32,7 @@ public record FileOutline(
   }
 
   /** How much a geometry node draws; empty for a node that cannot be drawn. */
-  public Optional<Measure> measure(ParsedNode geometry) {
+  public Optional<GeometryMeasure> measure(ParsedNode geometry) {
     return Optional.ofNullable(measures.get(geometry));
   }
 }

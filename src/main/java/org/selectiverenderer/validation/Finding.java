@@ -1,8 +1,8 @@
 package org.selectiverenderer.validation;
 
 import java.util.Comparator;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
  * Something found in a file.

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.x3d.SceneDocument;
+import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
  * A comment {@code validate-ignore SR102 SR3: why}, which an author puts before an element whose
@@ -15,7 +15,7 @@ public record IgnoreComment(List<String> ids) {
   private static final String WORD = "validate-ignore";
 
   /** What a comment says; empty for one that says something else. */
-  public static Optional<IgnoreComment> of(SceneDocument.Comment comment) {
+  public static Optional<IgnoreComment> of(XmlDocument.Comment comment) {
     String text = comment.text().strip();
     if (!text.startsWith(WORD)) {
       return Optional.empty();

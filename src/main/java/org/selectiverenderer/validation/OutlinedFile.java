@@ -4,13 +4,13 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.polygon.statistics.Bounds;
-import org.selectiverenderer.polygon.statistics.CountedFile;
-import org.selectiverenderer.polygon.statistics.SceneModel;
-import org.selectiverenderer.polygon.statistics.Size;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.polygon.count.CountedFile;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.Size;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
 
 /** An outline as the polygon counts read it. */
 public final class OutlinedFile implements CountedFile {

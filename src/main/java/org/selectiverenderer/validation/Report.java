@@ -3,7 +3,7 @@ package org.selectiverenderer.validation;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
  * What a run found.
@@ -19,7 +19,7 @@ public record Report(List<SourceFile> files, List<Finding> findings, int dropped
   }
 
   /** Sorts. */
-  static Report of(Collection<SourceFile> files, Collection<Finding> findings, int dropped) {
+  public static Report of(Collection<SourceFile> files, Collection<Finding> findings, int dropped) {
     return new Report(
         files.stream().sorted(Comparator.comparing(SourceFile::name)).toList(),
         findings.stream().sorted(Finding.ORDER).toList(),

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
  * Something that the validator can say, as documented by {@code --explain}.

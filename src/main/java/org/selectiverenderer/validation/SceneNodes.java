@@ -7,9 +7,9 @@ import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
 
 /** The nodes of a file, wherever they stand. */
 public final class SceneNodes {

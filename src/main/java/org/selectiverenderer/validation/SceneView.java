@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * What a {@link SceneCheck} sees: a scene's own file and the files that its Inlines name, directly

@@ -18,14 +18,14 @@ import org.jspecify.annotations.Nullable;
 public record SourceFile(Path path, String name, byte @Nullable [] content) {
   /** A file on disk. */
   public static SourceFile of(Path path, Path base) {
-    return new SourceFile(path, FileNames.relative(path, base), null);
+    return new SourceFile(path, ReportedNames.relative(path, base), null);
   }
 
-  InputStream open() throws IOException {
+  public InputStream open() throws IOException {
     return content == null ? Files.newInputStream(path) : new ByteArrayInputStream(content);
   }
 
-  long size() throws IOException {
+  public long size() throws IOException {
     return content == null ? Files.size(path) : content.length;
   }
 
@@ -36,7 +36,7 @@ public record SourceFile(Path path, String name, byte @Nullable [] content) {
   }
 
   /** One object per file on disk, whatever links lead to it. */
-  Path key() {
+  public Path key() {
     try {
       return content == null ? path.toRealPath() : path;
     } catch (IOException e) {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
  * What a user decides.
@@ -37,7 +37,7 @@ public record ValidationSettings(
   }
 
   /** Whether findings of a rule are not wanted. */
-  boolean ignores(String id) {
+  public boolean ignores(String id) {
     return ignored.stream().anyMatch(id::startsWith);
   }
 
@@ -49,7 +49,7 @@ public record ValidationSettings(
   }
 
   /** The severity that findings of a rule are to have. */
-  Severity severity(Rule rule) {
+  public Severity severity(Rule rule) {
     return severities.getOrDefault(rule.id(), rule.severity());
   }
 }

@@ -22,7 +22,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
-import org.selectiverenderer.app.Walkthrough;
+import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.schema.Choice;

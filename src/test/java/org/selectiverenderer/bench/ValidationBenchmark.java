@@ -16,10 +16,10 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.validation.RuleCatalogue;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationSettings;
-import org.selectiverenderer.validation.Validator;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
 
 /** Time to validate files of the thesis's size, 32.7 MB of text that is in memory. */
 @State(Scope.Benchmark)

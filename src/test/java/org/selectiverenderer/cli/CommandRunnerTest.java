@@ -12,8 +12,13 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.StandardOutput;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -117,7 +122,7 @@ class CommandRunnerTest {
     assertThat(run(console -> ExitStatus.DONE, "tri")).isEqualTo(ExitStatus.FAILURE);
     assertThat(messages())
         .isEqualTo(
-            line("selective-renderer: no command 'tri'; did you mean try?")
+            line("selective-renderer: unknown command 'tri'; did you mean try?")
                 + line("Try 'selective-renderer --help'."));
   }
 
@@ -221,7 +226,7 @@ class CommandRunnerTest {
     }
 
     @Override
-    ExitStatus run() throws IOException {
+    public ExitStatus run() throws IOException {
       return work.run(console());
     }
   }

@@ -2,18 +2,18 @@ package org.selectiverenderer.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.cli.output.Console;
 import picocli.CommandLine.Command;
 
-class MainTest {
-  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
-  private final ByteArrayOutputStream err = new ByteArrayOutputStream();
-
+class MainTest extends CommandRun {
   @Test
   void versionIsTheBuildsOwn() {
     assertThat(execute("--version")).isZero();
@@ -34,6 +34,28 @@ class MainTest {
     assertThat(text(err)).contains("no command given", "--help").hasLineCount(2);
   }
 
+  @Test
+  void reportsHaveTheSameDigitsWhereverTheyAreMade(@TempDir Path folder) throws Exception {
+    Path scene = folder.resolve("scene.x3d");
+    Files.writeString(scene, "<X3D profile='Immersive' version='4.0'><Scene/></X3D>");
+    Process program =
+        new ProcessBuilder(
+                ProcessHandle.current().info().command().orElseThrow(),
+                "-Duser.language=ar",
+                "-Duser.country=EG",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "validate",
+                scene.toString(),
+                "--format",
+                "junit")
+            .redirectErrorStream(true)
+            .start();
+    String report = new String(program.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(report).contains("tests=\"1\"");
+  }
+
   @TestFactory
   Iterable<DynamicTest> everyCommandExplainsItself() {
     Console console = new Console(new PrintStream(out), new PrintStream(err), false);
@@ -44,19 +66,7 @@ class MainTest {
   }
 
   private void assertExplained(String name) {
-    out.reset();
     assertThat(execute(name, "--help")).isZero();
     assertThat(text(out)).containsSubsequence("Example:", "selective-renderer " + name);
-  }
-
-  private int execute(String... args) {
-    return Main.execute(
-        args,
-        new PrintStream(out, true, StandardCharsets.UTF_8),
-        new PrintStream(err, true, StandardCharsets.UTF_8));
-  }
-
-  private static String text(ByteArrayOutputStream stream) {
-    return stream.toString(StandardCharsets.UTF_8);
   }
 }

@@ -13,6 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.cli.author.ValidateCommand;
+import org.selectiverenderer.cli.output.Console;
 
 class ValidateCommandTest {
   private static final String GOOD =
@@ -70,16 +72,23 @@ class ValidateCommandTest {
     for (String[] bad :
         List.of(
             new String[] {
-              "{\"ignroe\": []}", "\"ignroe\" means nothing in settings; did you mean ignore?"
+              "{\"ignroe\": []}",
+              "settings.json:1:2: a settings file has no \"ignroe\"; did you mean \"ignore\"?"
+                  + " The settings are not used"
             },
-            new String[] {"{\"ignore\": [\"SR999\"]}", "there is no rule 'SR999'"},
-            new String[] {"{\"severities\": {\"SR102\": \"fatal\"}}", "a severity is"},
+            new String[] {
+              "{\"ignore\": [\"SR999\"]}", "settings.json:1:13: there is no rule 'SR999'"
+            },
+            new String[] {"{\"severities\": {\"SR102\": \"fatal\"}}", "a severity must be"},
             new String[] {
               "{\"budgets\": [{\"scope\": \"Office\"}]}", "a budget needs \"polygons\""
             },
-            new String[] {"{\"megabytes\": -1}", "\"megabytes\" is a number from 0"},
-            new String[] {"{\"ignore\": [", "is no JSON"},
-            new String[] {"[]", "a JSON object"})) {
+            new String[] {
+              "{\"megabytes\": -1}", "1:15: \"megabytes\" must be a number from 0; the settings"
+            },
+            new String[] {"{\"ignore\": [", "is not valid JSON"},
+            new String[] {"{\"ignore\": [], \"ignore\": []}", "Duplicate field 'ignore'"},
+            new String[] {"[]", "a settings file must be an object in braces"})) {
       write("settings.json", bad[0]);
       assertFails(bad[1], "good.x3d", "--config", name);
     }
@@ -100,7 +109,7 @@ class ValidateCommandTest {
     out.reset();
     assertThat(validate("error.x3d", "--baseline", report.toString())).isEqualTo(1);
     assertThat(text(out)).contains("Group has no field size", "1 error,");
-    assertFails("is no report", "error.x3d", "--baseline", write("other.json", "{}").toString());
+    assertFails("is not a report", "error.x3d", "--baseline", write("other.json", "{}").toString());
   }
 
   @Test
@@ -184,20 +193,23 @@ class ValidateCommandTest {
     assertFails("no.x3d", "no.x3d");
     assertFails("does not exist", "good.x3d", "--output", folder.resolve("no/r.json").toString());
     assertFails("is a folder", "good.x3d", "--output", folder.toString());
-    assertFails("--base nowhere: is no folder", "good.x3d", "--base", "nowhere");
+    assertFails("--base nowhere: is not a folder", "good.x3d", "--base", "nowhere");
     err.reset();
     assertThat(execute("validate")).isEqualTo(2);
-    assertThat(text(err)).contains("name a scene, or a folder of scenes");
+    assertThat(text(err)).contains("no PATH given; name a scene or a folder of scenes");
   }
 
   @Test
   void sentencesNameWhatTheUserWrote() throws IOException {
     assertFails(
-        "'xml' is no format: text, json, sarif, junit or github", "good.x3d", "--format", "xml");
+        "'xml' is not a format; choose text, json, sarif, junit or github",
+        "good.x3d",
+        "--format",
+        "xml");
     String settings = write("settings.json", "{\"ignore\": [").toString();
-    assertFails("settings.json:1:13: is no JSON", "good.x3d", "--config", settings);
+    assertFails("settings.json:1:13: this is not valid JSON", "good.x3d", "--config", settings);
     assertThat(text(err)).doesNotContain("Source", "byte[]", "start marker");
-    assertFails("--rules says what the rules are; it takes no PATH", "good.x3d", "--rules");
+    assertFails("--rules lists or explains rules; it takes no PATH", "good.x3d", "--rules");
     assertFails("it takes no PATH", "good.x3d", "--explain", "SR101");
     if (Files.isWritable(Path.of("/dev/full"))) {
       assertFails("/dev/full: ", "good.x3d", "--output", "/dev/full");

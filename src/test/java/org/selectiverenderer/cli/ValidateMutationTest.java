@@ -16,6 +16,8 @@ import java.util.List;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.selectiverenderer.cli.author.ValidateCommand;
+import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.validation.Mutants;
 import org.selectiverenderer.validation.report.ReportFormat;
 

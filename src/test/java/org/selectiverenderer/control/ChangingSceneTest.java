@@ -164,7 +164,9 @@ class ChangingSceneTest {
       assertThat(scene.choice("TrashCan")).isEqualTo(1);
       assertThat(scene.controller.problems())
           .extracting(ControlProblem::message)
-          .containsExactly("1 MetadataSet for 2 children of the Switch; no schema shows the rest");
+          .containsExactly(
+              "1 MetadataSet for 2 children of the Switch; no schema shows the other "
+                  + "children");
     }
   }
 
@@ -263,7 +265,7 @@ class ChangingSceneTest {
           scene.browser.createX3DFromString(
               RunningScene.file(DESK + object("DEF='Lamp'", "DeskSchema", "OfficeSchema"))));
       scene.walkTo(OUTSIDE);
-      assertThat(scene.news()).containsExactly(new Start(Map.of("Lamp", 1)));
+      assertThat(scene.news()).containsExactly(new Start(0, Map.of("Lamp", 1)));
       scene.walkTo(AT_DESK);
 
       assertThat(scene.choice("Lamp")).isZero();

@@ -26,7 +26,7 @@ class SelectiveControllerTest {
   @Test
   void enteringAndLeavingTheDeskSwitchesInTheSameFrame() {
     try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
-      assertThat(scene.news()).containsExactly(new Start(Map.of("TrashCan", 1)));
+      assertThat(scene.news()).containsExactly(new Start(0, Map.of("TrashCan", 1)));
       scene.walkTo(OUTSIDE);
       assertThat(scene.news()).isEmpty();
 
@@ -69,7 +69,7 @@ class SelectiveControllerTest {
     String others =
         "<Switch DEF='Menu' whichChoice='0'><Group/></Switch><ProximitySensor size='9 9 9'/>";
     try (var scene = RunningScene.under(Condition.HIGH, others + DESK + TRASH_CAN)) {
-      assertThat(scene.news()).containsExactly(new Start(Map.of("TrashCan", 0)));
+      assertThat(scene.news()).containsExactly(new Start(0, Map.of("TrashCan", 0)));
       scene.walkTo(AT_DESK);
 
       assertThat(scene.news()).containsExactly(new Enter(1, "DeskProx", List.of("DeskSchema")));
@@ -144,7 +144,7 @@ class SelectiveControllerTest {
 
       assertThat(scene.news())
           .containsExactly(
-              new Start(Map.of("TrashCan", 1)),
+              new Start(0, Map.of("TrashCan", 1)),
               new Enter(2, "DeskProx", List.of("DeskSchema")),
               new SwitchChange(2, "TrashCan", 1, 0, "DeskSchema"));
     }
@@ -162,8 +162,8 @@ class SelectiveControllerTest {
       assertThat(scene.controller.problems())
           .singleElement()
           .hasToString(
-              "Vase: degreeOfConsistency is neither low, high nor a number from 0 to 1 but"
-                  + " \"much\"; it is ignored");
+              "Vase: degreeOfConsistency must be low, high or a number from 0 to 1, "
+                  + "not \"much\"; it is ignored");
     }
   }
 

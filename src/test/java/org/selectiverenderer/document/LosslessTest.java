@@ -14,7 +14,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.selectiverenderer.x3d.Gzip;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.Gzip;
 
 class LosslessTest {
   private static final String SCENE =
@@ -37,7 +41,7 @@ class LosslessTest {
     SceneDocument document = SceneDocument.of(file.toString(), bytes);
     assertThat(document.fault()).isEmpty();
     assertThat(document.locked()).isEmpty();
-    assertThat(document.bytes()).isEqualTo(bytes);
+    assertThat(document.snapshot().bytes()).isEqualTo(bytes);
   }
 
   /** Files as odd as they come, by what is odd about them. */
@@ -86,7 +90,7 @@ class LosslessTest {
   void anOddFileGivesItsBytesBack(String name) throws IOException {
     byte[] bytes = oddFiles().get(name);
     SceneDocument document = SceneDocument.of(name, bytes);
-    assertThat(document.bytes()).isEqualTo(bytes);
+    assertThat(document.snapshot().bytes()).isEqualTo(bytes);
     assertThat(document.tree().isPresent()).isNotEqualTo(document.fault().isPresent());
   }
 
@@ -99,9 +103,9 @@ class LosslessTest {
       return; // told by the next test
     }
     document.type(0, 0, "<!-- \u00e9 -->");
-    assertThat(document.bytes()).isNotEqualTo(bytes);
+    assertThat(document.snapshot().bytes()).isNotEqualTo(bytes);
     document.history().undo();
-    assertThat(document.bytes()).isEqualTo(bytes);
+    assertThat(document.snapshot().bytes()).isEqualTo(bytes);
   }
 
   static List<String> oddNames() {
@@ -133,7 +137,7 @@ class LosslessTest {
     SceneDocument document = SceneDocument.of("a.x3d", declared("ISO-8859-1", "caf\u00e9"));
     int at = document.text().toString().indexOf("caf");
     document.type(at, at, "\u03b1");
-    assertThat(new String(document.bytes(), StandardCharsets.ISO_8859_1))
+    assertThat(new String(document.snapshot().bytes(), StandardCharsets.ISO_8859_1))
         .contains("&#945;caf\u00e9");
   }
 
@@ -159,5 +163,25 @@ class LosslessTest {
     packed[4] = 77;
     packed[9] = 3;
     return packed;
+  }
+
+  @Test
+  void aTextThatIsNotWellFormedIsSoWhereTheReaderSays() throws IOException {
+    byte[] bytes = "<X3D>\n <Scene></X3D>".getBytes(StandardCharsets.UTF_8);
+    Problems problems = new Problems();
+    new X3dReader(NodeCatalogue.load()).read("s.x3d", bytes, problems);
+
+    Location place = SceneDocument.of("s.x3d", bytes).fault().orElseThrow().location();
+
+    assertThat(place).isEqualTo(problems.list().get(0).location());
+    assertThat(place).isEqualTo(new Location("s.x3d", 2, 9));
+  }
+
+  @Test
+  void anElementOfAnotherLanguageKeepsItsPrefix() throws IOException {
+    String text = "<X3D><ds:Switch xmlns:ds='urn:x' DEF='A'/><Switch DEF='B'/></X3D>";
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+
+    assertThat(SceneDocument.of("s.x3d", bytes).tree().orElseThrow().switches()).hasSize(1);
   }
 }

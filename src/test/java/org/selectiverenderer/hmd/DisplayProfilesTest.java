@@ -1,12 +1,18 @@
 package org.selectiverenderer.hmd;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.Problems;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
 
 class DisplayProfilesTest {
   private final Problems problems = new Problems();
@@ -64,13 +70,13 @@ class DisplayProfilesTest {
   @Test
   void numbersOutOfRangeAreToldWithTheRange() {
     assertThat(refused("{\"width\": 0, \"height\": 1, \"field_of_view\": {\"diagonal\": 50}}"))
-        .contains("\"width\" is to be a number from 1.0 to 16384.0");
+        .contains("own.json:1:11: \"width\" must be a number from 1 to 16384; the display profile");
   }
 
   @Test
   void anAngleThatNoFlatPictureHasIsRefused() {
     assertThat(refused("{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 180}}"))
-        .contains("\"diagonal\" is to be a number from 1.0 to 170.0");
+        .contains("\"diagonal\" must be a number from 1 to 170");
   }
 
   @Test
@@ -82,7 +88,7 @@ class DisplayProfilesTest {
   void halfAPixelOrMonitorIsRefusedNotCutOff() {
     assertThat(
             refused("{\"width\": 640.7, \"height\": 480, \"field_of_view\": {\"diagonal\": 50}}"))
-        .contains("\"width\" is to be a whole number, not 640.7");
+        .contains("\"width\" must be a whole number, not 640.7");
   }
 
   @Test
@@ -91,36 +97,36 @@ class DisplayProfilesTest {
             refused(
                 "{\"width\": 640, \"height\": 480, \"field_of_view\": {\"diagonal\": 50},"
                     + " \"screens\": {\"left\": 0, \"right\": 1.5}}"))
-        .contains("\"right\" is to be a whole number, not 1.5");
+        .contains("\"right\" must be a whole number, not 1.5");
   }
 
   @Test
-  void aMisspeltKeyInAPartIsMentioned() {
-    assertThat(
-            parse(
-                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50, \"x\": 1},"
-                    + " \"screens\": {\"lefft\": 1}, \"eye_offsets_mm\": {\"middle\": [0, 0, 0]}}"))
-        .isPresent();
+  void aMisspeltKeyInAPartIsRefusedToo() {
+    refused(
+        "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50, \"x\": 1},"
+            + " \"screens\": {\"lefft\": 1}, \"eye_offsets_mm\": {\"middle\": [0, 0, 0]}}");
     assertThat(problems.list().toString())
         .contains(
-            "\"field_of_view\" has no \"x\"",
-            "\"screens\" has no \"lefft\"",
-            "\"eye_offsets_mm\" has no \"middle\"");
+            "\"field_of_view\" has no \"x\" (known keys: diagonal, horizontal, vertical)",
+            "\"screens\" has no \"lefft\"; did you mean \"left\"?",
+            "\"eye_offsets_mm\" has no \"middle\" (known keys: left, right)");
   }
 
   @Test
   void aPartThatIsNoObjectIsRefused() {
     assertThat(
             refused(
-                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50}, \"screens\": [1, 0]}"))
-        .contains("\"screens\" is to be an object with left, right");
+                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50}, \"screens\":"
+                    + " [1, 0]}"))
+        .contains("\"screens\" must be an object in braces");
   }
 
   @Test
   void anAngleTooManyIsRefused() {
     assertThat(
             refused(
-                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50, \"vertical\": 30}}"))
+                "{\"width\": 8, \"height\": 6, \"field_of_view\": {\"diagonal\": 50, \"vertical\":"
+                    + " 30}}"))
         .contains("\"field_of_view\" needs");
   }
 
@@ -134,11 +140,37 @@ class DisplayProfilesTest {
   }
 
   @Test
-  void aMisspeltKeyIsMentioned() {
+  void aMisspeltKeyIsRefusedSinceTheDisplayWouldNotBeTheOneMeant() {
     assertThat(
-            parse(
-                "{\"width\": 8, \"height\": 6, \"ipd\": 60, \"field_of_view\": {\"diagonal\": 50}}"))
-        .isPresent();
-    assertThat(problems.list().get(0).toString()).contains("has no \"ipd\"");
+            refused(
+                "{\"width\": 8, \"height\": 6,\n \"image_distanec\": 2,"
+                    + " \"field_of_view\": {\"diagonal\": 50}}"))
+        .isEqualTo(
+            "own.json:2:2: a display profile has no \"image_distanec\";"
+                + " did you mean \"image_distance\"? The display profile is not used");
+  }
+
+  @Test
+  void aKeyThatIsTwiceThereIsRefused() {
+    assertThat(refused("{\"width\": 8, \"width\": 9}"))
+        .contains("own.json:1:", "Duplicate field 'width'");
+  }
+
+  @Test
+  void nullIsAsIfTheKeyWereLeftOut() {
+    DisplayProfile profile =
+        parse(
+                "{\"width\": 8, \"height\": 6, \"image_distance\": null, // infinity\n"
+                    + "\"field_of_view\": {\"diagonal\": 50, \"vertical\": null},}")
+            .orElseThrow();
+    assertThat(profile.imageDistance()).isInfinite();
+  }
+
+  @Test
+  void aFileThatIsNotUtf8CannotBeRead(@TempDir Path folder) throws IOException {
+    byte[] latin = "{\"name\": \"M\u00f6bel\"}".getBytes(StandardCharsets.ISO_8859_1);
+    Path file = Files.write(folder.resolve("own.json"), latin);
+    assertThatThrownBy(() -> DisplayProfiles.read(file, problems)).isInstanceOf(IOException.class);
+    assertThat(problems.list()).isEmpty();
   }
 }

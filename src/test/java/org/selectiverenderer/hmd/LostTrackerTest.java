@@ -13,20 +13,20 @@ import org.joml.Quaterniond;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.Heading;
-import org.selectiverenderer.runtime.navigation.ViewerMotion;
+import org.selectiverenderer.runtime.viewer.Heading;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
 import org.selectiverenderer.tracker.emulate.PseudoTerminal;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.tracker.open.Trackers;
 
 /** What turns the view when an emulated tracker's cable is pulled. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.render.OffscreenView;
 import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.show.OffscreenView;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Dots of known places, found again in the pictures that are really drawn. */

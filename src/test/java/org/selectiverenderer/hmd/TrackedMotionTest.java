@@ -10,15 +10,15 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.Heading;
-import org.selectiverenderer.runtime.navigation.ViewerMotion;
+import org.selectiverenderer.runtime.viewer.Heading;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.replay.ReplayLog;
 import org.selectiverenderer.tracker.replay.SteppedReplay;
-import org.selectiverenderer.x3d.Problems;
 
 class TrackedMotionTest {
   private static final ViewerMotion STANDING = (viewer, time, dt) -> {};

@@ -8,11 +8,11 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.radiosity.bake.ToneCurve;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.Photometry;
-import org.selectiverenderer.radiosity.solve.Patches;
+import org.selectiverenderer.radiosity.solve.LightPatches;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.solve.Solver;
 import org.selectiverenderer.radiosity.solve.Transport;
-import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** Eyes adapt to the colour of a room's light, in part. */
 class AdaptationTest {
@@ -22,8 +22,9 @@ class AdaptationTest {
         SmallScene.read(
             room(0, 0, 0, 4, "diffuseColor='0.7 0.7 0.7'")
                 + "<PointLight location='2 2 2' color='%s'/>".formatted(colour));
-    Transport transport = Transport.find(scene, new Patches(scene, 1), 64, 16, 1, Progress.NONE);
-    Solution solution = new Solver(scene, transport).solve(20, 99, Progress.NONE, each -> {});
+    Transport transport =
+        Transport.find(scene, new LightPatches(scene, 1), 64, 16, 1, WorkProgress.NONE);
+    Solution solution = new Solver(scene, transport).solve(20, 99, WorkProgress.NONE, each -> {});
     return ToneCurve.of(scene, solution, 0);
   }
 

@@ -8,16 +8,16 @@ import static org.selectiverenderer.radiosity.SmallScene.room;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.solve.EnergyBalance;
-import org.selectiverenderer.radiosity.solve.Patches;
+import org.selectiverenderer.radiosity.solve.LightPatches;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.solve.Solver;
 import org.selectiverenderer.radiosity.solve.Transport;
-import org.selectiverenderer.radiosity.work.Progress;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** The solution on patches against closed forms and conservation. */
 class LawsOfLightTest {
@@ -27,16 +27,16 @@ class LawsOfLightTest {
 
   private static double formFactor(String one, String other) throws Exception {
     LightScene scene = SmallScene.read(LAMP + one + other);
-    Patches patches = new Patches(scene, 100);
+    LightPatches patches = new LightPatches(scene, 100);
     assertThat(patches.count()).isEqualTo(2);
-    return Transport.find(scene, patches, 16384, 1, 1, Progress.NONE).formFactor(0, 1);
+    return Transport.find(scene, patches, 16384, 1, 1, WorkProgress.NONE).formFactor(0, 1);
   }
 
   private static Solution solve(
       LightScene scene, double length, int iterations, List<Solution> all) {
     Transport transport =
-        Transport.find(scene, new Patches(scene, length), 256, 64, 1, Progress.NONE);
-    return new Solver(scene, transport).solve(iterations, 100, Progress.NONE, all::add);
+        Transport.find(scene, new LightPatches(scene, length), 256, 64, 1, WorkProgress.NONE);
+    return new Solver(scene, transport).solve(iterations, 100, WorkProgress.NONE, all::add);
   }
 
   /** Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-11: 0.19982. */
@@ -150,9 +150,11 @@ class LawsOfLightTest {
         quad("-5 1 5, 5 1 5, 5 1 -5, -5 1 -5", "diffuseColor='0 0 0' transparency='0.75'");
     LightScene open = SmallScene.read(floor + lamp);
     LightScene covered = SmallScene.read(floor + pane + lamp);
-    float free = Transport.find(open, new Patches(open, 100), 4, 4, 1, Progress.NONE).direct()[0];
+    float free =
+        Transport.find(open, new LightPatches(open, 100), 4, 4, 1, WorkProgress.NONE).direct()[0];
     float less =
-        Transport.find(covered, new Patches(covered, 100), 4, 4, 1, Progress.NONE).direct()[0];
+        Transport.find(covered, new LightPatches(covered, 100), 4, 4, 1, WorkProgress.NONE)
+            .direct()[0];
     assertThat(less).isCloseTo(0.75f * free, within(1e-3f * free));
   }
 

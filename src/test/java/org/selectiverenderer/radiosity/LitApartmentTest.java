@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.polygon.statistics.PolygonStatistics;
-import org.selectiverenderer.polygon.statistics.SceneStatistics;
-import org.selectiverenderer.polygon.statistics.StatisticsCsv;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.polygon.count.PolygonStatistics;
+import org.selectiverenderer.polygon.count.SceneStatistics;
+import org.selectiverenderer.polygon.count.StatisticsCsv;
 
 /** The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d} writes it. */
 class LitApartmentTest {

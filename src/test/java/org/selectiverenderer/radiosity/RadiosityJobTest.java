@@ -6,9 +6,11 @@ import static org.selectiverenderer.radiosity.SmallScene.quad;
 import static org.selectiverenderer.radiosity.SmallScene.room;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -19,17 +21,17 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
-import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** Scene files to lit scene files. */
 class RadiosityJobTest {
@@ -39,8 +41,8 @@ class RadiosityJobTest {
       "<MetadataSet containerField='metadata' name='radiosity'>"
           + "<MetadataInteger containerField='value' name='polygons' value='%d'/></MetadataSet>";
 
-  private static final Settings QUICK =
-      new Settings(
+  private static final RadiositySettings QUICK =
+      new RadiositySettings(
           50,
           98,
           OptionalDouble.empty(),
@@ -73,13 +75,13 @@ class RadiosityJobTest {
     Files.writeString(folder.resolve("inlineNodes").resolve(name), SmallScene.x3d(body));
   }
 
-  private RadiosityJob job(Path scene, Settings settings) {
+  private RadiosityJob job(Path scene, RadiositySettings settings) {
     Path output = RadiosityJob.outputOf(scene);
     return new RadiosityJob(scene, output, RadiosityJob.inlinesOf(output), null, settings);
   }
 
   private RadiosityJob.Report light(String body) throws IOException, UnlitSceneException {
-    return job(scene(body), QUICK).run(problems, Progress.NONE, (balance, quality) -> {});
+    return job(scene(body), QUICK).run(problems, WorkProgress.NONE, (balance, quality) -> {});
   }
 
   /** Every shape of the lit scene: its colours, unlit. */
@@ -105,7 +107,7 @@ class RadiosityJobTest {
   void aLitSceneShowsItsColoursWithoutLamps() throws Exception {
     Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
     String before = Files.readString(scene);
-    job(scene, QUICK).run(problems, Progress.NONE, (balance, quality) -> {});
+    job(scene, QUICK).run(problems, WorkProgress.NONE, (balance, quality) -> {});
     assertThat(Files.readString(scene)).isEqualTo(before);
     assertThat(problems.list()).isEmpty();
     ShapeInstance shape = shapes().get(0);
@@ -216,8 +218,8 @@ class RadiosityJobTest {
   @Test
   void aCancelledRunWritesItsLastIteration() throws Exception {
     int[] iterations = {0};
-    Progress cancelling =
-        new Progress() {
+    WorkProgress cancelling =
+        new WorkProgress() {
           @Override
           public void at(Stage stage, double share) {
             // Only its end matters.
@@ -240,8 +242,8 @@ class RadiosityJobTest {
 
   @Test
   void whatIsCancelledBeforeTheFirstIterationIsNotWritten() throws Exception {
-    Progress cancelling =
-        new Progress() {
+    WorkProgress cancelling =
+        new WorkProgress() {
           private volatile boolean cancelled;
 
           @Override
@@ -267,7 +269,7 @@ class RadiosityJobTest {
     for (String content : List.of("hello, no XML", "", "<X3D><Scene>", "<html/>")) {
       Files.writeString(text, content);
       Problems said = new Problems();
-      assertThatThrownBy(() -> job(text, QUICK).run(said, Progress.NONE, (b, q) -> {}))
+      assertThatThrownBy(() -> job(text, QUICK).run(said, WorkProgress.NONE, (b, q) -> {}))
           .isInstanceOfSatisfying(
               UnlitSceneException.class, unlit -> assertThat(unlit.isTold()).isTrue());
       assertThat(said.list()).hasSize(1);
@@ -278,10 +280,21 @@ class RadiosityJobTest {
   void ofBytesThatAreNoTextNothingIsSaidAboutTheirEncoding() throws Exception {
     Path file = scenes.resolve("room.x3d");
     Files.write(file, new byte[] {'x', (byte) 0xff, (byte) 0xfe, 0x12, (byte) 0x80});
-    assertThatThrownBy(() -> job(file, QUICK).run(problems, Progress.NONE, (b, q) -> {}))
+    assertThatThrownBy(() -> job(file, QUICK).run(problems, WorkProgress.NONE, (b, q) -> {}))
         .isInstanceOf(UnlitSceneException.class);
     assertThat(problems.list()).hasSize(1);
-    assertThat(problems.list().get(0).message()).contains("no XML file");
+    assertThat(problems.list().get(0).message()).contains("not an XML file");
+  }
+
+  @Test
+  void previewIsWrittenIntoTheFileThatAViewerHasOpen() throws Exception {
+    Path preview = Files.writeString(folder.resolve("p.png"), "old");
+    Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
+    try (FileChannel viewer = FileChannel.open(preview, StandardOpenOption.READ)) {
+      new RadiosityJob(scene, RadiosityJob.outputOf(scene), folder, preview, QUICK)
+          .run(problems, WorkProgress.NONE, (balance, quality) -> {});
+      assertThat(viewer.size()).isEqualTo(Files.size(preview)).isGreaterThan(3);
+    }
   }
 
   @Test
@@ -293,7 +306,7 @@ class RadiosityJobTest {
     new RadiosityJob(scene, output, folder, preview, QUICK)
         .run(
             problems,
-            Progress.NONE,
+            WorkProgress.NONE,
             (balance, quality) -> sizes.add(Files.exists(preview) ? 1 : 0));
     assertThat(Files.readAllBytes(preview)).startsWith(0x89, 'P', 'N', 'G');
     assertThat(sizes).startsWith(0, 1);
@@ -304,7 +317,7 @@ class RadiosityJobTest {
     String walls = room(0, 0, 0, 4, GREY);
     assertThatThrownBy(() -> light(walls))
         .isInstanceOf(UnlitSceneException.class)
-        .hasMessageContaining("nothing in the scene shines");
+        .hasMessageContaining("the scene has no light");
     assertThatThrownBy(() -> light(LAMP))
         .isInstanceOf(UnlitSceneException.class)
         .hasMessageContaining("nothing to light");
@@ -314,8 +327,8 @@ class RadiosityJobTest {
     assertThatThrownBy(() -> light(LAMP + "<Group>" + BUDGET.formatted(5) + walls + "</Group>"))
         .isInstanceOf(UnlitSceneException.class)
         .hasMessageContaining("allows 5 polygons here");
-    Settings fine =
-        new Settings(
+    RadiositySettings fine =
+        new RadiositySettings(
             5,
             90,
             OptionalDouble.empty(),
@@ -328,11 +341,11 @@ class RadiosityJobTest {
             0,
             300_000);
     assertThatThrownBy(
-            () -> job(scene(LAMP + walls), fine).run(problems, Progress.NONE, (b, q) -> {}))
+            () -> job(scene(LAMP + walls), fine).run(problems, WorkProgress.NONE, (b, q) -> {}))
         .isInstanceOf(UnlitSceneException.class)
         .hasMessageContaining("raise --max-mesh");
-    Settings immense =
-        new Settings(
+    RadiositySettings immense =
+        new RadiositySettings(
             5,
             90,
             OptionalDouble.empty(),
@@ -345,7 +358,7 @@ class RadiosityJobTest {
             0,
             Integer.MAX_VALUE);
     assertThatThrownBy(
-            () -> job(scene(LAMP + walls), immense).run(problems, Progress.NONE, (b, q) -> {}))
+            () -> job(scene(LAMP + walls), immense).run(problems, WorkProgress.NONE, (b, q) -> {}))
         .isInstanceOf(UnlitSceneException.class)
         .hasMessageContaining("MB of memory, more than Java's");
     assertThat(written().keySet()).containsExactly("scenes/room.x3d");

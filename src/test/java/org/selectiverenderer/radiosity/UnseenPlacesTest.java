@@ -9,15 +9,15 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
-import org.selectiverenderer.radiosity.work.Progress;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** Vertices in walls and behind furniture must not carry their darkness to where it is seen. */
 class UnseenPlacesTest {
   private static final String GREY = "diffuseColor='0.7 0.7 0.7'";
   private static final String LAMP = "<PointLight location='2 2 2'/>";
 
-  private static final Settings SETTINGS =
-      new Settings(
+  private static final RadiositySettings SETTINGS =
+      new RadiositySettings(
           20,
           95,
           OptionalDouble.empty(),
@@ -42,7 +42,7 @@ class UnseenPlacesTest {
   private static double darkest(String scene, double x, double y, double from, double to)
       throws Exception {
     LightScene read = SmallScene.read(scene);
-    LitScene lit = new Radiosity(SETTINGS, Progress.NONE).light(read, solution -> {});
+    LitScene lit = new Radiosity(SETTINGS, WorkProgress.NONE).light(read, solution -> {});
     float[] colours = lit.colours(0);
     float[] corners = lit.facets().corners();
     double darkest = 1;

@@ -3,16 +3,16 @@ package org.selectiverenderer.runtime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.NodeType;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** Makes running nodes for tests and writes down what they send. */
 public final class Nodes {

@@ -11,14 +11,14 @@ import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.navigation.ViewerMotion;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** A world of nodes written in a test, and a log of what happens in it. */
 final class WorldFixture implements AutoCloseable {

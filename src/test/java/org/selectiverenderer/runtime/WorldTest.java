@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.Problem;
 
 class WorldTest {
   /** An area of 2 m round the origin and a Switch between one box and two. */
@@ -93,7 +93,7 @@ class WorldTest {
           .containsExactly("0.00 Area.isActive=true", "1.00 Area.isActive=false");
       assertThat(fixture.problems.list())
           .extracting(Problem::toString)
-          .containsOnly("test.x3d:2:1: a listener of isActive failed and was passed over: no good");
+          .containsOnly("test.x3d:2:1: a listener of isActive failed and was skipped: no good");
     }
   }
 

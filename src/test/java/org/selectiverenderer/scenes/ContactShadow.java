@@ -3,6 +3,7 @@ package org.selectiverenderer.scenes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * A soft dark disc of radius 1, just above y = 0: where an object meets the floor.
@@ -20,7 +21,7 @@ final class ContactShadow {
 
   private ContactShadow() {}
 
-  static String shape() {
+  static void write(X3dWriter out) {
     List<double[]> points = new ArrayList<>();
     List<int[]> triangles = new ArrayList<>();
     StringBuilder colours = new StringBuilder();
@@ -43,16 +44,9 @@ final class ContactShadow {
       }
     }
     TriangleMesh mesh = new TriangleMesh(points, triangles);
-    return """
-        <Shape DEF='ContactShadow'>
-          <Appearance/>
-          <IndexedFaceSet
-              coordIndex='%s'>
-            <Coordinate point='%s'/>
-            <ColorRGBA color='%s'/>
-          </IndexedFaceSet>
-        </Shape>
-    """
-        .formatted(mesh.coordIndexText(), mesh.pointText(), colours.toString().strip());
+    out.open("Shape", "DEF", "ContactShadow").empty("Appearance");
+    out.open("IndexedFaceSet").ownLine().numbers("coordIndex", mesh.coordIndexText());
+    out.empty("Coordinate", "point", mesh.pointText());
+    out.empty("ColorRGBA", "color", colours.toString().strip()).close().close();
   }
 }

@@ -1,8 +1,8 @@
 package org.selectiverenderer.scenes;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.DecimalText;
 
 /**
  * Points and triangles as a recipe makes them.
@@ -15,7 +15,13 @@ record TriangleMesh(List<double[]> points, List<int[]> triangles) {
   /** The value of {@code Coordinate.point}, to tenths of a millimetre. */
   String pointText() {
     return points.stream()
-        .map(p -> number(p[0]) + " " + number(p[1]) + " " + number(p[2]))
+        .map(
+            p ->
+                DecimalText.rounded(p[0], 4)
+                    + " "
+                    + DecimalText.rounded(p[1], 4)
+                    + " "
+                    + DecimalText.rounded(p[2], 4))
         .collect(Collectors.joining(" "));
   }
 
@@ -24,11 +30,5 @@ record TriangleMesh(List<double[]> points, List<int[]> triangles) {
     return triangles.stream()
         .map(t -> t[0] + " " + t[1] + " " + t[2] + " -1")
         .collect(Collectors.joining(" "));
-  }
-
-  /** Four decimals at most, without the zeros that say nothing: {@code 0.153}, {@code 0}. */
-  private static String number(double value) {
-    String text = String.format(Locale.ROOT, "%.4f", value).replaceFirst("\\.?0+$", "");
-    return text.equals("-0") ? "0" : text;
   }
 }

@@ -3,6 +3,7 @@ package org.selectiverenderer.scenes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * Floor boards with staggered joints, one face and one of six browns for each board.
@@ -24,7 +25,7 @@ final class WoodenFloor {
 
   private WoodenFloor() {}
 
-  static String shape() {
+  static void write(X3dWriter out) {
     StringBuilder points = new StringBuilder();
     StringBuilder faces = new StringBuilder();
     StringBuilder colours = new StringBuilder();
@@ -39,24 +40,13 @@ final class WoodenFloor {
         colours.append((row * 5 + i + row * row) % 6).append(' ');
       }
     }
-    return """
-        <Shape DEF='WoodenFloor'>
-          <Appearance>
-            <Material specularColor='0.12 0.12 0.12' shininess='0.2'/>
-          </Appearance>
-          <IndexedFaceSet colorPerVertex='false' solid='false'
-              coordIndex='%s'
-              colorIndex='%s'>
-            <Coordinate point='%s'/>
-            <Color color='%s'/>
-          </IndexedFaceSet>
-        </Shape>
-    """
-        .formatted(
-            faces.toString().strip(),
-            colours.toString().strip(),
-            points.toString().strip(),
-            BROWNS);
+    out.open("Shape", "DEF", "WoodenFloor");
+    out.material("specularColor", "0.12 0.12 0.12", "shininess", "0.2");
+    out.open("IndexedFaceSet", "colorPerVertex", "false", "solid", "false");
+    out.ownLine().numbers("coordIndex", faces.toString().strip());
+    out.ownLine().numbers("colorIndex", colours.toString().strip());
+    out.empty("Coordinate", "point", points.toString().strip());
+    out.empty("Color", "color", BROWNS).close().close();
   }
 
   /** Where a row's boards meet: every third row alike. */

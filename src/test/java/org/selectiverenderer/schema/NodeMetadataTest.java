@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 class NodeMetadataTest {
   private final NodeCatalogue catalogue = NodeCatalogue.load();

@@ -173,8 +173,8 @@ class SchemaReaderTest {
       assertThat(kinds()).containsExactly(Kind.UNKNOWN_TYPE, Kind.UNKNOWN_DEGREE);
       assertThat(problems.get(1).message())
           .isEqualTo(
-              "degreeOfConsistency is neither low, high nor a number from 0 to 1 but \"medium\";"
-                  + " it is ignored");
+              "degreeOfConsistency must be low, high or a number from 0 to 1, not "
+                  + "\"medium\"; it is ignored");
       assertThat(schemas.choices().get(0))
           .isEqualTo(new Choice(0, Optional.empty(), Optional.empty(), List.of("A")));
     }
@@ -211,7 +211,9 @@ class SchemaReaderTest {
 
       assertThat(problems)
           .extracting(SchemaProblem::message)
-          .containsExactly("1 MetadataSet for 3 children of the Switch; no schema shows the rest");
+          .containsExactly(
+              "1 MetadataSet for 3 children of the Switch; no schema shows the other "
+                  + "children");
     }
 
     @Test

@@ -22,16 +22,17 @@ import java.util.stream.Stream;
 import org.joml.Quaterniond;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.tracker.TrackerOptions.Smoothing;
 import org.selectiverenderer.tracker.TrackerOptions.Swap;
 import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulate.HeadMotion;
 import org.selectiverenderer.tracker.emulate.InterTrax2Emulator.Settings;
 import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.LiveTracker;
-import org.selectiverenderer.tracker.pose.PoseSource;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.tracker.live.LiveTracker;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
+import org.selectiverenderer.tracker.open.Trackers;
 
 /**
  * What the virtual machine counts as allocated by a tracker's thread while records arrive. The
@@ -92,7 +93,7 @@ class AllocationTest {
           public void open() {}
 
           @Override
-          public void read(Intake intake) {
+          public void read(PoseSink intake) {
             intake.connected();
             for (int i = 0; i < WARM_UP + RECORDS; i++) {
               intake.angles(System.nanoTime(), i % 360, 10, 20);

@@ -65,12 +65,12 @@ class TrackerSpecTest {
         "tcp:[::1] | the port is missing",
         "tcp::80 | the host is missing",
         "replay: | the file is missing; write it like replay:head.csv",
-        "none:x | nothing follows 'none'"
+        "none:x | nothing may follow 'none'"
       })
   void whatCannotBeReadIsRefusedWithAnExample(String text, String sentence) {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> TrackerSpec.parse(text))
-        .withMessageStartingWith("'" + text + "' is no tracker: ")
+        .withMessageStartingWith("'" + text + "' is not a tracker: ")
         .withMessageContaining(sentence);
   }
 }

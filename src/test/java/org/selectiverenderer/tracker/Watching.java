@@ -5,7 +5,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.base.problem.Problem;
 
 /** Hears a tracker in a test, and waits for what is to happen. */
 public final class Watching implements TrackerListener {

@@ -15,7 +15,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
+import org.selectiverenderer.validation.settings.ValidationSettingsFile;
 
 /**
  * Every rule has the smallest scene that breaks it and one that does not. What is found in {@code
@@ -94,7 +98,7 @@ class FixturesTest {
     return new Validator(
             rules,
             Files.exists(settings)
-                ? new SettingsFile(settings, rules).read()
+                ? new ValidationSettingsFile(settings, rules).read(new Problems()).orElseThrow()
                 : ValidationSettings.standard(),
             FOLDER)
         .validate(List.of(SourceFile.of(FOLDER.resolve(name), FOLDER)));

@@ -10,8 +10,12 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.validation.report.Fingerprints;
 import org.selectiverenderer.validation.report.ReportFormat;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
+import org.selectiverenderer.validation.settings.Baseline;
 
 /** More findings of one rule in one file than a reader wants to see, or than memory should hold. */
 class ManyFindingsTest {

@@ -15,11 +15,13 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.validation.report.ReportFormat;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem.Severity;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.X3dReader;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
  * Good scenes, corrupted at random: whatever comes of it, the validator ends in bounded time with a

@@ -11,11 +11,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.polygon.statistics.PolygonStatistics;
-import org.selectiverenderer.polygon.statistics.SceneModel;
-import org.selectiverenderer.polygon.statistics.SceneModel.Version;
-import org.selectiverenderer.polygon.statistics.SceneStatistics;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.polygon.count.PolygonStatistics;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.SceneModel.Version;
+import org.selectiverenderer.polygon.count.SceneStatistics;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
+import org.selectiverenderer.validation.settings.ValidationSettingsFile;
 
 /** The validator counts what {@code polygons} counts, and finds what walking about brings about. */
 class OutlinedFileTest {
@@ -96,7 +99,10 @@ class OutlinedFileTest {
   private static Report report(Path scene, String settings) throws IOException {
     Path file = Files.writeString(scene.resolveSibling("settings.json"), settings);
     RuleCatalogue rules = RuleCatalogue.standard();
-    return new Validator(rules, new SettingsFile(file, rules).read(), scene.getParent())
+    return new Validator(
+            rules,
+            new ValidationSettingsFile(file, rules).read(new Problems()).orElseThrow(),
+            scene.getParent())
         .validate(List.of(SourceFile.of(scene, scene.getParent())));
   }
 }

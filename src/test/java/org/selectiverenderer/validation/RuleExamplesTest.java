@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
 
 /** The examples that explain a rule: the bad one has it, the good one has not. */
 class RuleExamplesTest {

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.selectiverenderer.app.WindowChain;
+import org.selectiverenderer.app.run.WindowChain;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
@@ -20,7 +20,7 @@ public final class SessionRunner {
   }
 
   private final Session session;
-  private final SessionDesk desk;
+  private final SessionDialogue dialogue;
   private final ShownSteps shown;
   private final OperatorControls controls;
   private final Consumer<String> message;
@@ -30,9 +30,9 @@ public final class SessionRunner {
    * @param message hears what is not as asked for, a line at a time
    */
   public SessionRunner(
-      Session session, SessionDesk desk, SessionShow settings, Consumer<String> message) {
+      Session session, SessionDialogue dialogue, SessionShow settings, Consumer<String> message) {
     this.session = session;
-    this.desk = desk;
+    this.dialogue = dialogue;
     this.message = message;
     controls = new OperatorControls(session.journal());
     shown = new ShownSteps(session, settings, controls);
@@ -45,12 +45,12 @@ public final class SessionRunner {
    * @throws InterruptedException if the thread is interrupted
    */
   public Outcome run() throws IOException, InterruptedException {
-    desk.open(controls);
+    dialogue.open(controls);
     while (true) {
       List<SessionStep> left = session.remaining();
       if (left.isEmpty()) {
         session.end();
-        desk.thanks(session);
+        dialogue.thanks(session);
         return Outcome.FINISHED;
       }
       SessionStep step = left.get(0);
@@ -62,7 +62,7 @@ public final class SessionRunner {
         }
       } else if (step instanceof SessionStep.Questions questions) {
         session.began(step, false);
-        if (desk.questions(session, questions, controls)) {
+        if (dialogue.questions(session, questions, controls)) {
           session.finished(step, Map.of());
         } else {
           controls.abort();
@@ -83,7 +83,7 @@ public final class SessionRunner {
 
   private void form(SessionStep step) throws IOException {
     session.began(step, false);
-    Optional<String> age = desk.form(session, controls);
+    Optional<String> age = dialogue.form(session, controls);
     if (age.isPresent()) {
       session.assign(age.get());
       session.finished(step, Map.of());

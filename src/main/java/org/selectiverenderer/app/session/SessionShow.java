@@ -1,6 +1,6 @@
 package org.selectiverenderer.app.session;
 
-import org.selectiverenderer.app.RunListener;
+import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.tracker.TrackerOptions;
 

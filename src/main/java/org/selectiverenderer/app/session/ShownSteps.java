@@ -1,7 +1,6 @@
 package org.selectiverenderer.app.session;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -9,17 +8,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.selectiverenderer.app.GuidedRun;
-import org.selectiverenderer.app.HeadSettings;
-import org.selectiverenderer.app.RunFigures;
-import org.selectiverenderer.app.RunListener;
-import org.selectiverenderer.app.RunSettings;
-import org.selectiverenderer.app.TimelineEvent;
-import org.selectiverenderer.app.TimelineJson;
-import org.selectiverenderer.app.WindowChain;
+import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.run.GuidedRun;
+import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.app.run.WindowChain;
+import org.selectiverenderer.app.settings.DisplaySettings;
+import org.selectiverenderer.app.settings.HeadLogSettings;
+import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.settings.TrackerSettings;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.app.timeline.TimelineJson;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.session.OperatorControls;
@@ -27,7 +30,6 @@ import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
-import org.selectiverenderer.x3d.Problem;
 
 /** The steps of a session that show a scene, as runs of one chain of windows. */
 final class ShownSteps implements WindowChain.Runs {
@@ -37,7 +39,6 @@ final class ShownSteps implements WindowChain.Runs {
   private final Session session;
   private final SessionShow show;
   private final OperatorControls controls;
-  private final ObjectMapper json = new ObjectMapper();
   private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
 
   ShownSteps(Session session, SessionShow show, OperatorControls controls) {
@@ -98,20 +99,19 @@ final class ShownSteps implements WindowChain.Runs {
             ? practice.practice().scene()
             : study.scene().orElseThrow();
     Study.Display display = study.display();
+    int width = display.width() > 0 ? display.width() : show.presentation().width();
+    int height = display.height() > 0 ? display.height() : show.presentation().height();
     return new RunSettings(
-        scene,
-        new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()),
-        Optional.empty(),
-        OptionalDouble.empty(),
-        display.width() > 0 ? display.width() : show.presentation().width(),
-        display.height() > 0 ? display.height() : show.presentation().height(),
-        OptionalInt.empty(),
-        study.mouse(),
-        show.presentation(),
-        false,
-        new HeadSettings(
-            study.tracker(), show.tracking(), WhenLost.FREEZE, Optional.of(log), HeadSettings.CONE),
-        show.operator());
+            scene,
+            new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
+        .with(MotionSettings.walking(study.mouse()))
+        .with(
+            DisplaySettings.of(show.presentation())
+                .filling(width, height)
+                .operator(show.operator()))
+        .with(
+            new TrackerSettings(study.tracker(), show.tracking(), WhenLost.FREEZE),
+            Optional.of(new HeadLogSettings(log)));
   }
 
   /** The seed of the random condition: each participant has a lot of his own, always the same. */
@@ -145,7 +145,7 @@ final class ShownSteps implements WindowChain.Runs {
 
   private Object read(String text) {
     try {
-      return json.readTree(text);
+      return JsonTree.parse(text);
     } catch (JsonProcessingException e) {
       throw new IllegalStateException(e);
     }
@@ -158,10 +158,11 @@ final class ShownSteps implements WindowChain.Runs {
     }
     SessionStep step = upcoming().orElseThrow();
     Map<String, Object> more = new LinkedHashMap<>();
-    more.put("condition", run.settings().rendering().condition().spelling());
-    more.put("lot", run.settings().rendering().seed());
+    more.put("condition", run.settings().scene().rendering().condition().spelling());
+    more.put("lot", run.settings().scene().rendering().seed());
     more.put("figures", read(figures.json()));
-    more.put("display", List.of(run.settings().width(), run.settings().height()));
+    more.put(
+        "display", List.of(run.settings().display().width(), run.settings().display().height()));
     if (brokenLogs.remove(step.id())) {
       more.put("head_log_incomplete", true);
     }

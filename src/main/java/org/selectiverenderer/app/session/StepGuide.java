@@ -6,12 +6,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.joml.Quaterniond;
-import org.selectiverenderer.app.RunGuide;
-import org.selectiverenderer.app.Walkthrough;
+import org.selectiverenderer.app.run.RunGuide;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.runtime.navigation.ViewerMotion;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
  * Leads practice or an exposure: from its viewpoint, for its time or until the experimenter goes
@@ -82,7 +83,7 @@ final class StepGuide implements RunGuide {
     }
     if (!exposed && frames > 1 && seconds >= begun + fade) {
       exposed = true;
-      session.journal().tell("shown", Map.of("step", step.id(), "t", rounded(seconds)));
+      session.journal().tell("shown", Map.of("step", step.id(), "t", Rounded.to(3, seconds)));
     }
     if (exposure.isEmpty() && controls.takeGoOn()) {
       ending = seconds;
@@ -116,7 +117,7 @@ final class StepGuide implements RunGuide {
         exposure.isPresent()
             ? String.format(
                 Locale.ROOT, "%.0f s left", Math.ceil(exposure.getAsDouble() - exposed(seconds)))
-            : String.format(Locale.ROOT, "%.0f s so far; Go on ends it", seconds);
+            : String.format(Locale.ROOT, "%.0f s so far; press Go on to end it", seconds);
     return step.id() + ": " + (controls.paused() ? "PAUSED, " : "") + what;
   }
 
@@ -130,9 +131,5 @@ final class StepGuide implements RunGuide {
                 session.condition().map(condition -> condition.spelling()).orElse("")));
     lines.add(left(seconds));
     return lines;
-  }
-
-  private static double rounded(double seconds) {
-    return Math.round(seconds * 1000) / 1000.0;
   }
 }

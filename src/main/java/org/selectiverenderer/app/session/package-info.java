@@ -1,12 +1,18 @@
 /**
  * A participant's session with real windows: the steps that {@code experiment.session} knows, each
- * shown by the same code as {@code run} shows a scene.
+ * shown by the same run loop as {@code run} shows a scene.
+ *
+ * <p>{@link org.selectiverenderer.app.run.WindowChain} makes one run after the other in windows
+ * that stay open. A session's exposure is a run with a {@link
+ * org.selectiverenderer.app.run.RunGuide}, which decides when it ends, how dark the picture is and
+ * what the operator reads. JOGL begins while Java is headless, then Swing is let in: the two keep X
+ * connections of their own.
  *
  * <p>In: a {@link org.selectiverenderer.experiment.session.Session} begun or resumed, and a {@link
- * org.selectiverenderer.app.session.SessionDesk}, where participant and experimenter sit. Out: the
- * session's files, and how it ended.
- *
- * <p>May use {@code app} and {@code experiment}; Swing is behind the desk.
+ * org.selectiverenderer.app.session.SessionDialogue}, which asks participant and experimenter. Out:
+ * the session's files, and how it ended. Uses {@code app.run} with its settings and figures, {@code
+ * experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code runtime} and {@code base};
+ * Swing is behind the dialogue.
  */
 @NullMarked
 package org.selectiverenderer.app.session;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.bench.measure;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,6 +8,7 @@ import java.util.Comparator;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.selectiverenderer.apartment.ApartmentGenerator;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.ManySwitchesScene;
@@ -41,7 +41,7 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
   }
 
   private ObjectNode measure(Path folder) throws IOException, InterruptedException {
-    ObjectNode report = new ObjectMapper().createObjectNode();
+    ObjectNode report = JsonTree.object();
     Machine.describe(report.putObject("machine"));
     ObjectNode gl = report.putObject("gl");
     progress.accept("writing scenes");
@@ -49,7 +49,7 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     BenchScene light = HeavyScene.write(folder.resolve("light"), 1.0 / 6);
     BenchScene many = ManySwitchesScene.write(folder.resolve("many"), SWITCHES, AFFECTED);
     progress.accept("reading");
-    Reading.measure(folder.resolve("heavy"), report.putObject("read"));
+    ReadingTimes.measure(folder.resolve("heavy"), report.putObject("read"));
     ChildRun child = new ChildRun(mainClass, runs);
     progress.accept("heavy scene: 784,000 triangles");
     ChildRun.Result result = child.run(heavy);
@@ -64,14 +64,14 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     progress.accept("head tracker's record to picture");
     TrackerLatency.measure(light, folder, child, report.putArray("tracker_latency"));
     progress.accept("activation among 100,000 switches");
-    Activating.measure(many, AFFECTED, report.putObject("activation"));
+    ActivationTimes.measure(many, AFFECTED, report.putObject("activation"));
     progress.accept("apartment: writing it");
     Path apartment = folder.resolve("apartment");
     new ApartmentGenerator().writeAll(apartment, false);
     progress.accept("polygon count process");
-    new Simplifying().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
+    new SimplifyingTimes().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
     progress.accept("radiosity: rays");
-    Radiating.measure(
+    RadiosityTimes.measure(
         apartment.resolve("scenes").resolve("apartment-unlit.x3d"),
         folder,
         report.putObject("radiosity"));

@@ -28,7 +28,8 @@ public final class BenchmarkText {
         at(report, "/read/cold_mb_per_s"));
     line(
         text,
-        "activation  %s us for a frame in which %s of %s switches change (%s us for one without)",
+        "activation  %s us for a frame in which %s of %s switches change (%s us for "
+            + "a frame without changes)",
         at(report, "/activation/us"),
         at(report, "/activation/affected"),
         at(report, "/activation/switches"),
@@ -42,7 +43,8 @@ public final class BenchmarkText {
         }) {
       line(
           text,
-          "both eyes   %s scene, %sx%s each: %s ms for one eye, %s ms for both; the second adds %s of the first",
+          "both eyes   %s scene, %sx%s each: %s ms for one eye, %s ms for both; the "
+              + "second eye adds %s times the first",
           at.contains("heavy") ? "heavy" : "light",
           at(report, at + "/eye_width"),
           at(report, at + "/eye_height"),
@@ -55,7 +57,8 @@ public final class BenchmarkText {
           text,
           row.has("skipped")
               ? "tracker     %s records/s: not measured, %s"
-              : "tracker     %s records/s: record to picture %s ms, 99 of 100 within %s ms, the longest %s ms (frames: %s and %s ms)",
+              : "tracker     %s records/s: record to picture: median %s ms, 99 of 100 "
+                  + "within %s ms, longest %s ms (frames: %s and %s ms)",
           at(row, "/rate_hz"),
           row.has("skipped") ? at(row, "/skipped") : at(row, "/p50_ms"),
           at(row, "/p99_ms"),
@@ -91,7 +94,7 @@ public final class BenchmarkText {
         seconds(report, "/light/process_to_first_frame_ms"),
         "",
         "");
-    for (Peers.Peer peer : Peers.ALL) {
+    for (PeerFigures.Peer peer : PeerFigures.ALL) {
       row(
           text,
           peer.name(),
@@ -166,7 +169,7 @@ public final class BenchmarkText {
               }
               line(
                   text,
-                  "%s: selective draws %s times the frames of high",
+                  "%s: selective draws %s times as many frames as high",
                   room.getKey(),
                   room.getValue().get("selective_to_high").asText());
             });

@@ -1,7 +1,6 @@
 package org.selectiverenderer.bench.measure;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
@@ -9,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
 
 /**
@@ -47,7 +47,7 @@ record ChildRun(String mainClass, int runs) {
   }
 
   static double median(List<JsonNode> all, String key) {
-    return Figures.median(all.stream().mapToDouble(node -> node.at(key).asDouble()).toArray());
+    return Medians.median(all.stream().mapToDouble(node -> node.at(key).asDouble()).toArray());
   }
 
   /**
@@ -79,7 +79,7 @@ record ChildRun(String mainClass, int runs) {
             "running %s failed: %s"
                 .formatted(scene, Files.readString(log, StandardCharsets.UTF_8).strip()));
       }
-      return new ObjectMapper().readTree(stats.toFile());
+      return JsonTree.read(stats);
     } finally {
       Files.deleteIfExists(stats);
       Files.deleteIfExists(log);

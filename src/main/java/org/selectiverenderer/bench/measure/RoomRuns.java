@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.base.decimal.Rounded;
 
 /**
  * What selective rendering pays: the apartment in the thesis's three conditions (6.1.3), seen from
@@ -90,6 +91,6 @@ final class RoomRuns {
     for (int i = 0; i < ratios.length; i++) {
       ratios[i] = ones.get(i).at("/fps").asDouble() / others.get(i).at("/fps").asDouble();
     }
-    return Math.round(Figures.median(ratios) * 100) / 100.0;
+    return Rounded.to(2, Medians.median(ratios));
   }
 }

@@ -4,18 +4,19 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.app.Walkthrough;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.StereoLayout;
-import org.selectiverenderer.runtime.navigation.CameraPath;
-import org.selectiverenderer.runtime.navigation.CameraPathReader;
-import org.selectiverenderer.runtime.navigation.PathMotion;
-import org.selectiverenderer.runtime.render.OffscreenView;
-import org.selectiverenderer.runtime.render.ViewLayout;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.show.OffscreenView;
+import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.runtime.viewer.CameraPathReader;
+import org.selectiverenderer.runtime.viewer.PathMotion;
 
 /**
  * Times frames of one eye and of both, of the same walk through the same scene: the whole update
@@ -86,9 +87,9 @@ final class StereoCost {
     }
     node.put("eye_width", width);
     node.put("eye_height", height);
-    node.put("one_eye_ms", Figures.hundredth(Figures.median(single)));
-    node.put("both_eyes_ms", Figures.hundredth(Figures.median(twice)));
-    node.put("second_eye_to_first", Figures.hundredth(Figures.median(second)));
+    node.put("one_eye_ms", Rounded.to(2, Medians.median(single)));
+    node.put("both_eyes_ms", Rounded.to(2, Medians.median(twice)));
+    node.put("second_eye_to_first", Rounded.to(2, Medians.median(second)));
   }
 
   /** Milliseconds per frame. */

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.Attribute;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.StartTag;
 import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.MetadataSource;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.StartTag;
+import org.selectiverenderer.x3d.source.WrittenAttribute;
 
 /**
  * A metadata element of a document as the vocabulary sees it. One that stands for another by USE is
@@ -84,7 +84,7 @@ final class DocumentMetadata implements MetadataSource {
     if (tag == null) {
       tag = document.tag(meant);
     }
-    return tag.attribute(name).map(Attribute::value);
+    return tag.attribute(name).map(WrittenAttribute::value);
   }
 
   @Override

@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.ElementTree;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.schema.SchemaUse;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
  * What the Switches and ProximitySensors of a document say. Always up to date; nodes that no edit
@@ -33,12 +33,12 @@ public final class Enrichment {
   private List<DocumentElement> switches = List.of();
   private List<DocumentElement> sensors = List.of();
   private long listed = -1;
-  private @Nullable List<SwitchNode> switchNodes;
-  private @Nullable List<SensorNode> sensorNodes;
+  private @Nullable List<EnrichedSwitch> switchNodes;
+  private @Nullable List<EnrichedSensor> sensorNodes;
   private @Nullable SchemaUse<DocumentElement> use;
   private @Nullable SchemaUse<DocumentElement> judged;
-  private Map<String, Finding> schemaFindings = Map.of();
-  private @Nullable List<Finding> findings;
+  private Map<String, ElementFinding> schemaFindings = Map.of();
+  private @Nullable List<ElementFinding> findings;
 
   public Enrichment(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
@@ -50,10 +50,10 @@ public final class Enrichment {
   }
 
   /** All Switches in document order, those in prototypes too; none while there is a fault. */
-  public List<SwitchNode> switches() {
+  public List<EnrichedSwitch> switches() {
     list();
     if (switchNodes == null) {
-      List<SwitchNode> nodes = new ArrayList<>(switches.size());
+      List<EnrichedSwitch> nodes = new ArrayList<>(switches.size());
       for (int i = 0; i < switches.size(); i++) {
         nodes.add(switchNode(switches.get(i), i));
       }
@@ -63,10 +63,10 @@ public final class Enrichment {
   }
 
   /** All ProximitySensors in document order, likewise. */
-  public List<SensorNode> sensors() {
+  public List<EnrichedSensor> sensors() {
     list();
     if (sensorNodes == null) {
-      List<SensorNode> nodes = new ArrayList<>(sensors.size());
+      List<EnrichedSensor> nodes = new ArrayList<>(sensors.size());
       for (int i = 0; i < sensors.size(); i++) {
         nodes.add(sensorNode(sensors.get(i), i));
       }
@@ -76,14 +76,14 @@ public final class Enrichment {
   }
 
   /** The Switch that an element is; empty for others. */
-  public Optional<SwitchNode> switchNode(DocumentElement element) {
+  public Optional<EnrichedSwitch> switchNode(DocumentElement element) {
     list();
     int index = element.attached() ? indexOf(switches, element) : -1;
     return index < 0 ? Optional.empty() : Optional.of(switchNode(element, index));
   }
 
   /** The ProximitySensor that an element is; empty for others. */
-  public Optional<SensorNode> sensorNode(DocumentElement element) {
+  public Optional<EnrichedSensor> sensorNode(DocumentElement element) {
     list();
     int index = element.attached() ? indexOf(sensors, element) : -1;
     return index < 0 ? Optional.empty() : Optional.of(sensorNode(element, index));
@@ -108,15 +108,15 @@ public final class Enrichment {
   }
 
   /** The Switches by name; of several of one name the first. */
-  public Map<String, SwitchNode> switchesByName() {
-    Map<String, SwitchNode> named = new HashMap<>();
+  public Map<String, EnrichedSwitch> switchesByName() {
+    Map<String, EnrichedSwitch> named = new HashMap<>();
     switches().forEach(node -> named.putIfAbsent(node.name(), node));
     return named;
   }
 
   /** The ProximitySensors by name; of several of one name the first. */
-  public Map<String, SensorNode> sensorsByName() {
-    Map<String, SensorNode> named = new HashMap<>();
+  public Map<String, EnrichedSensor> sensorsByName() {
+    Map<String, EnrichedSensor> named = new HashMap<>();
     sensors().forEach(node -> named.putIfAbsent(node.name(), node));
     return named;
   }
@@ -127,8 +127,8 @@ public final class Enrichment {
     if (use == null) {
       SchemaUse<DocumentElement> found = new SchemaUse<>();
       sensors().forEach(sensor -> found.area(sensor.element(), sensor.schemas()));
-      for (SwitchNode node : switches()) {
-        for (SwitchNode.ChoiceNode choice : node.choices()) {
+      for (EnrichedSwitch node : switches()) {
+        for (EnrichedSwitch.ChoiceNode choice : node.choices()) {
           found.choice(
               node.element(), choice.values().schemas(), choice.index() == node.whichChoice());
         }
@@ -146,10 +146,10 @@ public final class Enrichment {
   }
 
   /** What is wrong with the metadata, in document order. */
-  public List<Finding> findings() {
+  public List<ElementFinding> findings() {
     list();
     if (findings == null) {
-      List<Finding> found = new ArrayList<>();
+      List<ElementFinding> found = new ArrayList<>();
       switches().forEach(node -> found.addAll(node.findings()));
       sensors().forEach(node -> found.addAll(node.findings()));
       found.addAll(schemaFindings().values());
@@ -160,10 +160,10 @@ public final class Enrichment {
   }
 
   /** What is wrong with schemas, by schema: those that no area or no object has. */
-  public Map<String, Finding> schemaFindings() {
+  public Map<String, ElementFinding> schemaFindings() {
     SchemaUse<DocumentElement> now = use();
     if (judged == null || judged != now && !judged.sameAs(now)) {
-      Map<String, Finding> found = new LinkedHashMap<>();
+      Map<String, ElementFinding> found = new LinkedHashMap<>();
       now.unmatched()
           .forEach(unmatched -> found.putIfAbsent(unmatched.schema(), finding(unmatched)));
       schemaFindings = Collections.unmodifiableMap(found);
@@ -172,9 +172,9 @@ public final class Enrichment {
     return schemaFindings;
   }
 
-  private Finding finding(SchemaUse.Unmatched<DocumentElement> unmatched) {
+  private ElementFinding finding(SchemaUse.Unmatched<DocumentElement> unmatched) {
     String schema = unmatched.schema();
-    return new Finding(
+    return new ElementFinding(
         unmatched.node(),
         unmatched.meant().isPresent() ? Problem.Severity.WARNING : Problem.Severity.INFO,
         unmatched.message(),
@@ -182,17 +182,17 @@ public final class Enrichment {
             .meant()
             .map(
                 meant ->
-                    new Finding.Fix(
+                    new ElementFinding.Fix(
                         "Rename " + schema + " to " + meant,
                         () -> new EnrichmentEdits(this).renameSchema(schema, meant))));
   }
 
-  private SwitchNode switchNode(DocumentElement element, int index) {
-    return (SwitchNode) known(element, each -> reading.switchNode(each, index));
+  private EnrichedSwitch switchNode(DocumentElement element, int index) {
+    return (EnrichedSwitch) known(element, each -> reading.switchNode(each, index));
   }
 
-  private SensorNode sensorNode(DocumentElement element, int index) {
-    return (SensorNode) known(element, each -> reading.sensorNode(each, index));
+  private EnrichedSensor sensorNode(DocumentElement element, int index) {
+    return (EnrichedSensor) known(element, each -> reading.sensorNode(each, index));
   }
 
   private Object known(DocumentElement element, Function<DocumentElement, Object> reader) {

@@ -2,16 +2,15 @@ package org.selectiverenderer.document.enrichment;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.TextChange;
 import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.write.ValueText;
 
 /**
  * Makes edits of what a document's Switches and ProximitySensors say. Each is for the document as
@@ -31,7 +30,7 @@ public final class EnrichmentEdits {
   }
 
   /** What is wanted of a Switch: for each choice in order. */
-  public record SwitchWish(SwitchNode node, List<ChoiceValues> choices) {
+  public record SwitchWish(EnrichedSwitch node, List<ChoiceValues> choices) {
     public SwitchWish {
       choices = List.copyOf(choices);
       if (choices.size() != node.choices().size()) {
@@ -42,10 +41,10 @@ public final class EnrichmentEdits {
   }
 
   /** What is wanted of a sensor. */
-  public record SensorWish(SensorNode node, SensorSchemas schemas) {}
+  public record SensorWish(EnrichedSensor node, SensorSchemas schemas) {}
 
   /** Says something of one choice of a Switch. */
-  public Edit choice(SwitchNode node, int index, ChoiceValues values) {
+  public Edit choice(EnrichedSwitch node, int index, ChoiceValues values) {
     List<ChoiceValues> wanted = new ArrayList<>(node.values());
     wanted.set(index, values);
     return all(
@@ -55,7 +54,7 @@ public final class EnrichmentEdits {
   }
 
   /** Gives an area its schemas. */
-  public Edit sensor(SensorNode node, SensorSchemas schemas) {
+  public Edit sensor(EnrichedSensor node, SensorSchemas schemas) {
     return all("Set schemas of " + node.name(), List.of(), List.of(new SensorWish(node, schemas)));
   }
 
@@ -108,7 +107,7 @@ public final class EnrichmentEdits {
     if (values.stream().anyMatch(value -> value.strip().equals(from))) {
       List<String> renamed =
           values.stream().map(value -> value.strip().equals(from) ? to : value).distinct().toList();
-      changes.add(document.layout().attribute(element, "value", XmlValues.multiple(renamed)));
+      changes.add(document.layout().attribute(element, "value", ValueText.strings(renamed)));
     }
   }
 
@@ -122,13 +121,13 @@ public final class EnrichmentEdits {
   /** Takes a schema out wherever it is named. */
   public Edit removeSchema(String schema) {
     List<SwitchWish> switches = new ArrayList<>();
-    for (SwitchNode node : enrichment.switches()) {
+    for (EnrichedSwitch node : enrichment.switches()) {
       List<ChoiceValues> without =
           node.values().stream().map(values -> without(values, schema)).toList();
       switches.add(new SwitchWish(node, without));
     }
     List<SensorWish> sensors = new ArrayList<>();
-    for (SensorNode node : enrichment.sensors()) {
+    for (EnrichedSensor node : enrichment.sensors()) {
       SensorSchemas schemas = node.schemas();
       sensors.add(
           new SensorWish(
@@ -152,21 +151,16 @@ public final class EnrichmentEdits {
     return schemas.stream().filter(each -> !each.equals(schema)).toList();
   }
 
-  /** Says of Switches what is wanted, by node; a convenience over {@link #all}. */
-  public Edit switches(String name, Map<SwitchNode, List<ChoiceValues>> wanted) {
-    List<SwitchWish> wishes = new ArrayList<>();
-    wanted.forEach((node, choices) -> wishes.add(new SwitchWish(node, choices)));
-    return all(name, wishes, List.of());
-  }
-
   private void wellFormed() {
     document
         .fault()
         .ifPresent(
             fault -> {
-              Location at = new Location(document.name(), fault.line(), fault.column());
               throw new EditRefused(
-                  at + ": " + fault.message() + "; mend it in the source view first");
+                  fault.location()
+                      + ": "
+                      + fault.message()
+                      + "; correct it in the source view first");
             });
   }
 }

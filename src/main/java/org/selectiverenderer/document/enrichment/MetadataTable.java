@@ -7,16 +7,19 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.document.CsvRows;
-import org.selectiverenderer.document.CsvRows.Row;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaField.Owner;
 import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.x3d.source.EncodedText;
 
 /**
  * Metadata as a table with the columns {@code node,choice,field,value}: node a DEF, choice the
@@ -26,19 +29,19 @@ import org.selectiverenderer.x3d.Spelling;
  */
 public final class MetadataTable {
   private static final List<String> COLUMNS = List.of("node", "choice", "field", "value");
+  private static final CsvColumns FORM = new CsvColumns(COLUMNS, true, true);
 
   private final Enrichment enrichment;
-  private final Problems problems;
-  private final Map<String, SwitchNode> switches;
-  private final Map<String, SensorNode> sensors;
+  private final CsvFaults faults;
+  private final Map<String, EnrichedSwitch> switches;
+  private final Map<String, EnrichedSensor> sensors;
   private final Map<String, Map<Integer, Map<SchemaField, List<String>>>> ofSwitches =
       new LinkedHashMap<>();
   private final Map<String, Map<SchemaField, List<String>>> ofSensors = new LinkedHashMap<>();
-  private boolean faulty;
 
-  private MetadataTable(Enrichment enrichment, Problems problems) {
+  private MetadataTable(Enrichment enrichment, CsvFaults faults) {
     this.enrichment = enrichment;
-    this.problems = problems;
+    this.faults = faults;
     this.switches = enrichment.switchesByName();
     this.sensors = enrichment.sensorsByName();
   }
@@ -52,19 +55,22 @@ public final class MetadataTable {
    */
   public static Optional<Edit> edit(
       Enrichment enrichment, String name, byte[] table, Problems problems) {
-    Optional<List<Row>> rows = CsvRows.read(name, table, COLUMNS, problems);
-    if (rows.isEmpty()) {
+    Problems own = new Problems(problems::add);
+    CsvFaults faults = (at, message) -> own.error(at, message + "; the table is not applied");
+    Optional<CsvTable> read =
+        CsvTable.parse(name, EncodedText.of(table).characters(), FORM, faults);
+    if (read.isEmpty() || !read.get().require(COLUMNS, String.join(",", COLUMNS))) {
       return Optional.empty();
     }
-    MetadataTable wanted = new MetadataTable(enrichment, problems);
-    rows.get().forEach(wanted::add);
-    return wanted.faulty ? Optional.empty() : Optional.of(wanted.edit("Apply " + name));
+    MetadataTable wanted = new MetadataTable(enrichment, faults);
+    read.get().rows().forEach(wanted::add);
+    return own.any() ? Optional.empty() : Optional.of(wanted.edit("Apply " + name));
   }
 
-  private void add(Row row) {
+  private void add(CsvRow row) {
     Optional<SchemaField> field = SchemaField.of(row.cell("field"));
     if (field.isEmpty()) {
-      error(row, "there is no field '%s' of schema metadata".formatted(row.cell("field")));
+      error(row, "field", "schema metadata has no field '%s'".formatted(row.cell("field")));
       return;
     }
     String node = row.cell("node");
@@ -73,6 +79,7 @@ public final class MetadataTable {
       Set<String> known = owner == Owner.CHOICE ? switches.keySet() : sensors.keySet();
       error(
           row,
+          "node",
           "there is no %s '%s' in the scene%s"
               .formatted(
                   owner == Owner.CHOICE ? "Switch" : "ProximitySensor",
@@ -84,7 +91,7 @@ public final class MetadataTable {
     }
     if (owner == Owner.SENSOR) {
       if (!row.cell("choice").isEmpty()) {
-        error(row, "a ProximitySensor has no choices; leave the column choice empty");
+        error(row, "choice", "a ProximitySensor has no choices; leave the column choice empty");
       }
       add(
           ofSensors.computeIfAbsent(node, key -> new EnumMap<>(SchemaField.class)),
@@ -103,7 +110,7 @@ public final class MetadataTable {
                     row));
   }
 
-  private Optional<Integer> choice(Row row, SwitchNode node) {
+  private Optional<Integer> choice(CsvRow row, EnrichedSwitch node) {
     int choices = node.choices().size();
     try {
       int index = Integer.parseInt(row.cell("choice"));
@@ -115,39 +122,46 @@ public final class MetadataTable {
     }
     error(
         row,
+        "choice",
         "%s has choices 0 to %d, not '%s'".formatted(node.name(), choices - 1, row.cell("choice")));
     return Optional.empty();
   }
 
-  private void add(Map<SchemaField, List<String>> fields, SchemaField field, Row row) {
+  private void add(Map<SchemaField, List<String>> fields, SchemaField field, CsvRow row) {
     List<String> values = fields.computeIfAbsent(field, key -> new ArrayList<>());
-    String value = row.cell("value");
+    String value =
+        field == SchemaField.DEGREE_OF_CONSISTENCY ? row.decimal("value") : row.cell("value");
     if (value.isEmpty()) {
       return;
     }
     boolean single =
         field == SchemaField.CONSISTENCY_TYPE || field == SchemaField.DEGREE_OF_CONSISTENCY;
     if (single && !values.isEmpty()) {
-      error(row, "%s has a value already: %s".formatted(field.spelling(), values.get(0)));
+      error(row, "value", "%s already has the value %s".formatted(field.spelling(), values.get(0)));
     } else if (field == SchemaField.CONSISTENCY_TYPE && ConsistencyType.of(value).isEmpty()) {
-      error(row, "'%s' is neither consistent, inconsistent nor frame".formatted(value));
+      error(
+          row,
+          "value",
+          "'%s' is unknown; write consistent, inconsistent or frame".formatted(value));
     } else if (field == SchemaField.DEGREE_OF_CONSISTENCY && Degree.of(value).isEmpty()) {
-      error(row, "'%s' is neither low, high nor a number from 0 to 1".formatted(value));
+      error(
+          row,
+          "value",
+          "'%s' is not a degree; write low, high or a number from 0 to 1".formatted(value));
     } else {
       values.add(value);
     }
   }
 
-  private void error(Row row, String message) {
-    faulty = true;
-    problems.error(row.at(), message + "; the table is not applied");
+  private void error(CsvRow row, String column, String message) {
+    faults.fault(row.location(column), message);
   }
 
   private Edit edit(String name) {
     List<EnrichmentEdits.SwitchWish> wishes = new ArrayList<>();
     ofSwitches.forEach(
         (def, byChoice) -> {
-          SwitchNode node = switches.get(def);
+          EnrichedSwitch node = switches.get(def);
           List<ChoiceValues> values = new ArrayList<>(node.values());
           byChoice.forEach((index, fields) -> values.set(index, merged(values.get(index), fields)));
           wishes.add(new EnrichmentEdits.SwitchWish(node, values));
@@ -155,7 +169,7 @@ public final class MetadataTable {
     List<EnrichmentEdits.SensorWish> areas = new ArrayList<>();
     ofSensors.forEach(
         (def, fields) -> {
-          SensorNode node = sensors.get(def);
+          EnrichedSensor node = sensors.get(def);
           SensorSchemas before = node.schemas();
           areas.add(
               new EnrichmentEdits.SensorWish(

@@ -3,10 +3,11 @@ package org.selectiverenderer.document.enrichment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.document.FreeNames;
 import org.selectiverenderer.document.Layout;
-import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.x3d.write.ValueText;
 
 /** Metadata elements as lines of text, laid out as thesis Figs 52, 77 and 78 are. */
 final class MetadataText {
@@ -48,7 +49,7 @@ final class MetadataText {
   List<String> part(String object, int index, ChoiceValues values) {
     String about = MetadataNames.ofPart(object, index);
     List<List<String>> strings = new ArrayList<>();
-    Values.of(values).forEach((field, words) -> strings.add(string(field, about, words)));
+    FieldStrings.of(values).forEach((field, words) -> strings.add(string(field, about, words)));
     return set("value", MetadataNames.part(object, index), object + "_v" + (index + 1), strings);
   }
 
@@ -71,7 +72,7 @@ final class MetadataText {
             + Layout.written("DEF", names.free(MetadataNames.string(field, about)), quote)
             + Layout.written("name", field.spelling(), quote)
             // Strings of an MFString are in double quotes, so these would all be references.
-            + Layout.written("value", XmlValues.multiple(words), '\'')
+            + Layout.written("value", ValueText.strings(words), '\'')
             + "/>");
   }
 

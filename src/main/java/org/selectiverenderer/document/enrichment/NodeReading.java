@@ -3,19 +3,19 @@ package org.selectiverenderer.document.enrichment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.XmlValues;
-import org.selectiverenderer.document.enrichment.SwitchNode.ChoiceNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Reads single nodes of a document. */
 final class NodeReading {
@@ -30,8 +30,8 @@ final class NodeReading {
   /**
    * @param index among all Switches, from 0
    */
-  SwitchNode switchNode(DocumentElement element, int index) {
-    List<Finding> findings = new ArrayList<>();
+  EnrichedSwitch switchNode(DocumentElement element, int index) {
+    List<ElementFinding> findings = new ArrayList<>();
     List<DocumentElement> children = element.children().stream().filter(this::isChoice).toList();
     Optional<DocumentMetadata> metadata = DocumentMetadata.of(document, element);
     SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
@@ -47,7 +47,7 @@ final class NodeReading {
           i < described.size() ? ChoiceValues.of(described.get(i)) : ChoiceValues.NONE;
       choices.add(new ChoiceNode(i, child, url(child), values));
     }
-    return new SwitchNode(
+    return new EnrichedSwitch(
         element,
         element.def().orElse("Switch#" + (index + 1)),
         MetadataNames.object(element.def().orElse("Switch" + (index + 1))),
@@ -85,12 +85,12 @@ final class NodeReading {
   /**
    * @param index among all ProximitySensors, from 0
    */
-  SensorNode sensorNode(DocumentElement element, int index) {
-    List<Finding> findings = new ArrayList<>();
+  EnrichedSensor sensorNode(DocumentElement element, int index) {
+    List<ElementFinding> findings = new ArrayList<>();
     SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
     Optional<SensorSchemas> schemas =
         DocumentMetadata.of(document, element).flatMap(reader::sensor);
-    return new SensorNode(
+    return new EnrichedSensor(
         element,
         element.def().orElse("ProximitySensor#" + (index + 1)),
         schemas.orElse(new SensorSchemas(List.of(), List.of())),
@@ -98,8 +98,8 @@ final class NodeReading {
         findings);
   }
 
-  private static Finding finding(SchemaProblem problem) {
-    return new Finding(
+  private static ElementFinding finding(SchemaProblem problem) {
+    return new ElementFinding(
         ((DocumentMetadata) problem.metadata()).meant(),
         Problem.Severity.WARNING,
         problem.message(),

@@ -5,15 +5,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import org.selectiverenderer.document.Attribute;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.FreeNames;
 import org.selectiverenderer.document.Layout;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.TextChange;
 import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.WrittenAttribute;
 
 /** Changes the metadata of Switches and ProximitySensors. For one edit. */
 final class NodeWriter {
@@ -41,7 +42,7 @@ final class NodeWriter {
   /**
    * @param wanted for each choice in order
    */
-  List<TextChange> changes(SwitchNode node, List<ChoiceValues> wanted) {
+  List<TextChange> changes(EnrichedSwitch node, List<ChoiceValues> wanted) {
     if (wanted.equals(node.values())) {
       return List.of();
     }
@@ -72,7 +73,7 @@ final class NodeWriter {
   }
 
   private static List<List<String>> partLines(
-      MetadataText text, SwitchNode node, List<ChoiceValues> wanted) {
+      MetadataText text, EnrichedSwitch node, List<ChoiceValues> wanted) {
     List<List<String>> parts = new ArrayList<>();
     for (int i = 0; i < wanted.size(); i++) {
       parts.add(text.part(node.object(), i, wanted.get(i)));
@@ -84,7 +85,7 @@ final class NodeWriter {
       DocumentMetadata metadata,
       List<DocumentMetadata> sets,
       MetadataText text,
-      SwitchNode node,
+      EnrichedSwitch node,
       List<ChoiceValues> wanted) {
     List<TextChange> changes = new ArrayList<>();
     List<String> lines = new ArrayList<>();
@@ -108,16 +109,21 @@ final class NodeWriter {
   }
 
   private List<TextChange> set(
-      DocumentMetadata set, MetadataText text, SwitchNode node, int index, ChoiceValues wanted) {
+      DocumentMetadata set,
+      MetadataText text,
+      EnrichedSwitch node,
+      int index,
+      ChoiceValues wanted) {
     Map<SchemaField, List<String>> changed =
-        Values.changed(Values.of(wanted), Values.of(node.values().get(index)));
+        FieldStrings.changed(FieldStrings.of(wanted), FieldStrings.of(node.values().get(index)));
     return new SetWriter(document, text)
         .changes(set, MetadataNames.ofPart(node.object(), index), changed);
   }
 
-  List<TextChange> changes(SensorNode node, SensorSchemas wanted) {
-    Map<SchemaField, List<String>> fields = Values.of(wanted);
-    Map<SchemaField, List<String>> changed = Values.changed(fields, Values.of(node.schemas()));
+  List<TextChange> changes(EnrichedSensor node, SensorSchemas wanted) {
+    Map<SchemaField, List<String>> fields = FieldStrings.of(wanted);
+    Map<SchemaField, List<String>> changed =
+        FieldStrings.changed(fields, FieldStrings.of(node.schemas()));
     if (changed.isEmpty()) {
       return List.of();
     }
@@ -161,9 +167,10 @@ final class NodeWriter {
   private void foreign(DocumentMetadata shared) {
     if (!ours(shared)) {
       throw new EditRefused(
-          "%s: the metadata here is another node's by USE, and not only about schemas; give this"
+          ("%s: the metadata here belongs to another node (USE) and contains more than "
+                      + "schemas; give this")
                   .formatted(document.location(shared.written().start()))
-              + " node its own in the source view first");
+              + " node its own metadata in the source view first");
     }
   }
 
@@ -188,7 +195,7 @@ final class NodeWriter {
   /** An element's lines as they stand in a set: only what belongs to its line's start changes. */
   private List<String> inside(DocumentElement element) {
     String source = document.text(element);
-    Optional<Attribute> field = document.tag(element).attribute("containerField");
+    Optional<WrittenAttribute> field = document.tag(element).attribute("containerField");
     if (field.isPresent()) {
       int from = field.get().valueFrom() - element.start();
       int to = field.get().valueTo() - element.start();

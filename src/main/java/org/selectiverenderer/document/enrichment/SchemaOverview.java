@@ -6,10 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The table of objects by schemas, as of now: in each cell the degree to which the object is
@@ -17,7 +17,7 @@ import org.selectiverenderer.schema.Degree;
  */
 public final class SchemaOverview {
   private final Enrichment enrichment;
-  private final List<SwitchNode> objects;
+  private final List<EnrichedSwitch> objects;
   private final List<String> schemas;
 
   /**
@@ -28,7 +28,7 @@ public final class SchemaOverview {
   public record Cell(int choice, Optional<ConsistencyType> type, Optional<Degree> degree) {}
 
   /** A cell by its row and column. */
-  public record Place(SwitchNode object, String schema) {
+  public record Place(EnrichedSwitch object, String schema) {
     /** Compares elements: what a node says in full is long, and there are many places. */
     @Override
     public boolean equals(Object other) {
@@ -55,7 +55,7 @@ public final class SchemaOverview {
   }
 
   /** The rows: Switches with children, in document order. */
-  public List<SwitchNode> objects() {
+  public List<EnrichedSwitch> objects() {
     return objects;
   }
 
@@ -65,7 +65,7 @@ public final class SchemaOverview {
   }
 
   /** A cell; of several choices that name the schema the last one counts, as for the controller. */
-  public Optional<Cell> cell(SwitchNode object, String schema) {
+  public Optional<Cell> cell(EnrichedSwitch object, String schema) {
     for (int i = object.choices().size() - 1; i >= 0; i--) {
       ChoiceValues values = object.choices().get(i).values();
       if (values.schemas().contains(schema)) {
@@ -105,7 +105,7 @@ public final class SchemaOverview {
 
   /** Fills cells with a degree each; those without one are emptied. */
   public Edit edit(String name, Map<Place, Optional<Degree>> cells) {
-    Map<DocumentElement, SwitchNode> nodes = new LinkedHashMap<>();
+    Map<DocumentElement, EnrichedSwitch> nodes = new LinkedHashMap<>();
     Map<DocumentElement, List<ChoiceValues>> wanted = new LinkedHashMap<>();
     cells.forEach(
         (place, degree) -> {

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Layout;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.TextChange;
-import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.write.ValueText;
 
 /**
  * Changes what a MetadataSet says, string by string: those that say what is wanted stay, those of
@@ -97,7 +97,7 @@ final class SetWriter {
         removed.add(element);
       } else if (!spread.get(i).equals(stripped(own.get(i).values()))) {
         sharing.free(element);
-        changes.add(layout.attribute(element, "value", XmlValues.multiple(spread.get(i))));
+        changes.add(layout.attribute(element, "value", ValueText.strings(spread.get(i))));
       }
     }
     List<String> lines = new ArrayList<>();

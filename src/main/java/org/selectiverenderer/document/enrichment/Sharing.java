@@ -1,9 +1,9 @@
 package org.selectiverenderer.document.enrichment;
 
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.ElementTree;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** Refuses edits of metadata that stands for other nodes' too, by USE. */
 final class Sharing {
@@ -22,9 +22,10 @@ final class Sharing {
         each -> {
           if (each.def().filter(tree::used).isPresent()) {
             throw new EditRefused(
-                "%s: the metadata '%s' is USEd elsewhere, so that changing it here would change it"
+                ("%s: the metadata '%s' is also used elsewhere (USE), so a change "
+                            + "here would change it")
                         .formatted(document.location(each.start()), each.def().get())
-                    + " there; give each node its own in the source view first");
+                    + " there; give each node its own metadata in the source view first");
           }
         });
   }

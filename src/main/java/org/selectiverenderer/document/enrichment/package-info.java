@@ -9,7 +9,8 @@
  * {@link org.selectiverenderer.document.enrichment.MetadataTable} reads METADATA.csv.
  *
  * <p>In: a document, what the author wants. Out: edits, not yet made; problems. Uses {@code
- * document}, {@code schema} and {@code x3d}.
+ * document}, {@code schema}, {@code x3d.catalogue}, {@code x3d.source}, {@code base.csv} and {@code
+ * base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.document.enrichment;

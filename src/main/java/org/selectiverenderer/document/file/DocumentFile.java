@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.polygon.versions.FileActions;
 
 /**
  * A document and the file that it comes from. Saving keeps the file as it was before in a backup
@@ -18,10 +18,10 @@ public final class DocumentFile {
   private final FileActions actions;
   private final SceneDocument document;
   private Path path;
-  private @Nullable Stamp stamp;
+  private @Nullable FileStamp stamp;
 
   private DocumentFile(
-      FileActions actions, SceneDocument document, Path path, @Nullable Stamp stamp) {
+      FileActions actions, SceneDocument document, Path path, @Nullable FileStamp stamp) {
     this.actions = actions;
     this.document = document;
     this.path = path;
@@ -43,14 +43,14 @@ public final class DocumentFile {
       throw new IOException(path + ": this is a folder, not a scene");
     }
     byte[] bytes;
-    Stamp stamp;
+    FileStamp stamp;
     try {
       bytes = Files.readAllBytes(path);
-      stamp = Stamp.of(path, bytes);
+      stamp = FileStamp.of(path, bytes);
     } catch (NoSuchFileException e) {
-      throw new IOException(path + ": there is no such file", e);
+      throw new IOException(path + ": the file does not exist", e);
     } catch (AccessDeniedException e) {
-      throw new IOException(path + ": the file may not be read", e);
+      throw new IOException(path + ": no permission to read the file", e);
     }
     return new DocumentFile(actions, SceneDocument.of(path.toString(), bytes), path, stamp);
   }
@@ -79,12 +79,7 @@ public final class DocumentFile {
     return file.resolveSibling(file.getFileName() + ".bak");
   }
 
-  /** What has become of the file since. */
-  public DiskState state() throws IOException {
-    return guard().state();
-  }
-
-  private static DiskState state(Path file, @Nullable Stamp stamp) throws IOException {
+  private static DiskState state(Path file, @Nullable FileStamp stamp) throws IOException {
     return stamp == null
         ? (Files.exists(file) ? DiskState.CHANGED : DiskState.GONE)
         : stamp.compare(file);
@@ -99,7 +94,7 @@ public final class DocumentFile {
   /** Tells what becomes of the file from now on. */
   public Guard guard() {
     Path file = path;
-    Stamp expected = stamp;
+    FileStamp expected = stamp;
     return () -> state(file, expected);
   }
 
@@ -123,17 +118,12 @@ public final class DocumentFile {
   /**
    * Writes the document to its file.
    *
-   * @throws FileChanged if somebody else has written the file; {@link #saveOver} does it all the
+   * @throws FileChanged if somebody else has written the file; {@link Writing#over} does it all the
    *     same
    * @throws IOException if it cannot be written, with one line that names it and says what to do
    */
   public void save() throws IOException {
     save(writing());
-  }
-
-  /** Writes the document to its file, whatever is there now; that goes to the backup. */
-  public void saveOver() throws IOException {
-    save(writing().over());
   }
 
   /** Writes the document to another file, which is its file from now on. */

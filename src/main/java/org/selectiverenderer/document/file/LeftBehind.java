@@ -7,9 +7,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * What a scene would lose when it is saved into another folder: relative urls count from the folder

@@ -13,11 +13,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.UUID;
+import org.selectiverenderer.base.files.Sha256;
+import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
-import org.selectiverenderer.document.TextChange;
-import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /**
  * Keeps unsaved documents in a folder of the user's, so that a crash costs a few seconds of work at
@@ -52,15 +53,14 @@ public final class Recovery {
   public void keep(Path file, Snapshot snapshot) throws IOException {
     Files.createDirectories(folder);
     String key = key(file);
-    AtomicFile writing = new AtomicFile(FileActions.REAL);
-    writing.write(folder.resolve(key + CONTENT), snapshot.bytes());
+    WholeFile.replace(folder.resolve(key + CONTENT), snapshot.bytes());
     String about =
         "file="
             + escaped(file.toAbsolutePath().toString())
             + "\nprocess="
             + ProcessHandle.current().pid()
             + "\n";
-    writing.write(folder.resolve(key + ABOUT), about.getBytes(StandardCharsets.ISO_8859_1));
+    WholeFile.replace(folder.resolve(key + ABOUT), about.getBytes(StandardCharsets.ISO_8859_1));
   }
 
   /** As java.util.Properties reads it, without the time that it would write. */
@@ -96,7 +96,7 @@ public final class Recovery {
 
   private String key(Path file) {
     byte[] name = file.toAbsolutePath().normalize().toString().getBytes(StandardCharsets.UTF_8);
-    return Stamp.digest(name).substring(0, 16) + "-" + session;
+    return Sha256.of(name).substring(0, 16) + "-" + session;
   }
 
   /** What sessions that have ended left, the latest first. What cannot be read is left alone. */

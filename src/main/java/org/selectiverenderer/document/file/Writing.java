@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.document.Snapshot;
-import org.selectiverenderer.polygon.versions.FileActions;
 
 /**
  * A document on its way to a file: what is to be written is settled, so any one thread may write
@@ -16,7 +18,7 @@ public final class Writing {
   private final Path target;
   private final Snapshot snapshot;
   private final DocumentFile.@Nullable Guard guard;
-  private @Nullable Stamp stamp;
+  private @Nullable FileStamp stamp;
 
   Writing(FileActions actions, Path target, Snapshot snapshot, DocumentFile.@Nullable Guard guard) {
     this.actions = actions;
@@ -34,7 +36,7 @@ public final class Writing {
     return snapshot;
   }
 
-  @Nullable Stamp stamp() {
+  @Nullable FileStamp stamp() {
     return stamp;
   }
 
@@ -56,29 +58,28 @@ public final class Writing {
               + ": another program has changed the file since it was opened; it is not overwritten");
     }
     byte[] bytes = snapshot.bytes();
-    AtomicFile writing = new AtomicFile(actions);
     try {
       if (Files.isRegularFile(target)) {
-        backUp(writing);
+        backUp();
       }
-      writing.write(target, bytes);
+      WholeFile.replace(target, bytes, actions);
     } catch (IOException e) {
       throw new IOException(
           "%s: cannot be saved (%s); file and document are as they were. Save it under another name"
-              .formatted(target, e.getMessage()),
+              .formatted(target, e instanceof NotWritten it ? it.reason() : e.getMessage()),
           e);
     }
-    stamp = Stamp.of(target, bytes);
+    stamp = FileStamp.of(target, bytes);
   }
 
-  private void backUp(AtomicFile writing) throws IOException {
+  private void backUp() throws IOException {
     Path backup = DocumentFile.backup(target);
     byte[] old = Files.readAllBytes(target);
     try {
-      writing.write(backup, old);
-    } catch (IOException e) {
+      WholeFile.replace(backup, old, actions);
+    } catch (NotWritten e) {
       throw new IOException(
-          "no backup can be kept as %s: %s".formatted(backup.getFileName(), e.getMessage()), e);
+          "no backup can be kept as %s: %s".formatted(backup.getFileName(), e.reason()), e);
     }
   }
 }

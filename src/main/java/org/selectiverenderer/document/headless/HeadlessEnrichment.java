@@ -8,22 +8,22 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.Fault;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.MetadataTable;
-import org.selectiverenderer.document.enrichment.SwitchNode;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.Ratings;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentFault;
 
 /** A scene enriched from tables: first what ratings imply, then what a table says outright. */
 public final class HeadlessEnrichment {
@@ -58,11 +58,9 @@ public final class HeadlessEnrichment {
     HeadlessEnrichment run =
         new HeadlessEnrichment(DocumentFile.open(request.scene()), catalogue, problems);
     SceneDocument document = run.file.document();
-    Optional<Fault> fault = document.fault();
+    Optional<DocumentFault> fault = document.fault();
     if (fault.isPresent()) {
-      problems.error(
-          new Location(document.name(), fault.get().line(), fault.get().column()),
-          fault.get().message() + "; nothing has been changed");
+      problems.error(fault.get().location(), fault.get().message() + "; nothing has been changed");
       return Optional.empty();
     }
     boolean done =
@@ -88,12 +86,12 @@ public final class HeadlessEnrichment {
     if (!following.isEmpty()) {
       problems.info(
           Location.of(table.toString()),
-          "not rated, so taken as expected in their room: " + following);
+          "not rated, so they count as expected in their room: " + following);
     }
-    String silent = plan.unrated().stream().map(SwitchNode::name).collect(Collectors.joining(", "));
+    String silent =
+        plan.unrated().stream().map(EnrichedSwitch::name).collect(Collectors.joining(", "));
     if (!silent.isEmpty()) {
-      problems.info(
-          Location.of(table.toString()), "not rated, so nothing is said of them: " + silent);
+      problems.info(Location.of(table.toString()), "not rated, so they get no metadata: " + silent);
     }
     return perform(plan.edit("Import ratings"));
   }
@@ -130,9 +128,9 @@ public final class HeadlessEnrichment {
     try {
       return Files.readAllBytes(table);
     } catch (NoSuchFileException e) {
-      throw new IOException(table + ": there is no such file", e);
+      throw new IOException(table + ": the file does not exist", e);
     } catch (AccessDeniedException e) {
-      throw new IOException(table + ": the file may not be read", e);
+      throw new IOException(table + ": no permission to read the file", e);
     }
   }
 

@@ -2,7 +2,8 @@
  * Enriching a scene without a window: the edits of the enricher, told by tables.
  *
  * <p>In: a scene, METADATA.csv, RATINGS.csv. Out: the enriched scene, or how it would differ. Uses
- * the other packages of {@code document}.
+ * {@code document}, {@code document.enrichment}, {@code document.file}, {@code document.ratings},
+ * {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.document.headless;

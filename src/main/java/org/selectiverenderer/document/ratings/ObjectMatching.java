@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import org.selectiverenderer.document.enrichment.SwitchNode;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 
 /**
  * Which Switch of a scene each object of a questionnaire is. Begins with what the names say and can
@@ -43,9 +43,9 @@ public final class ObjectMatching {
   /**
    * @param objects of the questionnaire
    */
-  public ObjectMatching(Set<String> objects, List<SwitchNode> switches) {
+  public ObjectMatching(Set<String> objects, List<EnrichedSwitch> switches) {
     Map<String, String> byName = new TreeMap<>();
-    for (SwitchNode node : switches) {
+    for (EnrichedSwitch node : switches) {
       for (String name : names(node)) {
         byName.putIfAbsent(name, node.name());
       }
@@ -56,7 +56,7 @@ public final class ObjectMatching {
   }
 
   /** What a Switch may be called, in plain letters: after its DEF, and after its first file. */
-  private static List<String> names(SwitchNode node) {
+  private static List<String> names(EnrichedSwitch node) {
     List<String> names = new ArrayList<>(List.of(plain(node.name()), plain(node.object())));
     if (!node.choices().isEmpty()) {
       String url = node.choices().get(0).url();

@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.ratings.RatingPlan.Implied;
 import org.selectiverenderer.document.ratings.RatingPlan.Row;
 import org.selectiverenderer.document.ratings.Ratings.Mean;
 
 /** What ratings imply for one Switch. */
 final class ObjectPlan {
-  private final SwitchNode node;
+  private final EnrichedSwitch node;
   private final SchemaPlaces places;
 
-  ObjectPlan(SwitchNode node, SchemaPlaces places) {
+  ObjectPlan(EnrichedSwitch node, SchemaPlaces places) {
     this.node = node;
     this.places = places;
   }
@@ -41,7 +41,7 @@ final class ObjectPlan {
   }
 
   /** A Switch that was not rated, in a room where it is expected. */
-  static Row expected(SwitchNode node, String schema) {
+  static Row expected(EnrichedSwitch node, String schema) {
     int last = node.choices().size() - 1;
     List<ChoiceValues> choices = new ArrayList<>(node.values());
     choices.set(last, VersionBands.values(last, last + 1).with(List.of(schema)));
@@ -49,7 +49,7 @@ final class ObjectPlan {
   }
 
   /** What is said already of schemas that were not rated stays. */
-  private static List<ChoiceValues> choices(SwitchNode node, List<Implied> implied) {
+  private static List<ChoiceValues> choices(EnrichedSwitch node, List<Implied> implied) {
     List<String> rated = implied.stream().map(Implied::schema).toList();
     List<ChoiceValues> choices = new ArrayList<>();
     for (int i = 0; i < node.choices().size(); i++) {

@@ -7,11 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits.SensorWish;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits.SwitchWish;
-import org.selectiverenderer.document.enrichment.SwitchNode;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.document.ratings.Ratings.Mean;
 
@@ -39,7 +39,10 @@ public final class RatingPlan {
    * @param choices what the Switch says afterwards
    */
   public record Row(
-      SwitchNode node, Optional<String> object, List<Implied> schemas, List<ChoiceValues> choices) {
+      EnrichedSwitch node,
+      Optional<String> object,
+      List<Implied> schemas,
+      List<ChoiceValues> choices) {
     public Row {
       schemas = List.copyOf(schemas);
       choices = List.copyOf(choices);
@@ -50,14 +53,14 @@ public final class RatingPlan {
   private final List<Row> rows;
   private final List<SensorWish> sensors;
   private final List<Match> unused;
-  private final List<SwitchNode> unrated;
+  private final List<EnrichedSwitch> unrated;
 
   private RatingPlan(
       Enrichment enrichment,
       List<Row> rows,
       List<SensorWish> sensors,
       List<Match> unused,
-      List<SwitchNode> unrated) {
+      List<EnrichedSwitch> unrated) {
     this.enrichment = enrichment;
     this.rows = List.copyOf(rows);
     this.sensors = List.copyOf(sensors);
@@ -74,11 +77,11 @@ public final class RatingPlan {
   public static RatingPlan of(
       Enrichment enrichment, Ratings ratings, ObjectMatching matching, boolean unratedFollow) {
     SchemaPlaces places = new SchemaPlaces(enrichment.sensors(), ratings);
-    Map<String, SwitchNode> switches = enrichment.switchesByName();
+    Map<String, EnrichedSwitch> switches = enrichment.switchesByName();
     Map<String, Row> rows = new LinkedHashMap<>();
     List<Match> unused = new ArrayList<>();
     for (Match match : matching.matches()) {
-      SwitchNode node = match.counts() ? switches.get(match.switchName().orElse("")) : null;
+      EnrichedSwitch node = match.counts() ? switches.get(match.switchName().orElse("")) : null;
       if (node == null || node.choices().size() < 2 || rows.containsKey(node.name())) {
         unused.add(match);
       } else {
@@ -87,8 +90,8 @@ public final class RatingPlan {
       }
     }
     RoomSchemas rooms = new RoomSchemas(rows.values(), places);
-    List<SwitchNode> unrated = new ArrayList<>();
-    for (SwitchNode node : enrichment.switches()) {
+    List<EnrichedSwitch> unrated = new ArrayList<>();
+    for (EnrichedSwitch node : enrichment.switches()) {
       if (rows.containsKey(node.name()) || node.enriched() || node.choices().size() < 2) {
         continue;
       }
@@ -119,7 +122,7 @@ public final class RatingPlan {
   }
 
   /** Switches of which nothing is said, before or after. */
-  public List<SwitchNode> unrated() {
+  public List<EnrichedSwitch> unrated() {
     return unrated;
   }
 

@@ -5,10 +5,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.document.CsvRows;
-import org.selectiverenderer.document.CsvRows.Row;
+import java.util.OptionalDouble;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.schema.Band;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.source.EncodedText;
 
 /**
  * How likely people find it that an object is in the place of a schema.
@@ -17,6 +22,7 @@ import org.selectiverenderer.x3d.Problems;
  */
 public record Ratings(Map<String, Map<String, Mean>> means) {
   private static final List<String> COLUMNS = List.of("object", "schema", "rating");
+  private static final CsvColumns FORM = new CsvColumns(COLUMNS, true, true);
 
   /**
    * The mean of all ratings of one object in one place.
@@ -38,43 +44,36 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
    *     without a rating is one that nobody gave
    */
   public static Optional<Ratings> read(String name, byte[] table, Problems problems) {
-    Optional<List<Row>> rows = CsvRows.read(name, table, COLUMNS, problems);
-    if (rows.isEmpty()) {
+    Problems own = new Problems(problems::add);
+    CsvFaults faults = (at, message) -> own.error(at, message + "; the table is not used");
+    Optional<CsvTable> read =
+        CsvTable.parse(name, EncodedText.of(table).characters(), FORM, faults);
+    if (read.isEmpty() || !read.get().require(COLUMNS, String.join(",", COLUMNS))) {
       return Optional.empty();
     }
     Map<String, Map<String, List<Double>>> all = new LinkedHashMap<>();
-    boolean faulty = false;
-    for (Row row : rows.get()) {
+    for (CsvRow row : read.get().rows()) {
       String object = row.cell("object");
       String schema = row.cell("schema");
       if (row.cell("rating").isEmpty()) {
         continue;
       }
-      Optional<Double> rating = rating(row.cell("rating"));
-      if (object.isEmpty() || schema.isEmpty() || rating.isEmpty()) {
-        faulty = true;
-        problems.error(
-            row.at(),
-            rating.isEmpty()
-                ? "'%s' is no rating from 1 to 6; the table is not used"
-                    .formatted(row.cell("rating"))
-                : "a rating needs an object and a schema; the table is not used");
+      OptionalDouble rating = CsvNumbers.number(row, "rating", faults);
+      if (rating.isEmpty()) {
         continue;
+      }
+      if (rating.getAsDouble() < 1 || rating.getAsDouble() > 6) {
+        faults.fault(
+            row.location("rating"),
+            CsvNumbers.quoted(row.cell("rating")) + " is not a rating from 1 to 6");
+      } else if (object.isEmpty() || schema.isEmpty()) {
+        faults.fault(row.location(), "a rating needs an object and a schema");
       }
       all.computeIfAbsent(object, key -> new LinkedHashMap<>())
           .computeIfAbsent(schema, key -> new ArrayList<>())
-          .add(rating.get());
+          .add(rating.getAsDouble());
     }
-    return faulty ? Optional.empty() : Optional.of(new Ratings(means(all)));
-  }
-
-  private static Optional<Double> rating(String text) {
-    try {
-      double rating = Double.parseDouble(text.replace(',', '.'));
-      return rating >= 1 && rating <= 6 ? Optional.of(rating) : Optional.empty();
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
+    return own.any() ? Optional.empty() : Optional.of(new Ratings(means(all)));
   }
 
   private static Map<String, Map<String, Mean>> means(

@@ -6,9 +6,9 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.ratings.RatingPlan.Row;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The schema of the room that an element stands in: that of the rated objects in the smallest group
@@ -31,7 +31,7 @@ final class RoomSchemas {
     }
   }
 
-  Optional<String> of(SwitchNode node) {
+  Optional<String> of(EnrichedSwitch node) {
     Optional<DocumentElement> around = node.element().parent();
     while (around.isPresent()) {
       Set<String> schemas = rooms.getOrDefault(around.get(), Set.of());

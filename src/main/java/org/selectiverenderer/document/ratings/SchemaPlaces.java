@@ -8,8 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits.SensorWish;
-import org.selectiverenderer.document.enrichment.SensorNode;
 import org.selectiverenderer.document.ratings.Ratings.Mean;
 import org.selectiverenderer.schema.SensorSchemas;
 
@@ -25,14 +25,14 @@ final class SchemaPlaces {
   private static final Pattern SCHEMA_WORDS = Pattern.compile("(?i)schema|[^\\p{L}\\p{N}]");
 
   private final Set<String> parts = new LinkedHashSet<>();
-  private final Map<SensorNode, String> newPlaces = new LinkedHashMap<>();
+  private final Map<EnrichedSensor, String> newPlaces = new LinkedHashMap<>();
   private final Ratings ratings;
 
-  SchemaPlaces(List<SensorNode> sensors, Ratings ratings) {
+  SchemaPlaces(List<EnrichedSensor> sensors, Ratings ratings) {
     this.ratings = ratings;
     Set<String> schemas = new LinkedHashSet<>();
     ratings.means().values().forEach(bySchema -> schemas.addAll(bySchema.keySet()));
-    for (SensorNode sensor : sensors) {
+    for (EnrichedSensor sensor : sensors) {
       parts.addAll(sensor.schemas().enter());
       if (!sensor.enriched()) {
         String place = SENSOR_WORDS.matcher(sensor.name()).replaceAll("").toLowerCase(Locale.ROOT);

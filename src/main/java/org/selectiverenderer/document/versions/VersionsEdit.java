@@ -2,79 +2,119 @@ package org.selectiverenderer.document.versions;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
-import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.polygon.model.ModelReader;
 import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.polygon.versions.FileActions;
-import org.selectiverenderer.polygon.versions.Version;
-import org.selectiverenderer.polygon.versions.VersionMaker;
-import org.selectiverenderer.polygon.versions.VersionPlan;
-import org.selectiverenderer.polygon.versions.VersionPlan.PlannedFile;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * Versions of one object of a document: planned beside the author's work, looked at, then applied.
- * Undoing takes the Switch out of the document again; the files of the versions stay, as nothing
- * refers to them then.
+ * Versions of an object in a scene (thesis 4.2): in the object's place comes a Switch of Inlines,
+ * each of which names a file with one version. The original becomes version 1 as it is; the others
+ * are reduced. A Transform around the object stays where it was, and so does every other byte of
+ * the scene. An object that has versions already gets new ones of its version 1.
+ *
+ * <p>Planned beside the author's work, looked at, then applied to the document or written with the
+ * scene's file. Undoing takes the Switch out of the document again; the files of the versions stay,
+ * as nothing refers to them then.
  */
 public final class VersionsEdit {
   private final Snapshot snapshot;
-  private final VersionPlan plan;
+  private final String object;
+  private final List<ObjectVersion> versions;
+  private final List<PlannedFile> files;
+  private final PlannedFile scene;
+  private final Edit edit;
 
-  private VersionsEdit(Snapshot snapshot, VersionPlan plan) {
+  VersionsEdit(
+      Snapshot snapshot,
+      String object,
+      List<ObjectVersion> versions,
+      List<PlannedFile> files,
+      PlannedFile scene,
+      Edit edit) {
     this.snapshot = snapshot;
-    this.plan = plan;
+    this.object = object;
+    this.versions = List.copyOf(versions);
+    this.files = List.copyOf(files);
+    this.scene = scene;
+    this.edit = edit;
   }
 
   /**
    * What is to be made.
    *
-   * @param file of the document, against which urls count
+   * @param scene the document's file, against which urls count
    * @param object the DEF name of the object, or of the Transform or Group round it
-   * @param goals of versions 2, 3 and so on
-   * @param inlineFolder where the versions' files go, relative to the file's folder
+   * @param goals of versions 2, 3 and so on; a first one that is all of the original stands for
+   *     version 1
+   * @param output the changed scene's file; the scene's own to change it in place
+   * @param inlineFolder where the versions' files go, relative to the output's folder
    */
-  public record Request(Path file, String object, List<Goal> goals, String inlineFolder) {
+  public record Request(
+      Path scene, String object, List<Goal> goals, Path output, String inlineFolder) {
     public Request {
       goals = List.copyOf(goals);
+    }
+
+    /** The same, to change the scene in place. */
+    public Request(Path scene, String object, List<Goal> goals, String inlineFolder) {
+      this(scene, object, goals, scene, inlineFolder);
     }
   }
 
   /**
-   * Works out the versions; takes a while, so not for the thread of the window. Writes nothing.
+   * Works out the versions; takes a while, so not for the thread of a window. Writes nothing.
    *
    * @return empty when the object cannot get versions, which is reported
+   * @throws BadSceneException if the scene's text cannot be changed without harm
    * @throws IOException if a file cannot be read, with one line that names it
    */
   public static Optional<VersionsEdit> plan(
       Snapshot snapshot, Request request, NodeCatalogue catalogue, Problems problems)
       throws IOException {
-    VersionMaker.Request wanted =
-        new VersionMaker.Request(
-            request.file(),
-            request.object(),
-            request.goals(),
-            request.file(),
-            request.inlineFolder());
-    return new VersionMaker(catalogue)
-        .plan(wanted, snapshot.bytes(), problems)
-        .map(plan -> new VersionsEdit(snapshot, plan));
+    X3dReader reader = new X3dReader(catalogue);
+    SceneSource scene = SceneSource.of(snapshot, reader, problems);
+    Optional<ObjectElement> site = new SiteFinder(scene, problems).find(request.object());
+    if (site.isEmpty()) {
+      return Optional.empty();
+    }
+    ModelReader models = new ModelReader(catalogue);
+    return new Planning(request, scene, site.get(), models, reader, problems).plan();
+  }
+
+  /** The DEF name of the object. */
+  public String object() {
+    return object;
   }
 
   /** The versions, the original first. */
-  public List<Version> versions() {
-    return plan.versions();
+  public List<ObjectVersion> versions() {
+    return versions;
   }
 
   /** The versions' files with their content, for looking at them before they are written. */
   public List<PlannedFile> files() {
-    return plan.files().stream().filter(file -> !file.file().equals(plan.scene())).toList();
+    return files;
+  }
+
+  /** The changed scene. */
+  public PlannedFile scene() {
+    return scene;
+  }
+
+  /** How the scene's text changes; empty when it already has the Switch. */
+  public List<ShownChange> changes() {
+    return ShownChange.of(edit, snapshot.text());
   }
 
   /**
@@ -86,14 +126,33 @@ public final class VersionsEdit {
   public void apply(SceneDocument document, FileActions actions) throws IOException {
     if (document.revision() != snapshot.revision()) {
       throw new EditRefused(
-          "the scene has changed since the versions of '%s' were worked out; work them out again"
-              .formatted(plan.object()));
+          ("the scene has changed since the versions of '%s' were computed; compute "
+                  + "them again")
+              .formatted(object));
     }
-    plan.applyVersions(actions);
-    List<TextChange> changes =
-        plan.edits().stream()
-            .map(edit -> new TextChange(edit.from(), edit.to(), edit.replacement()))
-            .toList();
-    document.perform(new Edit("Make versions of " + plan.object(), changes));
+    write(files, actions);
+    document.perform(edit);
+  }
+
+  /**
+   * Writes the changed scene and the versions' files, those that change, or none.
+   *
+   * @return see {@link FileTransaction#commit}
+   * @throws IOException if one cannot be written, with one line that names it
+   */
+  public List<Path> write(FileActions actions) throws IOException {
+    List<PlannedFile> all = new ArrayList<>(files);
+    all.add(scene);
+    return write(all, actions);
+  }
+
+  private static List<Path> write(List<PlannedFile> files, FileActions actions) throws IOException {
+    FileTransaction writing = new FileTransaction(actions);
+    for (PlannedFile file : files) {
+      if (file.state() != PlannedFile.State.UNCHANGED) {
+        writing.add(file.file(), file.content());
+      }
+    }
+    return writing.commit();
   }
 }

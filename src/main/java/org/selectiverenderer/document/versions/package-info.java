@@ -1,9 +1,11 @@
 /**
  * The polygon count process (thesis 4.2.1) on a document: a Switch of versions in an object's
- * place, as an edit that can be undone.
+ * place, as an edit that can be undone, or written with the scene's file. All is planned first,
+ * then written all or nothing.
  *
- * <p>In: a document, an object's DEF name, goals. Out: files of versions, an edit. Uses {@code
- * document} and {@code polygon}.
+ * <p>In: a document's snapshot, an object's DEF name, goals. Out: files of versions, an edit. Uses
+ * {@code document}, {@code document.file}, {@code polygon.model}, {@code polygon.simplify}, {@code
+ * x3d} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.document.versions;

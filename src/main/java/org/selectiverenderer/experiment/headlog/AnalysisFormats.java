@@ -1,9 +1,11 @@
 package org.selectiverenderer.experiment.headlog;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 
 /** An analysis as text for people and as JSON. */
 public final class AnalysisFormats {
@@ -39,7 +41,7 @@ public final class AnalysisFormats {
     for (RoomView room : analysis.rooms()) {
       line(
           text,
-          "%-32s %8.1f s in it, at most %.0f %% of it seen%s",
+          "%-32s %8.1f s inside, at most %.0f %% of it seen%s",
           room.room(),
           room.seconds(),
           100 * room.seen(),
@@ -54,23 +56,23 @@ public final class AnalysisFormats {
     text.append(String.format(Locale.ROOT, format, arguments)).append('\n');
   }
 
-  /** One JSON object, several lines without the last one's end. */
+  /** One JSON object, several lines, the last one ended. */
   public static String json(HeadLogAnalysis analysis) {
-    ObjectNode root = new ObjectMapper().createObjectNode();
+    ObjectNode root = JsonTree.object();
     HeadLogDescription shown = analysis.log().description();
     root.put("scene", shown.scene()).put("condition", shown.condition());
-    root.put("seconds", rounded(analysis.seconds()));
+    root.put("seconds", Rounded.to(3, analysis.seconds()));
     root.put("samples", analysis.log().samples().size());
-    root.put("idle", rounded(analysis.idle()));
+    root.put("idle", Rounded.to(3, analysis.idle()));
     ArrayNode objects = root.putArray("objects");
     for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
       objects
           .addObject()
           .put("object", view.object())
-          .put("seconds", rounded(view.seconds()))
+          .put("seconds", Rounded.to(3, view.seconds()))
           .put("looks", view.looks())
-          .put("first", rounded(view.first()))
-          .put("longest", rounded(view.longest()));
+          .put("first", Rounded.to(3, view.first()))
+          .put("longest", Rounded.to(3, view.longest()));
     }
     ArrayNode unseen = root.putArray("unseen");
     analysis.unseen().forEach(unseen::add);
@@ -80,27 +82,23 @@ public final class AnalysisFormats {
           rooms
               .addObject()
               .put("room", room.room())
-              .put("seconds", rounded(room.seconds()))
-              .put("seen", rounded(room.seen()))
+              .put("seconds", Rounded.to(3, room.seconds()))
+              .put("seen", Rounded.to(3, room.seen()))
               .putArray("unseen_sides");
       room.unseen().forEach(sides::add);
     }
     ArrayNode looks = root.putArray("looks");
-    for (Look look : analysis.looks()) {
+    for (Dwell look : analysis.looks()) {
       ObjectNode node =
           looks
               .addObject()
               .put("object", look.object())
-              .put("start", rounded(look.start()))
-              .put("end", rounded(look.end()));
+              .put("start", Rounded.to(3, look.start()))
+              .put("end", Rounded.to(3, look.end()));
       if (look.version() >= 0) {
         node.put("version", look.version());
       }
     }
-    return root.toPrettyString();
-  }
-
-  private static double rounded(double value) {
-    return Math.round(value * 1000) / 1000.0;
+    return JsonText.of(root);
   }
 }

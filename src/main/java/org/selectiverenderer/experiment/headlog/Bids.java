@@ -1,10 +1,8 @@
 package org.selectiverenderer.experiment.headlog;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,6 +10,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.joml.Quaterniond;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 
 /**
  * A head log as BIDS motion data (Brain Imaging Data Structure 1.9 and later, "Motion"; Jeung and
@@ -43,7 +45,7 @@ public final class Bids {
   private Bids() {}
 
   /**
-   * Writes the four files.
+   * Writes the four files, or none.
    *
    * @param folder made if it is not there
    * @param subject label of the participant: letters and digits
@@ -52,10 +54,12 @@ public final class Bids {
    */
   public static Path write(HeadLog log, Path folder, String subject) throws IOException {
     String stem = "sub-" + subject + "_task-viewing_tracksys-head";
-    Files.createDirectories(folder);
-    for (Map.Entry<String, String> file : files(log, stem, "viewing").entrySet()) {
-      Files.writeString(folder.resolve(file.getKey()), file.getValue(), StandardCharsets.UTF_8);
-    }
+    FileTransaction writing = new FileTransaction();
+    files(log, stem, "viewing")
+        .forEach(
+            (name, text) ->
+                writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+    writing.commit();
     return folder.resolve(stem + DATA);
   }
 
@@ -71,8 +75,8 @@ public final class Bids {
     // Channels are of the recording, not of the task's run: the tracking system stays in their
     // name.
     files.put(stem + "_channels.tsv", channels(log));
-    files.put(stem + "_channels.json", frames() + "\n");
-    files.put(stem + "_motion.json", sidecar(log, task) + "\n");
+    files.put(stem + "_channels.json", frames());
+    files.put(stem + "_motion.json", sidecar(log, task));
     files.put(stem + DATA, motion(log));
     return files;
   }
@@ -128,7 +132,7 @@ public final class Bids {
   }
 
   private static String sidecar(HeadLog log, String task) {
-    ObjectNode root = new ObjectMapper().createObjectNode();
+    ObjectNode root = JsonTree.object();
     root.put("TaskName", task);
     root.put(
         "TaskDescription",
@@ -147,13 +151,13 @@ public final class Bids {
     root.put("ORNTChannelCount", 4);
     root.put("LATENCYChannelCount", 1);
     root.put("TrackedPointsCount", 1);
-    root.put("RecordingDuration", Math.round(log.duration() * 1000) / 1000.0);
+    root.put("RecordingDuration", Rounded.to(3, log.duration()));
     root.put("MissingValues", "n/a");
-    return root.toPrettyString();
+    return JsonText.of(root);
   }
 
   private static String frames() {
-    ObjectNode root = new ObjectMapper().createObjectNode();
+    ObjectNode root = JsonTree.object();
     ObjectNode frame = root.putObject("reference_frame");
     frame.put("LongName", "reference frame");
     frame.put("Description", "the coordinates of the scene's world, X3D");
@@ -161,6 +165,6 @@ public final class Bids {
     scene.put("SpatialAxes", "RSP");
     scene.put("RotationRule", "right-hand");
     scene.put("RotationOrder", "n/a");
-    return root.toPrettyString();
+    return JsonText.of(root);
   }
 }

@@ -1,10 +1,11 @@
 package org.selectiverenderer.experiment.headlog;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
-import org.selectiverenderer.csv.FixedDecimals;
+import org.selectiverenderer.base.decimal.DecimalText;
 
 /**
  * The columns of a head log's CSV, in their order. Numbers have a fixed number of decimals: a
@@ -24,7 +25,8 @@ enum Column {
           + " since the frame before",
       s -> s.moved() ? "moved" : "idle"),
   OBJECT(
-      "in the middle of the view, by the DEF of its Switch, of its Inline or the nearest DEF; empty for none",
+      "in the middle of the view, by the DEF of its Switch, of its Inline or the nearest DEF; empty"
+          + " for none",
       HeadSample::object),
   DISTANCE(
       "of the object's surface along the line of sight; empty for none",
@@ -49,6 +51,7 @@ enum Column {
   /** How many a number has; -1 for columns that are no numbers. */
   final int decimals;
 
+  private final String header = name().toLowerCase(Locale.ROOT);
   private final Function<HeadSample, String> value;
 
   Column(String meaning, String units, int decimals, ToDoubleFunction<HeadSample> number) {
@@ -66,33 +69,21 @@ enum Column {
   }
 
   private static String text(double number, int decimals) {
-    return Double.isFinite(number) ? FixedDecimals.of(number, decimals) : "";
+    return Double.isFinite(number) ? DecimalText.fixed(number, decimals) : "";
   }
 
   /** As the header of the CSV names it. */
   String header() {
-    return name().toLowerCase(Locale.ROOT);
+    return header;
   }
 
-  /** The first line of the CSV. */
-  static String headers() {
-    return String.join(",", List.of(values()).stream().map(Column::header).toList());
+  /** The names of all, in their order. */
+  static List<String> headers() {
+    return Arrays.stream(values()).map(Column::header).toList();
   }
 
-  /** A line of the CSV, without its end. */
-  static String line(HeadSample sample) {
-    StringBuilder line = new StringBuilder(160);
-    for (Column column : values()) {
-      if (column != T) {
-        line.append(',');
-      }
-      line.append(quoted(column.value.apply(sample)));
-    }
-    return line.toString();
-  }
-
-  private static String quoted(String cell) {
-    boolean plain = cell.indexOf(',') < 0 && cell.indexOf('"') < 0;
-    return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+  /** A sample's cells, in the order of the columns. */
+  static List<String> cells(HeadSample sample) {
+    return Arrays.stream(values()).map(column -> column.value.apply(sample)).toList();
   }
 }

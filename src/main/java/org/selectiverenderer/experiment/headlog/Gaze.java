@@ -11,10 +11,10 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.navigation.RayCaster;
-import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
  * Finds what is in the middle of the viewer's view: by a ray along the line of sight, and by

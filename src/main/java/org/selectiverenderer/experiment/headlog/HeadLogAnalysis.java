@@ -19,7 +19,7 @@ public record HeadLogAnalysis(
     HeadLog log,
     double seconds,
     double idle,
-    List<Look> looks,
+    List<Dwell> looks,
     List<ObjectView> objects,
     List<String> unseen,
     List<RoomView> rooms) {
@@ -40,7 +40,7 @@ public record HeadLogAnalysis(
 
   /** Looks at a log. */
   public static HeadLogAnalysis of(HeadLog log) {
-    List<Look> looks = looks(log);
+    List<Dwell> looks = looks(log);
     double idle = 0;
     double all = 0;
     for (int i = 0; i < log.samples().size(); i++) {
@@ -64,8 +64,8 @@ public record HeadLogAnalysis(
   }
 
   /** Samples of the same object in turn are one look; a short gap does not end it. */
-  private static List<Look> looks(HeadLog log) {
-    List<Look> looks = new ArrayList<>();
+  private static List<Dwell> looks(HeadLog log) {
+    List<Dwell> looks = new ArrayList<>();
     Map<String, Integer> last = new LinkedHashMap<>();
     for (int i = 0; i < log.samples().size(); i++) {
       HeadSample sample = log.samples().get(i);
@@ -75,19 +75,19 @@ public record HeadLogAnalysis(
       double end = sample.t() + log.shown(i);
       Integer at = last.get(sample.object());
       if (at != null && sample.t() - looks.get(at).end() <= GAP) {
-        Look before = looks.get(at);
-        looks.set(at, new Look(before.object(), before.start(), end, before.version()));
+        Dwell before = looks.get(at);
+        looks.set(at, new Dwell(before.object(), before.start(), end, before.version()));
       } else {
         last.put(sample.object(), looks.size());
-        looks.add(new Look(sample.object(), sample.t(), end, sample.version()));
+        looks.add(new Dwell(sample.object(), sample.t(), end, sample.version()));
       }
     }
     return looks;
   }
 
-  private static List<ObjectView> objects(List<Look> looks) {
+  private static List<ObjectView> objects(List<Dwell> looks) {
     Map<String, ObjectView> views = new LinkedHashMap<>();
-    for (Look look : looks) {
+    for (Dwell look : looks) {
       views.merge(
           look.object(),
           new ObjectView(look.object(), look.duration(), 1, look.start(), look.duration()),

@@ -1,12 +1,13 @@
 package org.selectiverenderer.experiment.headlog;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.headlog.SceneMap.Area;
 import org.selectiverenderer.experiment.headlog.SceneMap.Box;
 
@@ -49,9 +50,9 @@ public record HeadLogDescription(
     return csv.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ".json");
   }
 
-  /** As JSON, several lines. */
+  /** As JSON, several lines, the last one ended. */
   public String json() {
-    ObjectNode root = new ObjectMapper().createObjectNode();
+    ObjectNode root = JsonTree.object();
     root.put("started", started);
     root.put("scene", scene);
     root.put("condition", condition);
@@ -80,7 +81,7 @@ public record HeadLogDescription(
     }
     boxes(drawn.putArray("rooms"), map.rooms());
     boxes(drawn.putArray("objects"), map.objects());
-    return root.toPrettyString();
+    return JsonText.of(root);
   }
 
   private static double degrees(double tangent) {

@@ -1,7 +1,6 @@
 package org.selectiverenderer.experiment.headlog;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
@@ -10,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.base.files.Disk;
 
 /**
  * The two files of a head log, its CSV and the description beside it. They are taken before
@@ -48,10 +49,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     }
 
     void write(String text) throws IOException {
-      ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
-      while (bytes.hasRemaining()) {
-        channel.write(bytes);
-      }
+      Disk.write(channel, text.getBytes(StandardCharsets.UTF_8));
     }
 
     void close(boolean keep) throws IOException {
@@ -106,11 +104,11 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     csv.channel().truncate(0);
     json.channel().truncate(0);
     begun = true;
-    csv.write(Column.headers() + "\n");
-    json.write(description.json() + "\n");
+    csv.write(CsvText.bare().row(Column.headers()).toString());
+    json.write(description.json());
     json.channel().force(true);
     csv.channel().force(true);
-    KeptFile.forceFolder(csv.file().toAbsolutePath().getParent());
+    Disk.forceFolder(csv.file().toAbsolutePath().getParent());
     return this;
   }
 

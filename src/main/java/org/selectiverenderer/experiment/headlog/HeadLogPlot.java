@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.selectiverenderer.base.picture.SvgDrawing;
+import org.selectiverenderer.base.picture.SvgPrecision;
 import org.selectiverenderer.experiment.headlog.HeadLogAnalysis.ObjectView;
 
 /**
@@ -61,8 +63,10 @@ public final class HeadLogPlot {
                 shown.scene(),
                 shown.condition(),
                 String.format(Locale.ROOT, "%.1f", analysis.seconds()));
-    Svg svg = new Svg(WIDTH, height, title);
-    svg.text(title, MARGIN, 28, 18, INK, "start");
+    String fonts = "DejaVu Sans, Arial, sans-serif";
+    SvgDrawing svg = new SvgDrawing(WIDTH, height, fonts, title, SvgPrecision.TENTHS);
+    svg.rectangle(0, 0, WIDTH, height, "#ffffff");
+    text(svg, title, MARGIN, 28, 18, INK, "start");
     plan(svg);
     timeline(svg, rows, MARGIN + plan + MARGIN);
     return svg.finish();
@@ -110,20 +114,21 @@ public final class HeadLogPlot {
     box[3] = Math.max(box[3], z1);
   }
 
-  private void plan(Svg svg) {
+  private void plan(SvgDrawing svg) {
     Scale scale = scale();
     SceneMap map = analysis.log().description().map();
     for (SceneMap.Area area : map.areas()) {
       List<double[]> corners =
           area.outline().stream().map(corner -> scale.at(corner[0], corner[1])).toList();
-      svg.path(corners, true, "fill=\"#eef4fa\" stroke=\"#0072b2\" stroke-dasharray=\"6 4\"");
-      svg.text(area.name(), corners.get(0)[0] + 5, corners.get(0)[1] + 15, 12, "#0072b2", "start");
+      path(svg, corners, true, "fill", "#eef4fa", "stroke", "#0072b2", "stroke-dasharray", "6 4");
+      text(svg, area.name(), corners.get(0)[0] + 5, corners.get(0)[1] + 15, 12, "#0072b2", "start");
     }
     for (int i = 0; i < map.rooms().size(); i++) {
       SceneMap.Box room = map.rooms().get(i);
-      svg.path(outline(room, scale), true, "fill=\"none\" stroke=\"#555555\" stroke-width=\"2\"");
+      path(svg, outline(room, scale), true, "fill", "none", "stroke", "#555555", "stroke-width", 2);
       double[] corner = scale.at(room.bounds()[0], room.bounds()[5]);
-      svg.text(
+      text(
+          svg,
           String.format(
               Locale.ROOT, "%s: %.0f %% seen", room.name(), 100 * analysis.rooms().get(i).seen()),
           corner[0] + 5,
@@ -134,12 +139,14 @@ public final class HeadLogPlot {
     }
     for (SceneMap.Box object : map.objects()) {
       String colour = colours.get(object.name());
-      svg.path(
+      path(
+          svg,
           outline(object, scale),
           true,
-          colour == null
-              ? "fill=\"none\" stroke=\"#bbbbbb\""
-              : "fill=\"%s\" stroke=\"none\"".formatted(colour));
+          "fill",
+          colour == null ? "none" : colour,
+          "stroke",
+          colour == null ? "#bbbbbb" : "none");
     }
     way(svg, scale);
   }
@@ -151,7 +158,7 @@ public final class HeadLogPlot {
   }
 
   /** The viewer's way, and each second where it looked, in the colour of what was there. */
-  private void way(Svg svg, Scale scale) {
+  private void way(SvgDrawing svg, Scale scale) {
     List<double[]> way = new ArrayList<>();
     double next = Double.NEGATIVE_INFINITY;
     for (HeadSample sample : analysis.log().samples()) {
@@ -168,30 +175,30 @@ public final class HeadLogPlot {
         double[] seen =
             scale.at(sample.x() - level * Math.sin(yaw), sample.z() - level * Math.cos(yaw));
         String colour = colours.getOrDefault(sample.object(), "#999999");
-        svg.path(
-            List.of(at, seen), false, "stroke=\"%s\" stroke-opacity=\"0.45\"".formatted(colour));
-        svg.circle(seen[0], seen[1], 2.5, "fill=\"%s\"".formatted(colour));
+        path(svg, List.of(at, seen), false, "stroke", colour, "stroke-opacity", "0.45");
+        circle(svg, seen, 2.5, "fill", colour);
       }
     }
-    svg.path(way, false, "fill=\"none\" stroke=\"#222222\" stroke-width=\"1.5\"");
+    path(svg, way, false, "fill", "none", "stroke", INK, "stroke-width", "1.5");
     double[] start = way.get(0);
-    svg.circle(start[0], start[1], 5, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"2\"");
+    circle(svg, start, 5, "fill", "#ffffff", "stroke", INK, "stroke-width", 2);
     double[] end = way.get(way.size() - 1);
-    svg.circle(end[0], end[1], 5, "fill=\"#222222\"");
+    circle(svg, end, 5, "fill", INK);
   }
 
-  private void timeline(Svg svg, List<ObjectView> rows, double top) {
+  private void timeline(SvgDrawing svg, List<ObjectView> rows, double top) {
     double begin = analysis.log().samples().get(0).t();
     double right = WIDTH - MARGIN - 60;
     double perSecond = (right - LABELS) / Math.max(analysis.seconds(), 1e-3);
-    svg.text("In the middle of the view", MARGIN, top + 14, 15, INK, "start");
+    text(svg, "In the middle of the view", MARGIN, top + 14, 15, INK, "start");
     double first = top + 34;
     double bottom = first + (double) ROW * rows.size();
     double step = step(analysis.seconds());
     for (double t = 0; t <= analysis.seconds() + 1e-9; t += step) {
       double x = LABELS + t * perSecond;
       svg.rectangle(x, first - 6, 1, bottom - first + 8, "#dddddd");
-      svg.text(
+      text(
+          svg,
           String.format(Locale.ROOT, "%s s", (float) (t + begin - begin % 1e-3)),
           x,
           bottom + 18,
@@ -202,8 +209,8 @@ public final class HeadLogPlot {
     for (int i = 0; i < rows.size(); i++) {
       ObjectView view = rows.get(i);
       double y = first + (double) ROW * i;
-      svg.text(view.object(), LABELS - 10, y + 12, 12, INK, "end");
-      for (Look look : analysis.looks()) {
+      text(svg, view.object(), LABELS - 10, y + 12, 12, INK, "end");
+      for (Dwell look : analysis.looks()) {
         if (look.object().equals(view.object())) {
           svg.rectangle(
               LABELS + (look.start() - begin) * perSecond,
@@ -213,7 +220,8 @@ public final class HeadLogPlot {
               colours.getOrDefault(view.object(), FAINT));
         }
       }
-      svg.text(
+      text(
+          svg,
           String.format(Locale.ROOT, "%.1f s", view.seconds()),
           right + 8,
           y + 12,
@@ -221,6 +229,26 @@ public final class HeadLogPlot {
           FAINT,
           "start");
     }
+  }
+
+  private static void path(SvgDrawing svg, List<double[]> points, boolean closed, Object... style) {
+    if (!points.isEmpty()) {
+      svg.path(svg.line(points) + (closed ? "Z" : ""), style);
+    }
+  }
+
+  private static void circle(SvgDrawing svg, double[] middle, double radius, Object... style) {
+    svg.circle(middle[0], middle[1], radius, style);
+  }
+
+  /**
+   * A line of text.
+   *
+   * @param anchor which end of it is at x: start, middle or end
+   */
+  private static void text(
+      SvgDrawing svg, String words, double x, double y, int size, String fill, String anchor) {
+    svg.text(words, x, y, "font-size", size, "fill", fill, "text-anchor", anchor);
   }
 
   /** 1, 2 or 5 times a power of ten, for at most ten marks. */

@@ -1,36 +1,51 @@
 package org.selectiverenderer.experiment.headlog;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVParser;
-import org.apache.commons.csv.CSVRecord;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * Reads a head log and the description beside it. A line that a crash cut off is left out and
  * mentioned; without its description a log is read as far as that goes.
  */
 public final class HeadLogReader {
-  private static final CSVFormat FORMAT =
-      CSVFormat.RFC4180
-          .builder()
-          .setHeader()
-          .setSkipHeaderRecord(true)
-          .setIgnoreEmptyLines(true)
-          .get();
-
   private final String file;
   private final Problems problems;
+
+  /** Names, each once. */
+  private final Map<String, String> names = new HashMap<>();
+
+  /** Lists of names as they are written; the same ones stand in thousands of rows. */
+  private final Map<String, List<String>> lists = new HashMap<>();
+
+  private final CsvFaults faults =
+      new CsvFaults() {
+        @Override
+        public void fault(Location location, String message) {
+          problems.error(location, message + "; the head log is not read");
+        }
+
+        @Override
+        public void misfit(Location location, String message) {
+          problems.error(location, message + "; the row is left out");
+        }
+      };
 
   private HeadLogReader(String file, Problems problems) {
     this.file = file;
@@ -46,8 +61,7 @@ public final class HeadLogReader {
    */
   public static Optional<HeadLog> read(Path csv, Problems problems) throws IOException {
     HeadLogReader reader = new HeadLogReader(csv.toString(), problems);
-    List<HeadSample> samples =
-        reader.samples(new String(Files.readAllBytes(csv), StandardCharsets.UTF_8));
+    List<HeadSample> samples = reader.samples(Files.readAllBytes(csv));
     if (samples.isEmpty()) {
       if (!problems.any()) {
         problems.error(Location.of(csv.toString()), "the head log has no samples");
@@ -65,76 +79,96 @@ public final class HeadLogReader {
       return HeadLogDescription.UNKNOWN;
     }
     try {
-      return HeadLogDescription.of(
-          new ObjectMapper().readTree(Files.readString(json, StandardCharsets.UTF_8)));
+      return HeadLogDescription.of(JsonTree.parse(Files.readString(json, StandardCharsets.UTF_8)));
     } catch (JsonProcessingException e) {
       problems.warning(
           Location.of(json.toString()),
-          "the head log's description is no JSON; rooms and areas are unknown");
+          "the head log's description is not valid JSON; rooms and areas are unknown");
       return HeadLogDescription.UNKNOWN;
     }
   }
 
-  private List<HeadSample> samples(String text) {
-    boolean cutOff = !text.isEmpty() && !text.endsWith("\n");
-    String whole = cutOff ? text.substring(0, text.lastIndexOf('\n') + 1) : text;
-    if (cutOff) {
-      problems.info(Location.of(file), "the last line is cut off, as by a crash; it is left out");
+  private List<HeadSample> samples(byte[] bytes) {
+    int end = bytes.length;
+    while (end > 0 && bytes[end - 1] != '\n') {
+      end--;
+    }
+    if (end < bytes.length) {
+      problems.info(
+          Location.of(file), "the last line is cut off, perhaps by a crash; it is left out");
     }
     List<HeadSample> samples = new ArrayList<>();
-    try (CSVParser parser = CSVParser.parse(whole, FORMAT)) {
-      for (Column column : Column.values()) {
-        if (!parser.getHeaderNames().contains(column.header())) {
-          problems.error(new Location(file, 1, 1), "a head log has a column " + column.header());
-          return List.of();
-        }
-      }
-      for (CSVRecord row : parser) {
-        int line = (int) parser.getCurrentLineNumber();
-        try {
-          samples.add(sample(row));
-        } catch (IllegalArgumentException e) {
-          problems.error(
-              new Location(file, line, 1), "the row is none of a head log; it is left out");
-        }
-      }
-    } catch (IOException | UncheckedIOException | IllegalArgumentException e) {
-      problems.error(Location.of(file), "this is no head log: its CSV is broken");
-    }
+    byte[] whole = end < bytes.length ? Arrays.copyOf(bytes, end) : bytes;
+    CsvTable.parse(file, whole, new CsvColumns(Column.headers(), false, true), faults)
+        .filter(table -> table.require(Column.headers(), String.join(",", Column.headers())))
+        .ifPresent(table -> table.rows().forEach(row -> sample(row, samples)));
     return samples;
   }
 
-  private static HeadSample sample(CSVRecord row) {
-    return new HeadSample(
-        number(row, Column.T),
-        number(row, Column.X),
-        number(row, Column.Y),
-        number(row, Column.Z),
-        number(row, Column.YAW),
-        number(row, Column.PITCH),
-        number(row, Column.ROLL),
-        cell(row, Column.MOTION).equals("moved"),
-        cell(row, Column.OBJECT),
-        cell(row, Column.DISTANCE).isEmpty() ? Double.NaN : number(row, Column.DISTANCE),
-        cell(row, Column.VERSION).isEmpty() ? -1 : Integer.parseInt(cell(row, Column.VERSION)),
-        names(cell(row, Column.CONE)),
-        names(cell(row, Column.SCHEMAS)),
-        number(row, Column.FRAME_MS));
-  }
-
-  private static String cell(CSVRecord row, Column column) {
-    return row.get(column.header());
-  }
-
-  private static double number(CSVRecord row, Column column) {
-    double value = Double.parseDouble(cell(row, column));
-    if (!Double.isFinite(value)) {
-      throw new NumberFormatException(column.header());
+  private void sample(CsvRow row, List<HeadSample> samples) {
+    Row cells = new Row(row);
+    HeadSample sample =
+        new HeadSample(
+            cells.number(Column.T),
+            cells.number(Column.X),
+            cells.number(Column.Y),
+            cells.number(Column.Z),
+            cells.number(Column.YAW),
+            cells.number(Column.PITCH),
+            cells.number(Column.ROLL),
+            cells.text(Column.MOTION).equals("moved"),
+            cells.name(Column.OBJECT),
+            cells.number(Column.DISTANCE, Double.NaN),
+            cells.choice(Column.VERSION),
+            cells.names(Column.CONE),
+            cells.names(Column.SCHEMAS),
+            cells.number(Column.FRAME_MS));
+    if (cells.whole) {
+      samples.add(sample);
     }
-    return value;
   }
 
-  private static List<String> names(String cell) {
-    return cell.isEmpty() ? List.of() : List.of(cell.split(" "));
+  /** A row's cells as values; not whole when one of them is none. */
+  private final class Row {
+    private final CsvRow row;
+    private boolean whole = true;
+
+    Row(CsvRow row) {
+      this.row = row;
+    }
+
+    String text(Column column) {
+      return row.cell(column.header());
+    }
+
+    String name(Column column) {
+      return names.computeIfAbsent(text(column), name -> name);
+    }
+
+    double number(Column column) {
+      return whole ? CsvNumbers.number(row, column.header(), this::fault).orElse(0) : 0;
+    }
+
+    double number(Column column, double empty) {
+      return text(column).isEmpty() ? empty : number(column);
+    }
+
+    int choice(Column column) {
+      double value = number(column, -1);
+      if (value != Math.rint(value)) {
+        fault(row.location(column.header()), CsvNumbers.quoted(text(column)) + " is no choice");
+      }
+      return (int) value;
+    }
+
+    List<String> names(Column column) {
+      return lists.computeIfAbsent(
+          text(column), text -> text.isEmpty() ? List.of() : List.of(text.split(" ")));
+    }
+
+    private void fault(Location location, String message) {
+      whole = false;
+      faults.misfit(location, message);
+    }
   }
 }

@@ -9,8 +9,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 
 /**
  * Writes a head log while a session runs. Samples are handed over without waiting; a thread of its
@@ -61,19 +63,6 @@ public final class HeadLogWriter implements AutoCloseable {
   }
 
   /**
-   * Begins a log in files that are not there yet.
-   *
-   * @param csv ends in .csv; the description goes beside it, ending in .json
-   * @param problem hears when the log cannot go on, on the log's thread
-   * @throws java.nio.file.FileAlreadyExistsException if one is there
-   * @throws IOException if they cannot be written
-   */
-  public static HeadLogWriter open(
-      Path csv, HeadLogDescription description, Consumer<Problem> problem) throws IOException {
-    return open(HeadLogFiles.claim(csv, false), description, problem);
-  }
-
-  /**
    * Begins a log: writes its description and its header.
    *
    * @param files closed with the writer, or when it cannot begin
@@ -87,7 +76,7 @@ public final class HeadLogWriter implements AutoCloseable {
       return start(files.csv(), files.begin(description), MOST_WAITING, problem);
     } catch (IOException e) {
       files.close();
-      throw KeptFile.named(files.csv(), e);
+      throw NotWritten.named(files.csv(), e);
     }
   }
 
@@ -169,13 +158,14 @@ public final class HeadLogWriter implements AutoCloseable {
   }
 
   private void writeQueue() throws IOException {
-    StringBuilder text = new StringBuilder();
+    CsvText rows = CsvText.bare();
     for (HeadSample sample = queue.poll(); sample != null; sample = queue.poll()) {
       waiting.decrementAndGet();
-      text.append(Column.line(sample)).append('\n');
+      rows.row(Column.cells(sample));
     }
+    String text = rows.toString();
     if (!text.isEmpty()) {
-      lines.write(text.toString());
+      lines.write(text);
     }
   }
 

@@ -17,7 +17,7 @@ import org.selectiverenderer.experiment.headlog.SceneMap.Box;
  * @param seen share of the cells, 0 to 1
  * @param unseen names of the sides of which less than a twentieth was seen
  */
-public record RoomView(String room, double seconds, double seen, List<String> unseen) {
+record RoomView(String room, double seconds, double seen, List<String> unseen) {
   /** Cells along each edge of a side. */
   private static final int CELLS = 12;
 

@@ -8,7 +8,8 @@
  * {@link org.selectiverenderer.experiment.headlog.HeadLogReader} reads, {@link
  * org.selectiverenderer.experiment.headlog.HeadLogAnalysis} looks at what was read.
  *
- * <p>Uses {@code runtime} for what is looked at and {@code x3d} for problems; no GL, no AWT.
+ * <p>Uses {@code runtime} and {@code x3d.catalogue} for what is looked at, and {@code base}; no GL,
+ * no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.headlog;

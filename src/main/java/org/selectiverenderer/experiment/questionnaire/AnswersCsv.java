@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 
 /** Answers as CSV: those about memory as the statistics read them, ratings as the enricher does. */
@@ -23,12 +23,12 @@ public final class AnswersCsv {
    * Answers about memory, a line for each item, without a header; without an answer, that is empty.
    */
   public static String responses(
-      Screen screen, String participant, String condition, Function<Item, Answer> answers) {
+      Screen screen, String participant, String condition, Function<QuestionItem, Answer> answers) {
     return screen.items().stream()
         .map(
             item -> {
               Answer answer = answers.apply(item);
-              return line(
+              return CsvText.line(
                   participant,
                   condition,
                   item.area(),
@@ -42,11 +42,12 @@ public final class AnswersCsv {
   }
 
   /** Ratings, a line for each item, without a header. */
-  public static String ratings(Screen screen, String participant, Function<Item, Answer> answers) {
+  public static String ratings(
+      Screen screen, String participant, Function<QuestionItem, Answer> answers) {
     return screen.items().stream()
         .map(
             item ->
-                line(
+                CsvText.line(
                     participant,
                     item.area(),
                     item.object(),
@@ -58,18 +59,10 @@ public final class AnswersCsv {
   /** All of a screen's answers. */
   public static String lines(
       Screen screen, String participant, String condition, Map<String, Answer> byObject) {
-    Function<Item, Answer> answers = item -> byObject.getOrDefault(item.object(), Answer.NONE);
+    Function<QuestionItem, Answer> answers =
+        item -> byObject.getOrDefault(item.object(), Answer.NONE);
     return screen.withConfidence()
         ? responses(screen, participant, condition, answers)
         : ratings(screen, participant, answers);
-  }
-
-  private static String line(String... cells) {
-    return Stream.of(cells).map(AnswersCsv::quoted).collect(Collectors.joining(",")) + "\n";
-  }
-
-  private static String quoted(String cell) {
-    boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
   }
 }

@@ -7,14 +7,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.csv.CsvNumbers;
-import org.selectiverenderer.csv.CsvRow;
-import org.selectiverenderer.csv.CsvTable;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.study.QuestionKind;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Reads the items of a questionnaire: {@code area,object,consistency,present} or {@code
@@ -42,23 +43,31 @@ public final class ItemsReader {
    * @return empty when there are faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read at all
    */
-  public static Optional<List<Item>> read(
+  public static Optional<List<QuestionItem>> read(
       Study.Questionnaire questionnaire, String language, Problems problems) throws IOException {
     Problems own = new Problems(problems::add);
     ItemsReader reader = new ItemsReader(questionnaire.kind(), language, own);
     Optional<CsvTable> table =
-        CsvTable.read(questionnaire.items(), (at, message) -> own.error(at, message + UNUSED));
-    List<Item> items = table.map(reader::items).orElse(List.of());
+        CsvTable.read(
+            questionnaire.items(),
+            CsvColumns.of(reader.needed()),
+            (at, message) -> own.error(at, message + UNUSED));
+    List<QuestionItem> items = table.map(reader::items).orElse(List.of());
     return own.any() ? Optional.empty() : Optional.of(items);
   }
 
-  private List<Item> items(CsvTable table) {
+  private List<String> needed() {
     List<String> needed = new ArrayList<>(columns());
     needed.add(language);
+    return needed;
+  }
+
+  private List<QuestionItem> items(CsvTable table) {
+    List<String> needed = needed();
     if (!table.require(needed, String.join(",", needed))) {
       return List.of();
     }
-    List<Item> items = new ArrayList<>();
+    List<QuestionItem> items = new ArrayList<>();
     for (CsvRow row : table.rows()) {
       for (String column : needed) {
         if (row.cell(column).isEmpty()) {
@@ -71,7 +80,7 @@ public final class ItemsReader {
       if (earlier != null) {
         problems.error(
             row.location("object"),
-            "%s is asked about a second time for %s, as in line %d%s"
+            "%s is listed a second time for %s; line %d has it already%s"
                 .formatted(object, area, earlier, UNUSED));
       }
       items.add(item(row, area, object));
@@ -89,22 +98,25 @@ public final class ItemsReader {
     };
   }
 
-  private Item item(CsvRow row, String area, String object) {
+  private QuestionItem item(CsvRow row, String area, String object) {
     Map<String, String> names = Map.of(language, row.cell(language));
     if (kind == QuestionKind.EXPECTANCY) {
-      return new Item(area, row.cell("schema"), object, "", false, names);
+      return new QuestionItem(area, row.cell("schema"), object, "", false, names);
     }
     String type = row.cell("consistency").toLowerCase(Locale.ROOT);
     if (!Response.TYPES.contains(type)) {
       problems.error(
           row.location("consistency"),
-          CsvNumbers.quoted(type) + " is none of " + String.join(", ", Response.TYPES) + UNUSED);
+          CsvNumbers.quoted(type)
+              + " is unknown; known are "
+              + String.join(", ", Response.TYPES)
+              + UNUSED);
     }
     String present = row.cell("present").toLowerCase(Locale.ROOT);
     if (!present.equals("yes") && !present.equals("no")) {
       problems.error(
           row.location("present"), CsvNumbers.quoted(present) + " is not yes or no" + UNUSED);
     }
-    return new Item(area, "", object, type, present.equals("yes"), names);
+    return new QuestionItem(area, "", object, type, present.equals("yes"), names);
   }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.experiment.study.QuestionKind;
 
 /** A questionnaire on paper: one HTML page, a sheet for each area, laid out as thesis Fig 86. */
@@ -31,8 +32,8 @@ public final class PaperPage {
     PaperPage page = new PaperPage(wording);
     return "<!DOCTYPE html>\n<html lang=\"%s\">\n<head><meta charset=\"utf-8\"><title>%s</title>\n<style>\n%s</style></head>\n<body>\n%s</body>\n</html>\n"
         .formatted(
-            escaped(wording.language()),
-            escaped(wording.of("form.id") + " " + participant),
+            Markup.attribute(wording.language()),
+            Markup.attribute(wording.of("form.id") + " " + participant),
             STYLE,
             screens.stream()
                 .map(screen -> page.section(screen, participant))
@@ -43,13 +44,15 @@ public final class PaperPage {
     String kind = screen.kind().spelling();
     String area = wording.area(screen.area());
     StringBuilder html = new StringBuilder("<section>\n");
-    html.append("<p>%s: %s</p>\n".formatted(escaped(wording.of("form.id")), escaped(participant)));
-    html.append("<h2>%s</h2>\n".formatted(escaped(filled(kind + ".title", area))));
-    html.append("<p>%s</p>\n".formatted(escaped(filled(kind + ".text", area))));
-    html.append("<p>%s</p>\n<table>\n".formatted(escaped(wording.of("print.hint"))));
+    html.append(
+        "<p>%s: %s</p>\n"
+            .formatted(Markup.attribute(wording.of("form.id")), Markup.attribute(participant)));
+    html.append("<h2>%s</h2>\n".formatted(Markup.attribute(filled(kind + ".title", area))));
+    html.append("<p>%s</p>\n".formatted(Markup.attribute(filled(kind + ".text", area))));
+    html.append("<p>%s</p>\n<table>\n".formatted(Markup.attribute(wording.of("print.hint"))));
     html.append(screen.kind() == QuestionKind.RECOGNITION ? heading() : "");
-    for (Item item : screen.items()) {
-      html.append("<tr><td>").append(escaped(wording.name(item))).append("</td>");
+    for (QuestionItem item : screen.items()) {
+      html.append("<tr><td>").append(Markup.attribute(wording.name(item))).append("</td>");
       html.append(
           screen.kind() == QuestionKind.RECOGNITION
               ? cell(wording.of("yes")) + cell(wording.of("no")) + numbers(5)
@@ -65,12 +68,15 @@ public final class PaperPage {
     String levels =
         IntStream.rangeClosed(1, 5)
             .mapToObj(
-                level -> "<th>" + escaped(wording.of("recognition.confidence." + level)) + "</th>")
+                level ->
+                    "<th>"
+                        + Markup.attribute(wording.of("recognition.confidence." + level))
+                        + "</th>")
             .collect(Collectors.joining());
     return "<tr><th rowspan=\"2\"></th><th colspan=\"2\" rowspan=\"2\">%s</th><th colspan=\"5\">%s</th></tr>\n<tr>%s</tr>\n"
         .formatted(
-            escaped(wording.of("recognition.question")),
-            escaped(wording.of("recognition.confidence")),
+            Markup.attribute(wording.of("recognition.question")),
+            Markup.attribute(wording.of("recognition.confidence")),
             levels);
   }
 
@@ -81,7 +87,7 @@ public final class PaperPage {
   }
 
   private static String cell(String text) {
-    return "<td>" + escaped(text) + "</td>";
+    return "<td>" + Markup.attribute(text) + "</td>";
   }
 
   private String filled(String key, String area) {
@@ -91,12 +97,5 @@ public final class PaperPage {
   /** Words with what their braces stand for. */
   public static String fill(String pattern, Object... values) {
     return new MessageFormat(pattern.replace("'", "''"), Locale.ROOT).format(values);
-  }
-
-  private static String escaped(String text) {
-    return text.replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
   }
 }

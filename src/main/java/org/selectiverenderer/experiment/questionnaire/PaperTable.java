@@ -10,12 +10,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.csv.CsvNumbers;
-import org.selectiverenderer.csv.CsvRow;
-import org.selectiverenderer.csv.CsvTable;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.study.QuestionKind;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Answers on paper, typed into the table that goes with a {@link PaperPage}: of memory {@code
@@ -56,7 +57,10 @@ public record PaperTable(QuestionKind kind, List<Filled> rows) {
    */
   public static Optional<PaperTable> read(Path file, Problems problems) throws IOException {
     Optional<CsvTable> table =
-        CsvTable.read(file, (at, message) -> problems.error(at, message + "; it is not collected"));
+        CsvTable.read(
+            file,
+            CsvColumns.of(List.of("participant", "area", "object")),
+            (at, message) -> problems.error(at, message + "; it is not collected"));
     if (table.isEmpty()) {
       return Optional.empty();
     }
@@ -105,7 +109,7 @@ public record PaperTable(QuestionKind kind, List<Filled> rows) {
       }
       problems.error(
           row.location("rating"),
-          CsvNumbers.quoted(rating) + " is no rating from 1 to 6" + LEFT_OUT);
+          CsvNumbers.quoted(rating) + " is not a rating from 1 to 6" + LEFT_OUT);
       return Optional.empty();
     }
     String value = row.cell("response").toLowerCase(Locale.ROOT);
@@ -117,7 +121,7 @@ public record PaperTable(QuestionKind kind, List<Filled> rows) {
       problems.error(
           row.location("response"),
           (value.isEmpty()
-                  ? "there is a confidence and no answer"
+                  ? "there is a confidence but no answer"
                   : CsvNumbers.quoted(row.cell("response")) + " is not yes or no")
               + LEFT_OUT);
       return Optional.empty();
@@ -125,7 +129,7 @@ public record PaperTable(QuestionKind kind, List<Filled> rows) {
     if (!confidence.isEmpty() && !confidence.matches("[1-5]")) {
       problems.error(
           row.location("confidence"),
-          CsvNumbers.quoted(confidence) + " is no confidence from 1 to 5" + LEFT_OUT);
+          CsvNumbers.quoted(confidence) + " is not a confidence from 1 to 5" + LEFT_OUT);
       return Optional.empty();
     }
     return Optional.of(new Answer(value, confidence.isEmpty() ? 0 : confidence.charAt(0) - '0'));
@@ -146,12 +150,12 @@ public record PaperTable(QuestionKind kind, List<Filled> rows) {
       boolean alike = earlier.answer().equals(row.answer());
       problems.error(
           row.location(),
-          "a second answer of participant %s to %s, as in line %d%s"
+          "a second answer of participant %s to %s; line %d has the first%s"
               .formatted(
                   row.participant(),
                   row.object(),
                   earlier.location().line(),
-                  alike ? "; it is left out" : " but different; both are left out"));
+                  alike ? "; it is left out" : "; they differ, so both are left out"));
       if (!alike) {
         torn.add(question);
       }

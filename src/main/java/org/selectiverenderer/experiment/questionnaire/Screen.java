@@ -12,14 +12,14 @@ import org.selectiverenderer.experiment.study.QuestionKind;
  *
  * @param items at least one
  */
-public record Screen(QuestionKind kind, String area, List<Item> items) {
+public record Screen(QuestionKind kind, String area, List<QuestionItem> items) {
   public Screen {
     items = List.copyOf(items);
   }
 
   /** The areas of some items, in their order. */
-  public static List<String> areas(List<Item> items) {
-    return List.copyOf(new LinkedHashSet<>(items.stream().map(Item::area).toList()));
+  public static List<String> areas(List<QuestionItem> items) {
+    return List.copyOf(new LinkedHashSet<>(items.stream().map(QuestionItem::area).toList()));
   }
 
   /**
@@ -29,8 +29,8 @@ public record Screen(QuestionKind kind, String area, List<Item> items) {
    * @param seed of the study
    */
   public static Screen of(
-      QuestionKind kind, String area, List<Item> items, long seed, String participant) {
-    List<Item> order =
+      QuestionKind kind, String area, List<QuestionItem> items, long seed, String participant) {
+    List<QuestionItem> order =
         new ArrayList<>(items.stream().filter(item -> item.area().equals(area)).toList());
     long mixed = seed;
     for (char c : (kind.spelling() + '/' + participant + '/' + area).toCharArray()) {

@@ -10,8 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Properties;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * The words of the program's own part of questionnaires and forms, from a file of messages: one
@@ -54,7 +54,7 @@ public final class Wording {
     if (known.isEmpty()) {
       problems.error(
           Location.of(own.toString()),
-          "there are no words of the language '"
+          "there are no texts in the language '"
               + language
               + "': write this file, or choose en or el");
       return Optional.empty();
@@ -87,7 +87,7 @@ public final class Wording {
   public String of(String key) {
     String text = words.getProperty(key);
     if (text == null) {
-      throw new IllegalArgumentException("no words for " + key);
+      throw new IllegalArgumentException("no texts for " + key);
     }
     return text;
   }
@@ -98,7 +98,7 @@ public final class Wording {
   }
 
   /** An item's name. */
-  public String name(Item item) {
+  public String name(QuestionItem item) {
     return item.names().getOrDefault(language, item.object());
   }
 }

@@ -1,20 +1,17 @@
 package org.selectiverenderer.experiment.session;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.selectiverenderer.base.files.Sha256;
 
 /** SHA-256 of files, and of a scene with all that it names. */
 final class Checksums {
@@ -26,7 +23,7 @@ final class Checksums {
 
   /** Of one file, in hexadecimal. */
   static String of(Path file) throws IOException {
-    return HexFormat.of().formatHex(digest().digest(Files.readAllBytes(file)));
+    return Sha256.of(Files.readAllBytes(file));
   }
 
   /** Of a scene and all files that it, or one of these, names and that are there. */
@@ -42,7 +39,7 @@ final class Checksums {
         continue;
       }
       byte[] bytes = Files.readAllBytes(file);
-      sums.put(name, HexFormat.of().formatHex(digest().digest(bytes)));
+      sums.put(name, Sha256.of(bytes));
       if (name.endsWith(".x3d")) {
         Matcher found = NAMED.matcher(new String(bytes, StandardCharsets.ISO_8859_1));
         while (found.find()) {
@@ -61,14 +58,6 @@ final class Checksums {
       }
     } catch (InvalidPathException e) {
       return; // An address of the network, which nothing is ever read from.
-    }
-  }
-
-  private static MessageDigest digest() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new UncheckedIOException(new IOException("every Java has SHA-256", e));
     }
   }
 }

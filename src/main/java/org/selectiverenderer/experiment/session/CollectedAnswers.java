@@ -10,14 +10,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
-import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
 import org.selectiverenderer.schema.Band;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * The answers of a study, one session of each participant, from their journals, and those given on
@@ -64,7 +65,8 @@ public record CollectedAnswers(
                 sheet ->
                     problems.error(
                         sheet.place(),
-                        "participant %s does not take part; the answers typed in are left out"
+                        ("participant %s does not take part; the answers from paper "
+                                + "are left out")
                             .formatted(folder.participant())));
         return;
       }
@@ -114,7 +116,8 @@ public record CollectedAnswers(
                 if (!steps.contains(step)) {
                   problems.error(
                       sheet.place(),
-                      "the study has no %s; the answers of participant %s to it are left out"
+                      ("the study has no screen %s; the answers of participant %s to "
+                              + "it are left out")
                           .formatted(step, participant));
                 }
               });
@@ -129,7 +132,8 @@ public record CollectedAnswers(
             typed ->
                 problems.error(
                     typed.place(),
-                    "participant %s has answered %s in the program; what was typed in is left out"
+                    ("participant %s has answered %s in the program; the answers from "
+                            + "paper are left out")
                         .formatted(folder.participant(), step.id())));
         String condition = history.condition().map(Condition::spelling).orElse("");
         take(step, folder.participant(), condition, given, place);
@@ -162,7 +166,7 @@ public record CollectedAnswers(
       (screen.withConfidence() ? responses : ratings)
           .append(AnswersCsv.lines(screen, participant, condition, given));
       Map<String, Answer> left = new LinkedHashMap<>(given);
-      for (Item item : screen.items()) {
+      for (QuestionItem item : screen.items()) {
         Optional<Answer> answer = Optional.ofNullable(left.remove(item.object()));
         answers += answer.isPresent() ? 1 : 0;
         if (!screen.withConfidence()) {
@@ -216,7 +220,8 @@ public record CollectedAnswers(
   }
 
   private static String bands(Map<Rated, List<Integer>> all) {
-    StringBuilder text = new StringBuilder("area,schema,object,mean,count,band,consistency\n");
+    CsvText table = CsvText.bare();
+    table.row("area", "schema", "object", "mean", "count", "band", "consistency");
     all.entrySet().stream()
         .sorted(
             Comparator.comparing((Map.Entry<Rated, List<Integer>> entry) -> entry.getKey().area())
@@ -226,18 +231,15 @@ public record CollectedAnswers(
               double mean =
                   entry.getValue().stream().mapToInt(Integer::intValue).average().orElseThrow();
               Band band = Band.of(mean);
-              text.append(
-                  String.format(
-                      Locale.ROOT,
-                      "%s,%s,%s,%.6f,%d,%s,%s\n",
-                      entry.getKey().area(),
-                      entry.getKey().schema(),
-                      entry.getKey().object(),
-                      mean,
-                      entry.getValue().size(),
-                      band.name().toLowerCase(Locale.ROOT).replace('_', '-'),
-                      band.consistency().name().toLowerCase(Locale.ROOT)));
+              table.row(
+                  entry.getKey().area(),
+                  entry.getKey().schema(),
+                  entry.getKey().object(),
+                  String.format(Locale.ROOT, "%.6f", mean),
+                  entry.getValue().size(),
+                  band.name().toLowerCase(Locale.ROOT).replace('_', '-'),
+                  band.consistency().name().toLowerCase(Locale.ROOT));
             });
-    return text.toString();
+    return table.toString();
   }
 }

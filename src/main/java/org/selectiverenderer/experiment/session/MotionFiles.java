@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.session;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -10,12 +11,12 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.headlog.Bids;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
-import org.selectiverenderer.experiment.headlog.KeptFile;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Turns a session's head logs into BIDS motion data, each once, on a thread of its own, {@code
@@ -61,11 +62,12 @@ final class MotionFiles implements AutoCloseable {
     Problems problems = new Problems();
     Optional<HeadLog> read = HeadLogReader.read(log, problems);
     if (read.isPresent()) {
-      Files.createDirectories(motion);
-      for (Map.Entry<String, String> file :
-          Bids.files(read.get(), stem, SessionFolder.task(headName)).entrySet()) {
-        KeptFile.write(motion.resolve(file.getKey()), file.getValue());
-      }
+      FileTransaction writing = new FileTransaction();
+      Bids.files(read.get(), stem, SessionFolder.task(headName))
+          .forEach(
+              (name, text) ->
+                  writing.addLasting(motion.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+      writing.commit();
     }
     List<String> said = problems.list().stream().map(Problem::message).toList();
     if (!said.isEmpty()) {

@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.PaperTable;
 import org.selectiverenderer.experiment.questionnaire.PaperTable.Filled;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Answers that were given on paper, by participant and screen. A participant's condition is the one
@@ -73,7 +73,8 @@ public final class PaperAnswers {
         if (told.add(key)) {
           problems.error(
               row.location(),
-              "the answers of participant %s about %s are in another file, too; these are left out"
+              ("the answers of participant %s about %s are also in another file; "
+                      + "these are left out")
                   .formatted(row.participant(), row.area()));
         }
         continue;
@@ -95,28 +96,31 @@ public final class PaperAnswers {
         Condition.of(row.condition()).filter(material.study().conditions()::contains);
     String fault = "";
     if (!id.matches(SessionFolder.LABEL)) {
-      fault = "a participant's id is made of letters and digits";
+      fault = "a participant's id must consist of letters and digits";
     } else if (known.contains(id)) {
       if (!row.condition().isEmpty() && !typed.equals(Optional.of(conditions.get(id)))) {
         fault =
-            "the condition typed in is %s, the one assigned is %s"
+            "the table has the condition %s, but %s was assigned"
                 .formatted(row.condition(), conditions.get(id).spelling());
       }
     } else if (!padded(id).equals(id) && known.contains(padded(id))) {
-      fault = "there is a participant %s: did a spreadsheet drop the zeros?".formatted(padded(id));
+      fault =
+          "there is a participant %s: did a spreadsheet remove the leading zeros?"
+              .formatted(padded(id));
     } else if (typed.isEmpty() && material.study().conditions().size() > 1) {
-      fault = "no condition is assigned in participants.tsv, and none of the study's is typed in";
+      fault = "participants.tsv assigns no condition, and the table names none of the study";
     } else {
       Condition own = typed.orElse(material.study().conditions().get(0));
       if (conditions.putIfAbsent(id, own) != null && conditions.get(id) != own) {
-        fault = "two conditions are typed in";
+        fault = "the table names two conditions";
       }
     }
     if (!fault.isEmpty()) {
       refused.add(id);
       sheets.keySet().removeIf(key -> key.participant().equals(id));
       problems.error(
-          row.location(), "participant %s: %s; no answer typed in counts".formatted(id, fault));
+          row.location(),
+          "participant %s: %s; the answers from paper are left out".formatted(id, fault));
     }
     return fault.isEmpty();
   }

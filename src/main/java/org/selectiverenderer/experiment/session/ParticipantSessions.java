@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /** All sessions of one participant, and which of them counts. */
 final class ParticipantSessions {
@@ -83,7 +83,8 @@ final class ParticipantSessions {
           }
           problems.warning(
               Location.of(folder.journal().toString()),
-              "%s of session %d of the participant %s left out, as %s; --session %d takes them"
+              ("%s of session %d of the participant %s left out, because %s; "
+                      + "--session %d uses them")
                   .formatted(
                       answers == 1 ? "1 answer" : answers + " answers",
                       folder.number(),

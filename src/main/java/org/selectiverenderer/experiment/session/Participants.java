@@ -12,8 +12,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.base.files.Disk;
 import org.selectiverenderer.control.Condition;
-import org.selectiverenderer.experiment.headlog.KeptFile;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
@@ -93,14 +93,10 @@ public final class Participants {
               age,
               simulated);
       String missing = text.isEmpty() ? HEADER : text.endsWith("\n") ? "" : "\n";
-      ByteBuffer bytes =
-          ByteBuffer.wrap((missing + assigned.line()).getBytes(StandardCharsets.UTF_8));
       channel.position(channel.size());
-      while (bytes.hasRemaining()) {
-        channel.write(bytes);
-      }
+      Disk.write(channel, (missing + assigned.line()).getBytes(StandardCharsets.UTF_8));
       channel.force(true);
-      KeptFile.forceFolder(study.folder());
+      Disk.forceFolder(study.folder());
       return assigned;
     }
   }

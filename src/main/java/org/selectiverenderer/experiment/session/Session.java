@@ -1,7 +1,6 @@
 package org.selectiverenderer.experiment.session;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,14 +8,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
-import org.selectiverenderer.experiment.headlog.KeptFile;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
-import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
@@ -62,16 +63,16 @@ public final class Session implements AutoCloseable {
     if (Files.exists(folder.journal())) {
       throw new IOException(
           folder.path()
-              + " is there already: --resume goes on with it, --session "
+              + " exists already: --resume continues it, --session "
               + (number + 1)
-              + " begins another");
+              + " begins a new one");
     }
     Files.createDirectories(folder.path().resolve("head"));
     SessionJournal journal = SessionJournal.open(folder.journal(), true);
     for (Path made = folder.path();
         !made.equals(folder.study().getParent());
         made = made.getParent()) {
-      KeptFile.forceFolder(made);
+      Disk.forceFolder(made);
     }
     Session session = new Session(material, folder, options, journal, SessionHistory.none());
     String sum = Checksums.of(material.study().file());
@@ -94,8 +95,7 @@ public final class Session implements AutoCloseable {
     folder.writeOnce("study.json", Files.readString(material.study().file()));
     Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
     settings.put("sha256", checksums());
-    folder.writeOnce(
-        "settings.json", new ObjectMapper().valueToTree(settings).toPrettyString() + "\n");
+    folder.writeOnce("settings.json", JsonText.of(JsonTree.of(settings)));
   }
 
   /** SHA-256 of what is shown and asked, by the names of the files. */
@@ -116,10 +116,7 @@ public final class Session implements AutoCloseable {
 
   /** The files among those that have changed since the session began. */
   private List<String> changedFiles() throws IOException {
-    JsonNode before =
-        new ObjectMapper()
-            .readTree(Files.readString(folder.path().resolve("settings.json")))
-            .path("sha256");
+    JsonNode before = JsonTree.read(folder.path().resolve("settings.json")).path("sha256");
     return checksums().entrySet().stream()
         .filter(sum -> !before.path(sum.getKey()).asText().equals(sum.getValue()))
         .map(Map.Entry::getKey)
@@ -141,13 +138,13 @@ public final class Session implements AutoCloseable {
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
     if (!Files.isRegularFile(folder.journal())) {
-      throw new IOException(folder.path() + " has no session to go on with: leave --resume out");
+      throw new IOException(folder.path() + " has no session to continue; leave --resume out");
     }
     SessionJournal journal = SessionJournal.open(folder.journal(), false);
     try {
       SessionHistory history = SessionHistory.read(folder.journal());
       if (history.over() || history.refused()) {
-        throw new IOException(folder.path() + " is complete: there is nothing to go on with");
+        throw new IOException(folder.path() + " is complete; there is nothing to continue");
       }
       Session session = new Session(material, folder, options, journal, history);
       session.tellResumed(problems);
@@ -174,16 +171,17 @@ public final class Session implements AutoCloseable {
     if (!history.checksum().equals(sum)) {
       problems.warning(
           Location.of(material.study().file().toString()),
-          "the study has changed since this session began; it goes on with the study as it is now,"
-              + " and its events say so");
+          "the study has changed since this session began; the session continues "
+              + "with the present study, and its events record this");
     }
     List<String> changed = changedFiles();
     if (!changed.isEmpty()) {
       problems.warning(
           Location.of(folder.path().resolve("settings.json").toString()),
-          "since this session began %s changed; it goes on with them as they are now, and its events"
+          ("%s changed since this session began; the session continues with the "
+                      + "present files, and its events")
                   .formatted(String.join(", ", changed))
-              + " say so");
+              + " record this");
       journal.keep("files-changed", Map.of("files", changed));
     }
     history.headLogs().forEach(motion::write);
@@ -198,7 +196,7 @@ public final class Session implements AutoCloseable {
     if (kept.isPresent() && asked.isPresent() && !kept.equals(asked)) {
       problems.warning(
           Location.of(new Participants(material.study()).file().toString()),
-          "participant %s was assigned to %s and stays there; --condition %s is not used"
+          "participant %s keeps the assigned condition %s; --condition %s is ignored"
               .formatted(folder.participant(), kept.get().spelling(), asked.get().spelling()));
       journal.keep("condition-kept", Map.of("asked_for", asked.get().spelling()));
     }
@@ -239,7 +237,7 @@ public final class Session implements AutoCloseable {
     Path log = folder.headLog(step, history.runs(step) + 1);
     if (Files.exists(log)) {
       throw new IOException(
-          log + " is there already; nothing is written over. Move it away, then --resume");
+          log + " exists already and is not overwritten. Move it away, then use --resume");
     }
     return log;
   }
@@ -315,7 +313,8 @@ public final class Session implements AutoCloseable {
   }
 
   /** The participant answers, or answers otherwise; on the disk when it returns. */
-  public void answer(SessionStep.Questions step, Item item, Answer answer) throws IOException {
+  public void answer(SessionStep.Questions step, QuestionItem item, Answer answer)
+      throws IOException {
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("step", step.id());
     event.put("object", item.object());

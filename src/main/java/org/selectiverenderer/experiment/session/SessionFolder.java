@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import org.selectiverenderer.experiment.headlog.KeptFile;
+import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
@@ -105,6 +105,6 @@ public record SessionFolder(Path study, String participant, int number) {
    * @throws IOException if it is there with another text, or cannot be written
    */
   void writeOnce(String name, String text) throws IOException {
-    KeptFile.write(path().resolve(name), text);
+    WholeFile.writeOnce(path().resolve(name), text);
   }
 }

@@ -2,7 +2,6 @@ package org.selectiverenderer.experiment.session;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -16,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 
@@ -23,7 +23,7 @@ import org.selectiverenderer.experiment.questionnaire.Answer;
  * What a session's journal says has happened. Lines that a crash cut off are no events and are
  * passed over.
  */
-public final class SessionHistory {
+final class SessionHistory {
   private final Set<String> finished = new LinkedHashSet<>();
   private final Map<String, Integer> runs = new HashMap<>();
   private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
@@ -51,10 +51,9 @@ public final class SessionHistory {
    */
   public static SessionHistory read(Path journal) throws IOException {
     SessionHistory history = new SessionHistory();
-    ObjectMapper json = new ObjectMapper();
     String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
     for (String line : text.split("\n")) {
-      JsonNode event = whole(json, line);
+      JsonNode event = whole(line);
       if (event != null && event.isObject()) {
         history.add(event);
       }
@@ -62,9 +61,9 @@ public final class SessionHistory {
     return history;
   }
 
-  private static @Nullable JsonNode whole(ObjectMapper json, String line) {
+  private static @Nullable JsonNode whole(String line) {
     try {
-      return json.readTree(line);
+      return JsonTree.parse(line);
     } catch (JsonProcessingException e) {
       return null; // Cut off by a crash: it was never said.
     }

@@ -1,6 +1,5 @@
 package org.selectiverenderer.experiment.session;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -19,6 +18,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.json.JsonTree;
 
 /**
  * The events of a session, one JSON object a line, each forced to the disk. A thread of its own,
@@ -27,8 +28,6 @@ import org.jspecify.annotations.Nullable;
  * things by any thread.
  */
 public final class SessionJournal implements AutoCloseable {
-  private static final ObjectMapper JSON = new ObjectMapper();
-
   private final Path file;
   private final FileChannel channel;
   private final FileLock lock;
@@ -66,14 +65,15 @@ public final class SessionJournal implements AutoCloseable {
     try {
       FileLock lock = channel.tryLock();
       if (lock == null) {
-        throw new IOException(file + ": another program is running this session");
+        throw new IOException(
+            file + ": another program is running this session; wait until it has ended");
       }
       SessionJournal journal = new SessionJournal(file, channel, lock);
       journal.toTheEnd();
       return journal;
     } catch (OverlappingFileLockException e) {
       channel.close();
-      throw new IOException(file + ": this session is already being run", e);
+      throw new IOException(file + ": this session is already running", e);
     } catch (IOException e) {
       channel.close();
       throw e;
@@ -121,7 +121,7 @@ public final class SessionJournal implements AutoCloseable {
   }
 
   private Future<?> submit(String event, Map<String, ?> more) {
-    ObjectNode line = JSON.createObjectNode();
+    ObjectNode line = JsonTree.object();
     line.put("time", OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString());
     line.put("event", event);
     // Map.of has another order in every process: what an event is of comes first.
@@ -129,17 +129,14 @@ public final class SessionJournal implements AutoCloseable {
     if (step != null) {
       line.put("step", String.valueOf(step));
     }
-    more.forEach((key, value) -> line.set(key, JSON.valueToTree(value)));
+    more.forEach((key, value) -> line.set(key, JsonTree.of(value)));
     byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
     return writer.submit(() -> write(bytes));
   }
 
   private void write(byte[] bytes) {
     try {
-      ByteBuffer buffer = ByteBuffer.wrap(bytes);
-      while (buffer.hasRemaining()) {
-        channel.write(buffer);
-      }
+      Disk.write(channel, bytes);
       channel.force(false);
     } catch (IOException e) {
       failure = e;

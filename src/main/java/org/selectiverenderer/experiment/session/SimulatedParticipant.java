@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.session;
 
 import java.util.Random;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.study.QuestionKind;
 
 /**
@@ -23,7 +23,7 @@ public final class SimulatedParticipant {
   }
 
   /** An answer to a question. */
-  public Answer answer(QuestionKind kind, Item item) {
+  public Answer answer(QuestionKind kind, QuestionItem item) {
     if (kind == QuestionKind.EXPECTANCY) {
       return new Answer(Integer.toString(1 + random.nextInt(6)), 0);
     }

@@ -7,21 +7,22 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.questionnaire.ItemsReader;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.study.QuestionKind;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyReader;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * A study with all that its questionnaires ask, in their words.
  *
  * @param items by questionnaire, in the study's order
  */
-public record StudyMaterial(Study study, Map<QuestionKind, List<Item>> items, Wording wording) {
+public record StudyMaterial(
+    Study study, Map<QuestionKind, List<QuestionItem>> items, Wording wording) {
 
   /**
    * Reads a study file and the files that it names.
@@ -35,7 +36,7 @@ public record StudyMaterial(Study study, Map<QuestionKind, List<Item>> items, Wo
       return Optional.empty();
     }
     Optional<Wording> wording = Wording.of(study.get().language(), study.get().folder(), problems);
-    Map<QuestionKind, List<Item>> items = new EnumMap<>(QuestionKind.class);
+    Map<QuestionKind, List<QuestionItem>> items = new EnumMap<>(QuestionKind.class);
     for (Study.Questionnaire questionnaire : study.get().questionnaires()) {
       ItemsReader.read(questionnaire, study.get().language(), problems)
           .ifPresent(found -> items.put(questionnaire.kind(), found));

@@ -1,6 +1,5 @@
 package org.selectiverenderer.experiment.session;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -9,8 +8,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.control.Condition;
-import org.selectiverenderer.x3d.Counted;
 
 /**
  * What a study has so far: whose sessions are in what state, how the groups stand.
@@ -122,7 +123,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     text.append(
         String.format(
             Locale.ROOT,
-            "%s: %d of %d participants planned have a finished session%n%n",
+            "%s: %d of %d planned participants have finished a session%n%n",
             study,
             groups.stream().mapToInt(Group::finished).sum(),
             planned));
@@ -170,7 +171,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
 
   /** As JSON, several lines. */
   public String json() {
-    ObjectNode root = new ObjectMapper().createObjectNode();
+    ObjectNode root = JsonTree.object();
     root.put("study", study);
     root.put("participants", planned);
     ArrayNode all = root.putArray("groups");
@@ -191,6 +192,6 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       row.missing.forEach(node.putArray("missing")::add);
       row.notes.forEach(node.putArray("notes")::add);
     }
-    return root.toPrettyString() + "\n";
+    return JsonText.of(root);
   }
 }

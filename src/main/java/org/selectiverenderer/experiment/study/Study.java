@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**

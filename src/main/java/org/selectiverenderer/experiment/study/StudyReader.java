@@ -2,7 +2,6 @@ package org.selectiverenderer.experiment.study;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,15 +11,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonSettings;
+import org.selectiverenderer.base.json.JsonValue;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.x3d.Counted;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Reads a study file. Whatever is wrong with it (an unknown key, a value that cannot be, a file
@@ -32,15 +33,14 @@ public final class StudyReader {
   private static final int MOST_PARTICIPANTS = 100_000;
 
   private static final double LONGEST = 36_000;
+  private static final JsonSettings JSON = new JsonSettings("a study", "the study is not used");
   private static final String LABEL = "[0-9A-Za-z]+";
 
   private final Path file;
   private final Path folder;
-  private final Problems problems;
 
-  private StudyReader(Path file, Problems problems) {
+  private StudyReader(Path file) {
     this.file = file;
-    this.problems = problems;
     folder = file.toAbsolutePath().getParent();
   }
 
@@ -51,24 +51,10 @@ public final class StudyReader {
    * @throws IOException if it cannot be read at all
    */
   public static Optional<Study> read(Path file, Problems problems) throws IOException {
-    Problems own = new Problems(problems::add);
-    String text;
-    try {
-      text = Files.readString(file, StandardCharsets.UTF_8);
-    } catch (CharacterCodingException e) {
-      own.error(
-          new Location(file.toString(), 1, 1), "the file is not UTF-8 text; the study is not used");
-      return Optional.empty();
-    }
-    Optional<Study> study =
-        JsonPart.parse(file.toString(), text, own)
-            .map(root -> new StudyReader(file, own).study(root));
-    return own.any() ? Optional.empty() : study;
+    return JSON.read(file, problems, new StudyReader(file)::study);
   }
 
-  private Study study(JsonPart root) {
-    JsonKeys keys = JsonKeys.of(root, "a study", problems);
-    keys.text("$schema", false);
+  private Study study(JsonMembers keys) {
     List<Study.Area> areas = areas(keys);
     Optional<Path> scene =
         keys.text("scene", !areas.isEmpty()).map(name -> file(keys, "scene", name));
@@ -88,7 +74,7 @@ public final class StudyReader {
     if (block % groups != 0) {
       keys.fault(
           "block",
-          "a block of %d participants cannot hold each of %d conditions as often"
+          "a block of %d participants cannot contain %d conditions equally often"
               .formatted(block, groups));
     }
     Assignment assignment =
@@ -97,7 +83,7 @@ public final class StudyReader {
     if (assignment == Assignment.LATIN_SQUARE && block != groups) {
       keys.fault(
           "block",
-          "a Latin square of %d conditions has blocks of %d, not of %d"
+          "a Latin square of %d conditions needs blocks of %d, not of %d"
               .formatted(groups, groups, block));
     }
     Study study =
@@ -124,15 +110,13 @@ public final class StudyReader {
             questionnaires(keys));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().isEmpty()) {
-      problems.error(
-          keys.at(), "the study has neither areas nor questionnaires: there is nothing to do");
+      keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");
     }
-    keys.nothingElse();
     return study;
   }
 
   /** Viewpoints that the scene's text does not name are found missing now, not in a session. */
-  private void viewpoints(JsonKeys keys, Study study) {
+  private void viewpoints(JsonMembers keys, Study study) {
     study
         .scene()
         .ifPresent(
@@ -172,7 +156,7 @@ public final class StudyReader {
     }
   }
 
-  private Path file(JsonKeys keys, String key, String name) {
+  private Path file(JsonMembers keys, String key, String name) {
     Path found = folder.resolve(name).normalize();
     if (!Files.isRegularFile(found)) {
       keys.fault(key, "there is no file '" + name + "' as seen from the study file");
@@ -180,65 +164,60 @@ public final class StudyReader {
     return found;
   }
 
-  private List<Condition> conditions(JsonKeys keys) {
+  private List<Condition> conditions(JsonMembers keys) {
     List<Condition> conditions = new ArrayList<>();
-    for (JsonPart part : keys.list("conditions", true)) {
-      Optional<Condition> found = Condition.of(String.valueOf(part.value()));
+    for (JsonValue value : keys.list("conditions", true)) {
+      Optional<Condition> found = Condition.of(value.toString());
       if (found.isEmpty()) {
-        problems.error(
-            part.at(),
-            "'%s' is no condition (high, high-low, selective or random); the study is not used"
-                .formatted(part.value()));
+        keys.fault(
+            value,
+            "'%s' is not a condition (high, high-low, selective or random)".formatted(value));
       } else if (conditions.contains(found.get())) {
-        problems.error(
-            part.at(),
-            "the condition %s is named twice; the study is not used".formatted(part.value()));
+        keys.fault(value, "the condition %s is named twice".formatted(value));
       } else {
         conditions.add(found.get());
       }
     }
     if (conditions.isEmpty() && keys.has("conditions")) {
-      keys.fault("conditions", "a study needs a condition");
+      keys.fault("conditions", "a study needs at least one condition");
     }
     return conditions;
   }
 
-  private Optional<Study.Practice> practice(JsonKeys keys) {
-    return keys.object("practice", "practice")
-        .map(
-            practice -> {
-              Path scene = file(practice, "scene", practice.text("scene"));
-              String viewpoint = practice.text("viewpoint", false).orElse("");
-              practice.nothingElse();
-              return new Study.Practice(scene, viewpoint);
-            });
+  private Optional<Study.Practice> practice(JsonMembers keys) {
+    return keys.object(
+        "practice",
+        "practice",
+        practice ->
+            new Study.Practice(
+                file(practice, "scene", practice.text("scene")),
+                practice.text("viewpoint", false).orElse("")));
   }
 
-  private List<Study.Area> areas(JsonKeys keys) {
+  private List<Study.Area> areas(JsonMembers keys) {
     Set<String> names = new HashSet<>();
-    return keys.objects("areas", "an area")
-        .map(
-            area -> {
-              String name = area.text("name");
-              if (!name.matches(LABEL)) {
-                area.fault("name", "an area's name is made of letters and digits");
-              } else if (!names.add(name.toLowerCase(Locale.ROOT))) {
-                area.fault("name", "the area " + name + " is there twice");
-              }
-              String viewpoint = area.text("viewpoint");
-              double seconds = area.number("seconds", 0.1, LONGEST, Double.NaN);
-              area.nothingElse();
-              return new Study.Area(name, viewpoint, seconds);
-            })
-        .toList();
+    return keys.objects(
+        "areas",
+        "an area",
+        area -> {
+          String name = area.text("name");
+          if (!name.matches(LABEL)) {
+            area.fault("name", "an area's name must consist of letters and digits");
+          } else if (!names.add(name.toLowerCase(Locale.ROOT))) {
+            area.fault("name", "the area " + name + " is named twice");
+          }
+          String viewpoint = area.text("viewpoint");
+          double seconds = area.number("seconds", 0.1, LONGEST, Double.NaN);
+          return new Study.Area(name, viewpoint, seconds);
+        });
   }
 
-  private Study.Display display(JsonKeys keys) {
-    Optional<JsonKeys> found = keys.object("display", "the display");
-    if (found.isEmpty()) {
-      return new Study.Display(DisplayMode.WINDOW, "desk", EyeGeometry.MEAN_IPD, 0, 0);
-    }
-    JsonKeys display = found.get();
+  private Study.Display display(JsonMembers keys) {
+    return keys.object("display", "the display", this::shown)
+        .orElse(new Study.Display(DisplayMode.WINDOW, "desk", EyeGeometry.MEAN_IPD, 0, 0));
+  }
+
+  private Study.Display shown(JsonMembers display) {
     DisplayMode mode =
         display.choice(
             "mode",
@@ -257,16 +236,16 @@ public final class StudyReader {
     double ipd = display.number("ipd", 0, EyeGeometry.LARGEST_IPD, EyeGeometry.MEAN_IPD);
     int width = (int) display.whole("width", 64, 16384, 0);
     int height = (int) display.whole("height", 64, 16384, 0);
-    display.nothingElse();
     return new Study.Display(mode, hmd, ipd, width, height);
   }
 
-  private TrackerSpec tracker(JsonKeys keys) {
+  private TrackerSpec tracker(JsonMembers keys) {
     String spec = keys.text("tracker", false).orElse("none");
     try {
       TrackerSpec tracker = TrackerSpec.parse(spec);
       if (tracker instanceof TrackerSpec.Replay) {
-        keys.fault("tracker", "a recording is no participant's head: give a tracker or none");
+        keys.fault(
+            "tracker", "a recording cannot be the tracker of a session; name a tracker or none");
       }
       return tracker;
     } catch (IllegalArgumentException e) {
@@ -275,25 +254,24 @@ public final class StudyReader {
     }
   }
 
-  private List<Study.Questionnaire> questionnaires(JsonKeys keys) {
+  private List<Study.Questionnaire> questionnaires(JsonMembers keys) {
     Set<QuestionKind> kinds = new HashSet<>();
-    return keys.objects("questionnaires", "a questionnaire")
-        .map(
-            part -> {
-              part.text("kind");
-              QuestionKind kind =
-                  part.choice(
-                      "kind",
-                      List.of(QuestionKind.values()),
-                      QuestionKind::spelling,
-                      QuestionKind.RECOGNITION);
-              if (!kinds.add(kind)) {
-                part.fault("kind", "there are two questionnaires of the kind " + kind.spelling());
-              }
-              Path items = file(part, "items", part.text("items"));
-              part.nothingElse();
-              return new Study.Questionnaire(kind, items);
-            })
-        .toList();
+    return keys.objects(
+        "questionnaires",
+        "a questionnaire",
+        part -> {
+          part.text("kind");
+          QuestionKind kind =
+              part.choice(
+                  "kind",
+                  List.of(QuestionKind.values()),
+                  QuestionKind::spelling,
+                  QuestionKind.RECOGNITION);
+          if (!kinds.add(kind)) {
+            part.fault("kind", "there are two questionnaires of the kind " + kind.spelling());
+          }
+          Path items = file(part, "items", part.text("items"));
+          return new Study.Questionnaire(kind, items);
+        });
   }
 }

@@ -5,9 +5,10 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Objects;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileTransaction;
 
 /** Writes the folder of a new study: that of the thesis (5.1, 6.1), to be changed at will. */
 public final class StudyTemplate {
@@ -34,21 +35,26 @@ public final class StudyTemplate {
    *     be written
    */
   public static Path write(Path folder, Path scene) throws IOException {
+    return write(folder, scene, FileActions.REAL);
+  }
+
+  /** The same by other actions. */
+  static Path write(Path folder, Path scene, FileActions actions) throws IOException {
     Files.createDirectories(folder.resolve("pilot"));
     for (String name : FILES) {
       if (Files.exists(folder.resolve(name))) {
-        throw new IOException(folder.resolve(name) + " is there already; nothing was written");
+        throw new IOException(folder.resolve(name) + " exists already; nothing was written");
       }
     }
+    FileTransaction writing = new FileTransaction(actions);
     for (String name : FILES) {
-      Files.writeString(
-          folder.resolve(name),
+      String text =
           resource(name)
               .replace("@scene@", from(folder, scene))
-              .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d"))),
-          StandardCharsets.UTF_8,
-          StandardOpenOption.CREATE_NEW);
+              .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d")));
+      writing.addNew(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8));
     }
+    writing.commit();
     return folder.resolve(STUDY);
   }
 

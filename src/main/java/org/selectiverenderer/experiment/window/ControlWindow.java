@@ -81,7 +81,7 @@ public final class ControlWindow implements AutoCloseable {
     pause.setName("pause");
     pause
         .getAccessibleContext()
-        .setAccessibleDescription("stops the clock and makes the participant's picture black");
+        .setAccessibleDescription("stops the clock and blackens the participant's picture");
     pause.addActionListener(
         event -> {
           controls.pause(pause.isSelected());
@@ -126,11 +126,11 @@ public final class ControlWindow implements AutoCloseable {
       frame.setExtendedState(Frame.NORMAL);
     }
     frame.toFront();
-    Object[] answers = {"End the session", "Go on with it"};
+    Object[] answers = {"End the Session", "Continue the Session"};
     int answer =
         JOptionPane.showOptionDialog(
             frame,
-            "End this session? What is finished is kept, and --resume goes on.",
+            "End this session? Finished steps are kept, and --resume continues the session.",
             "Abort",
             JOptionPane.DEFAULT_OPTION,
             JOptionPane.WARNING_MESSAGE,

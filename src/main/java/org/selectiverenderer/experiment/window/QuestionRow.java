@@ -16,7 +16,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.study.QuestionKind;
 
@@ -30,8 +30,8 @@ final class QuestionRow {
   private static final String CHOSEN = "selectedBackground:#1f66b5; selectedForeground:#ffffff";
 
   private final QuestionKind kind;
-  private final Item item;
-  private final BiConsumer<Item, Answer> listener;
+  private final QuestionItem item;
+  private final BiConsumer<QuestionItem, Answer> listener;
   private final JPanel panel = new JPanel();
   private final List<JToggleButton> values = new ArrayList<>();
   private final List<JToggleButton> levels = new ArrayList<>();
@@ -43,10 +43,10 @@ final class QuestionRow {
    */
   QuestionRow(
       QuestionKind kind,
-      Item item,
+      QuestionItem item,
       Answer known,
       Wording wording,
-      BiConsumer<Item, Answer> listener) {
+      BiConsumer<QuestionItem, Answer> listener) {
     this.kind = kind;
     this.item = item;
     this.listener = listener;

@@ -26,8 +26,8 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Item;
 import org.selectiverenderer.experiment.questionnaire.PaperPage;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
@@ -51,7 +51,7 @@ public final class QuestionnaireWindow {
       Screen screen,
       Wording wording,
       Map<String, Answer> known,
-      BiConsumer<Item, Answer> taker,
+      BiConsumer<QuestionItem, Answer> taker,
       SessionEnd sessionEnd,
       Consumer<Boolean> done) {
     this.screen = screen;
@@ -59,7 +59,7 @@ public final class QuestionnaireWindow {
     this.done = done;
     JPanel list = new JPanel();
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
-    for (Item item : screen.items()) {
+    for (QuestionItem item : screen.items()) {
       int number = rows.size();
       QuestionRow row =
           new QuestionRow(
@@ -100,7 +100,7 @@ public final class QuestionnaireWindow {
       Screen screen,
       Wording wording,
       Map<String, Answer> known,
-      BiConsumer<Item, Answer> taker,
+      BiConsumer<QuestionItem, Answer> taker,
       SessionEnd sessionEnd) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(

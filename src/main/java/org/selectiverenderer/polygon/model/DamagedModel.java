@@ -6,9 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import org.selectiverenderer.x3d.Counted;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * Says what is wrong with a model that Assimp does not read, whose own messages are about its code
@@ -34,7 +34,7 @@ final class DamagedModel {
     String kind = ending.startsWith("gl") ? "glTF" : ending.toUpperCase(Locale.ROOT);
     problems.error(
         Location.of(file.toString()),
-        "this is no %s model, or it is damaged or cut off; nothing is read of it".formatted(kind));
+        "this is not a %s model, or it is damaged or cut off; nothing is read".formatted(kind));
   }
 
   /**
@@ -47,7 +47,7 @@ final class DamagedModel {
     if (announced > 0) {
       problems.error(
           Location.of(file.toString()),
-          "the file announces %s, of which none can be read; it is damaged or cut off"
+          "the file announces %s, but none can be read; it is damaged or cut off"
               .formatted(Counted.of(announced, "face")));
     }
     return announced > 0;
@@ -85,7 +85,8 @@ final class DamagedModel {
             if (vertex == 0 || Math.abs(vertex) > vertices) {
               problems.error(
                   new Location(file.toString(), number, 1),
-                  "the face has vertex %d of %d before it; the model is not read"
+                  ("the face refers to vertex %d, but only %d come before it; the "
+                          + "model is not read")
                       .formatted(vertex, vertices));
               return true;
             }

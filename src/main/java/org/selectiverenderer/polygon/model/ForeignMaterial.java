@@ -21,10 +21,10 @@ import org.lwjgl.assimp.AIColor4D;
 import org.lwjgl.assimp.AIMaterial;
 import org.lwjgl.assimp.AIString;
 import org.lwjgl.system.MemoryStack;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Another format's material as an Appearance node. */
 final class ForeignMaterial {
@@ -52,7 +52,7 @@ final class ForeignMaterial {
     String texture = texture();
     if (texture != null && texture.startsWith("*")) {
       problems.warning(
-          location, "a texture lies inside the file, where X3D cannot name it; it is left out");
+          location, "a texture is inside the file, where X3D cannot refer to it; it is left out");
     } else if (texture != null) {
       ParsedNode image = node("ImageTexture", location);
       put(image, "url", new String[] {texture.replace('\\', '/')});

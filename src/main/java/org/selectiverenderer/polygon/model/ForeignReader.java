@@ -24,13 +24,14 @@ import org.lwjgl.assimp.AIMaterial;
 import org.lwjgl.assimp.AIMesh;
 import org.lwjgl.assimp.AIScene;
 import org.lwjgl.assimp.AIVector3D;
-import org.selectiverenderer.x3d.Counted;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.geometry.Mesh;
-import org.selectiverenderer.x3d.geometry.VertexMesh;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.geometry.tessellate.VertexMeshes;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /** Reads OBJ, PLY, STL and glTF by Assimp. */
 final class ForeignReader {
@@ -103,8 +104,13 @@ final class ForeignReader {
     if (normals != null && !units(normals)) {
       normals = null;
     }
-    return VertexMesh.of(
-        clean(positions), triangles, normals, colors(mesh), texCoords, CREASE_ANGLE, true);
+    return VertexMeshes.of(
+        new TriangleMesh(clean(positions), triangles),
+        normals,
+        colors(mesh),
+        texCoords,
+        CREASE_ANGLE,
+        true);
   }
 
   private static int[] triangles(AIMesh mesh) {
@@ -133,7 +139,7 @@ final class ForeignReader {
     if (count < triangles.length) {
       problems.warning(
           Location.of(file.toString()),
-          "%s has %s with a coordinate that is no finite number, left out"
+          "%s has %s with a coordinate that is not a finite number; they are left out"
               .formatted(
                   name.isEmpty() ? "a mesh" : "mesh " + name,
                   Counted.of((triangles.length - count) / 3, "face")));

@@ -2,8 +2,8 @@ package org.selectiverenderer.polygon.model;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
  * An object as surfaces, all in one coordinate frame.

@@ -2,8 +2,8 @@ package org.selectiverenderer.polygon.model;
 
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
  * One surface of a model.

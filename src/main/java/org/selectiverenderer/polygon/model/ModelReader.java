@@ -8,14 +8,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.X3dReader;
-import org.selectiverenderer.x3d.geometry.Tessellator;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
  * Reads models: X3D, and by their endings OBJ, PLY, STL and glTF. Transformations are applied, so
@@ -94,7 +94,7 @@ public final class ModelReader {
       throw new IOException(file + ": this is a folder, not a file");
     }
     if (!Files.isReadable(file)) {
-      throw new IOException(file + ": the file may not be read");
+      throw new IOException(file + ": no permission to read the file");
     }
   }
 

@@ -5,10 +5,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.write.NodeText;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * Writes models as X3D: a Shape per part, with an IndexedFaceSet of triangles, in the Interchange
@@ -38,27 +40,22 @@ public final class ModelWriter {
    * @param description one sentence
    */
   public String text(Model model, Path target, String title, String description) {
-    StringBuilder text = new StringBuilder(80 * model.polygons() + 1000);
+    X3dWriter out = new X3dWriter(80 * model.polygons() + 1000);
     boolean plain = model.parts().stream().allMatch(part -> allOf(INTERCHANGE, part.appearance()));
     boolean recent = !model.parts().stream().allMatch(part -> noneOf(NEW_IN_4, part.appearance()));
-    head(
-        text,
-        plain ? "Interchange" : "Full",
-        recent ? "4.0" : "3.3",
-        model.units(),
-        title,
-        description);
-    NodeText nodes = new NodeText(text, target);
+    out.file(plain ? "Interchange" : "Full", recent ? "4.0" : "3.3");
+    head(out, model.units(), title, description);
+    NodeText nodes = new NodeText(out, NodeText.Written.GIVEN);
     int decimals = decimals(model.meshes());
     for (ModelPart part : model.parts()) {
-      text.append("    <Shape>\n");
+      out.open("Shape");
       if (part.appearance() != null) {
-        nodes.append(part.appearance(), "appearance", part.folder(), 6);
+        nodes.append(part.appearance(), "appearance", urls(part.folder(), target));
       }
-      new FaceSetText(text, part.mesh(), decimals).append();
-      text.append("    </Shape>\n");
+      new MeshWriter(out, part.mesh(), decimals).append();
+      out.close();
     }
-    return end(text);
+    return out.finish();
   }
 
   /**
@@ -74,49 +71,26 @@ public final class ModelWriter {
       Path target,
       String title,
       String description) {
-    StringBuilder text = new StringBuilder();
-    String profile = scene.profile().isEmpty() ? "Immersive" : scene.profile();
-    String version = scene.version().isEmpty() ? "3.3" : scene.version();
-    head(text, profile, version, scene.units(), title, description);
-    NodeText writer = new NodeText(text, target);
-    nodes.forEach(node -> writer.append(node, "", folder, 4));
-    return end(text);
+    X3dWriter out = new X3dWriter();
+    out.file(
+        scene.profile().isEmpty() ? "Immersive" : scene.profile(),
+        scene.version().isEmpty() ? "3.3" : scene.version());
+    head(out, scene.units(), title, description);
+    NodeText writer = new NodeText(out, NodeText.Written.GIVEN);
+    nodes.forEach(node -> writer.append(node, "", urls(folder, target)));
+    return out.finish();
+  }
+
+  private static NodeText.UrlRule urls(Path folder, Path target) {
+    return (node, url) -> Urls.turned(url, folder, target);
   }
 
   private static void head(
-      StringBuilder text,
-      String profile,
-      String version,
-      List<X3dFile.Unit> units,
-      String title,
-      String description) {
-    text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='")
-        .append(ValueText.escape(profile))
-        .append("' version='")
-        .append(ValueText.escape(version))
-        .append("'>\n  <head>\n");
-    for (X3dFile.Unit unit : units) {
-      text.append("    <unit category='")
-          .append(ValueText.escape(unit.category()))
-          .append("' name='")
-          .append(ValueText.escape(unit.name()))
-          .append("' conversionFactor='")
-          .append(NumberText.shortest(unit.conversionFactor()))
-          .append("'/>\n");
-    }
-    meta(text, "title", title);
-    meta(text, "description", description);
-    meta(text, "generator", "Selective Renderer");
-    text.append("  </head>\n  <Scene>\n");
-  }
-
-  private static void meta(StringBuilder text, String name, String content) {
-    text.append("    <meta name='").append(name).append("' content='");
-    text.append(ValueText.escape(content)).append("'/>\n");
-  }
-
-  private static String end(StringBuilder text) {
-    return text.append("  </Scene>\n</X3D>\n").toString();
+      X3dWriter out, List<X3dFile.Unit> units, String title, String description) {
+    out.open("head");
+    units.forEach(unit -> out.unit(unit.category(), unit.name(), unit.conversionFactor()));
+    out.meta("title", title).meta("description", description);
+    out.meta("generator", "Selective Renderer").close().open("Scene");
   }
 
   /** One digit more than the five that reduced models have, for those that are not reduced. */

@@ -9,13 +9,14 @@ import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.X3dReader;
-import org.selectiverenderer.x3d.geometry.Mesh;
-import org.selectiverenderer.x3d.geometry.Tessellator;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
+import org.selectiverenderer.geometry.tessellate.TransformPlacement;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
  * Collects the surfaces of nodes and of what they inline. Of nodes that choose among their children
@@ -68,7 +69,7 @@ final class ShapeGatherer {
               .limit(1)
               .forEach(child -> visit(child, placement, folder, metres, depth + 1));
       case "Transform", "CADPart" ->
-          children(node, Placement.of(node, placement), folder, metres, depth);
+          children(node, TransformPlacement.of(node, placement), folder, metres, depth);
       case "CADFace" -> {
         NodeView shape = node.node("shape");
         if (shape != null) {
@@ -105,11 +106,11 @@ final class ShapeGatherer {
       return;
     }
     NodeView appearance = shape.node("appearance");
-    Mesh placed = Placement.place(mesh, placement);
+    Mesh placed = MeshPlacement.place(mesh, placement);
     if (!finite(placed.positions())) {
       problems.error(
           geometry.location(),
-          geometry.type().name() + " is placed where no number reaches; it is left out");
+          geometry.type().name() + " has a position that is not finite; it is left out");
       return;
     }
     parts.add(new ModelPart(appearance, Textures.used(appearance) ? placed : bare(placed), folder));

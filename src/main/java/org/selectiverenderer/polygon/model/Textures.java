@@ -2,9 +2,9 @@ package org.selectiverenderer.polygon.model;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.FieldType;
 
 /** Whether an appearance needs texture coordinates. */
 final class Textures {

@@ -2,8 +2,8 @@
  * Models as meshes with their materials, from files and to files.
  *
  * <p>In: X3D of any geometry that has faces, and OBJ, PLY, STL and glTF. Out: {@link
- * org.selectiverenderer.polygon.model.Model}, and X3D that any browser reads. Uses {@code x3d},
- * {@code x3d.geometry} and LWJGL's Assimp.
+ * org.selectiverenderer.polygon.model.Model}, and X3D that any browser reads. Uses {@code
+ * geometry}, {@code x3d}, {@code base} and LWJGL's Assimp.
  */
 @NullMarked
 package org.selectiverenderer.polygon.model;

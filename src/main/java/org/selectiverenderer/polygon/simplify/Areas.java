@@ -1,6 +1,7 @@
 package org.selectiverenderer.polygon.simplify;
 
 import java.util.Arrays;
+import org.selectiverenderer.geometry.TriangleMath;
 
 /** The planes and areas of triangles. */
 final class Areas {
@@ -15,37 +16,21 @@ final class Areas {
     int a = JoinedMesh.STRIDE * indices[3 * triangle];
     int b = JoinedMesh.STRIDE * indices[3 * triangle + 1];
     int c = JoinedMesh.STRIDE * indices[3 * triangle + 2];
-    double ux = (double) vertices[b] - vertices[a];
-    double uy = (double) vertices[b + 1] - vertices[a + 1];
-    double uz = (double) vertices[b + 2] - vertices[a + 2];
-    double vx = (double) vertices[c] - vertices[a];
-    double vy = (double) vertices[c + 1] - vertices[a + 1];
-    double vz = (double) vertices[c + 2] - vertices[a + 2];
-    double nx = uy * vz - uz * vy;
-    double ny = uz * vx - ux * vz;
-    double nz = ux * vy - uy * vx;
-    double sides = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
-    double square = nx * nx + ny * ny + nz * nz;
-    double scale = square > 1e-12 * sides * sides ? 1 / Math.sqrt(square) : 0;
-    normal[0] = scale * nx;
-    normal[1] = scale * ny;
-    normal[2] = scale * nz;
+    if (TriangleMath.hasArea(vertices, a, b, c, 1e-12)) {
+      TriangleMath.normal(vertices, a, b, c, normal);
+      TriangleMath.normalize(normal);
+    } else {
+      Arrays.fill(normal, 0);
+    }
   }
 
   static double area(float[] vertices, int[] indices, int triangle) {
     int a = JoinedMesh.STRIDE * indices[3 * triangle];
     int b = JoinedMesh.STRIDE * indices[3 * triangle + 1];
     int c = JoinedMesh.STRIDE * indices[3 * triangle + 2];
-    double ux = (double) vertices[b] - vertices[a];
-    double uy = (double) vertices[b + 1] - vertices[a + 1];
-    double uz = (double) vertices[b + 2] - vertices[a + 2];
-    double vx = (double) vertices[c] - vertices[a];
-    double vy = (double) vertices[c + 1] - vertices[a + 1];
-    double vz = (double) vertices[c + 2] - vertices[a + 2];
-    double nx = uy * vz - uz * vy;
-    double ny = uz * vx - ux * vz;
-    double nz = ux * vy - uy * vx;
-    return Math.sqrt(nx * nx + ny * ny + nz * nz) / 2;
+    double[] normal = new double[3];
+    TriangleMath.normal(vertices, a, b, c, normal);
+    return TriangleMath.length(normal) / 2;
   }
 
   /** The mesh without triangles that have no area. */

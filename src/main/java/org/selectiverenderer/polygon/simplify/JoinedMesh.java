@@ -3,7 +3,7 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * The parts of a model as one array of vertices and one of triangles, so that they are reduced
@@ -60,14 +60,15 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     }
     for (int index : part.indices()) {
       if (index < 0 || index >= part.vertexCount()) {
-        throw new IllegalArgumentException("a triangle has vertex " + index + ", which is none");
+        throw new IllegalArgumentException(
+            "a triangle has vertex " + index + ", which does not exist");
       }
     }
     for (float[] values :
         new float[][] {part.positions(), part.normals(), part.colors(), part.texCoords()}) {
       for (int i = 0; values != null && i < values.length; i++) {
         if (!(Math.abs(values[i]) < Float.POSITIVE_INFINITY)) {
-          throw new IllegalArgumentException("a vertex has a value that is no finite number");
+          throw new IllegalArgumentException("a vertex has a value that is not a finite number");
         }
       }
     }

@@ -3,7 +3,7 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * Finds the reduction with a wanted number of polygons: with no more freedom than that takes, and
@@ -62,10 +62,11 @@ final class Reduction {
         break;
       }
       for (JoinedMesh start : starts(freedom, base, fewest, polygons)) {
-        best = Approach.nearer(best, start, polygons);
+        best = ReductionAttempt.nearer(best, start, polygons);
         for (Style style : compare ? Style.values() : new Style[] {Style.BALANCED}) {
-          JoinedMesh mesh = new Approach(polygons, scale, bounds, freedom, style).from(start);
-          best = Approach.nearer(best, mesh, polygons);
+          JoinedMesh mesh =
+              new ReductionAttempt(polygons, scale, bounds, freedom, style).from(start);
+          best = ReductionAttempt.nearer(best, mesh, polygons);
           if (mesh.polygons() >= polygons && mesh.polygons() < fewest.polygons()) {
             fewest = mesh;
           }
@@ -92,7 +93,7 @@ final class Reduction {
     }
     return reduced.polygons() > polygons
         ? nearest
-        : Approach.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
+        : ReductionAttempt.nearer(nearest, EdgeSplits.upTo(polygons, reduced, scale), polygons);
   }
 
   /**

@@ -1,7 +1,7 @@
 package org.selectiverenderer.polygon.simplify;
 
 import java.util.List;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * A reduced model.

@@ -3,7 +3,7 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * Reduces the polygons of models. All parts of a model are reduced together, so that its error is

@@ -7,8 +7,8 @@ import org.selectiverenderer.radiosity.sampling.Directions;
 import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
-import org.selectiverenderer.radiosity.work.Progress;
-import org.selectiverenderer.radiosity.work.Work;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
  * Gathers light at vertices. A vertex stands for the facets around it: rays start all over them,
@@ -84,12 +84,12 @@ public final class VertexGatherer {
   }
 
   /** Gathers; if cancelled meanwhile, takes the solution's patches instead of rays. */
-  public VertexLight gather(Progress progress, Progress.Stage stage) {
+  public VertexLight gather(WorkProgress progress, WorkProgress.Stage stage) {
     float[] irradiance = new float[3 * facets.vertices()];
     boolean[] valid = new boolean[facets.vertices()];
     LongAdder rays = new LongAdder();
     boolean complete =
-        Work.run(
+        ParallelWork.run(
             facets.vertices(),
             512,
             progress,

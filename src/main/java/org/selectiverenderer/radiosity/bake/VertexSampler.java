@@ -2,12 +2,13 @@ package org.selectiverenderer.radiosity.bake;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.radiosity.mesh.Facets;
 import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.solve.Shadows;
+import org.selectiverenderer.radiosity.solve.DirectLight;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.trace.Ray;
-import org.selectiverenderer.radiosity.trace.Triangles;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /** Samples the light around one vertex after the other; one per thread. */
 final class VertexSampler {
@@ -33,9 +34,9 @@ final class VertexSampler {
   private final Facets facets;
   private final BitSet divided;
   private final VertexGatherer.Samples samples;
-  private final Triangles triangles;
+  private final SceneTriangles triangles;
   private final Ray ray = new Ray();
-  private final Shadows shadows;
+  private final DirectLight shadows;
   private final double[] normal = new double[3];
   private final double[] start = new double[3];
   private final double[] place = new double[3];
@@ -71,7 +72,7 @@ final class VertexSampler {
     this.facets = facets;
     this.samples = samples;
     this.triangles = scene.triangles();
-    this.shadows = new Shadows(scene, ray);
+    this.shadows = new DirectLight(scene, ray);
   }
 
   long rays() {
@@ -179,7 +180,7 @@ final class VertexSampler {
   private long lampsNear(int corner, int i, int version, boolean behind) {
     place(corner, 0.5f, 0.5f);
     int source = facets.source()[corner / 3];
-    Triangles.weights(triangles.corners(), source, place, direction);
+    SceneTriangles.weights(triangles.corners(), source, place, direction);
     int patch = solution.patches().at(source, direction[0], direction[1], behind);
     known |= solution.lampsOf()[patch];
     for (int axis = 0; axis < 3; axis++) {
@@ -259,7 +260,7 @@ final class VertexSampler {
   /** The patch at the last place on a facet; adds its values. */
   private int patch(int facet, boolean behind, float[] values, double[] sum) {
     int source = facets.source()[facet];
-    Triangles.weights(triangles.corners(), source, place, direction);
+    SceneTriangles.weights(triangles.corners(), source, place, direction);
     int patch = solution.patches().at(source, direction[0], direction[1], behind);
     for (int c = 0; c < 3; c++) {
       sum[c] += values[3 * patch + c];
@@ -290,17 +291,15 @@ final class VertexSampler {
   private double plane(int facet) {
     float[] c = facets.corners();
     int at = 9 * facet;
-    double bx = c[at + 3] - c[at];
-    double by = c[at + 4] - c[at + 1];
-    double bz = c[at + 5] - c[at + 2];
-    double cx = c[at + 6] - c[at];
-    double cy = c[at + 7] - c[at + 1];
-    double cz = c[at + 8] - c[at + 2];
-    normal[0] = by * cz - bz * cy;
-    normal[1] = bz * cx - bx * cz;
-    normal[2] = bx * cy - by * cx;
-    double length =
-        Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    TriangleMath.cross(
+        c[at + 3] - c[at],
+        c[at + 4] - c[at + 1],
+        c[at + 5] - c[at + 2],
+        c[at + 6] - c[at],
+        c[at + 7] - c[at + 1],
+        c[at + 8] - c[at + 2],
+        normal);
+    double length = TriangleMath.length(normal);
     for (int axis = 0; axis < 3 && length > 0; axis++) {
       normal[axis] /= length;
     }

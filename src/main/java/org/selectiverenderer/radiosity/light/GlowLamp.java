@@ -1,11 +1,11 @@
 package org.selectiverenderer.radiosity.light;
 
 import java.util.Arrays;
-import org.selectiverenderer.radiosity.trace.Triangles;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /** A glowing surface: triangles of one luminance. */
 public final class GlowLamp implements Lamp {
-  private final Triangles triangles;
+  private final SceneTriangles triangles;
   private final int first;
   private final double[] sums;
   private final float[] luminance;
@@ -15,7 +15,7 @@ public final class GlowLamp implements Lamp {
    * @param first of its consecutive triangles
    * @param luminance r, g, b, cd/m2
    */
-  public GlowLamp(Triangles triangles, int first, int count, float[] luminance) {
+  public GlowLamp(SceneTriangles triangles, int first, int count, float[] luminance) {
     this.triangles = triangles;
     this.first = first;
     this.luminance = luminance;

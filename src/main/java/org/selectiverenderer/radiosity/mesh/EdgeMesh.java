@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import org.selectiverenderer.geometry.TriangleMath;
 
 /**
  * Facets of several bodies that are divided together: where two share an edge, both are divided
@@ -45,18 +46,11 @@ final class EdgeMesh {
     }
 
     private static double[] plane(float[] c) {
-      double bx = c[3] - c[0];
-      double by = c[4] - c[1];
-      double bz = c[5] - c[2];
-      double cx = c[6] - c[0];
-      double cy = c[7] - c[1];
-      double cz = c[8] - c[2];
-      double x = by * cz - bz * cy;
-      double y = bz * cx - bx * cz;
-      double z = bx * cy - by * cx;
-      double length = Math.sqrt(x * x + y * y + z * z);
-      double scale = length > 0 ? 1 / length : 0;
-      return new double[] {x * scale, y * scale, z * scale, length};
+      double[] plane = new double[4];
+      TriangleMath.cross(
+          c[3] - c[0], c[4] - c[1], c[5] - c[2], c[6] - c[0], c[7] - c[1], c[8] - c[2], plane);
+      plane[3] = TriangleMath.normalize(plane);
+      return plane;
     }
 
     /** Whether another facet faces the same way. */

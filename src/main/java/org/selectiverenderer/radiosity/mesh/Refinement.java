@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
+import org.selectiverenderer.geometry.TriangleMath;
 
 /**
  * Spends facets where colours interpolated between corners are farthest from the light: the facet
@@ -127,15 +128,16 @@ final class Refinement {
     for (int i = 0; i < 3; i++) {
       int j = 3 * ((i + 1) % 3);
       int k = 3 * ((i + 2) % 3);
-      double ux = c[k] - c[j];
-      double uy = c[k + 1] - c[j + 1];
-      double uz = c[k + 2] - c[j + 2];
-      double vx = at.x() - c[j];
-      double vy = at.y() - c[j + 1];
-      double vz = at.z() - c[j + 2];
       double[] n = tile.plane;
       double doubled =
-          n[0] * (uy * vz - uz * vy) + n[1] * (uz * vx - ux * vz) + n[2] * (ux * vy - uy * vx);
+          TriangleMath.triple(
+              n,
+              c[k] - c[j],
+              c[k + 1] - c[j + 1],
+              c[k + 2] - c[j + 2],
+              at.x() - c[j],
+              at.y() - c[j + 1],
+              at.z() - c[j + 2]);
       out[i] = n[3] > 0 ? doubled / n[3] : 1.0 / 3;
     }
   }

@@ -3,7 +3,8 @@
  * subdivision (thesis Figs 60 and 61).
  *
  * <p>In: the bodies of a scene and light at vertices. Out: {@link
- * org.selectiverenderer.radiosity.mesh.Facets}. Uses {@code radiosity.scene}.
+ * org.selectiverenderer.radiosity.mesh.Facets}. Uses {@code radiosity.scene}, {@code
+ * radiosity.trace}, {@code geometry} and {@code geometry.mesh}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.mesh;

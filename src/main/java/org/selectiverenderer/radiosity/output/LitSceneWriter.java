@@ -2,29 +2,30 @@ package org.selectiverenderer.radiosity.output;
 
 import java.nio.file.Path;
 import java.util.IdentityHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.selectiverenderer.polygon.model.NumberText;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.polygon.model.Urls;
-import org.selectiverenderer.polygon.model.ValueText;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.nodes.InlineNode;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.write.NodeText;
+import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * Writes a lit scene. Groups, sensors, metadata, names and routes stay; a shape or Inline that is
  * USEd in several places has a copy in each, and only the first keeps the names, since light
- * differs from place to place. The same scene gives the same bytes.
+ * differs from place to into. The same scene gives the same bytes.
  */
 public final class LitSceneWriter {
   private final LitScene lit;
@@ -53,106 +54,69 @@ public final class LitSceneWriter {
   }
 
   private void file(Path file, Scene scene, GroupInstance root, String description) {
-    StringBuilder text = new StringBuilder();
-    head(text, file, scene, description);
-    Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
-    NodeText nodes = new NodeText(text, folder);
+    X3dWriter out = new X3dWriter();
+    head(out, file, scene, description);
+    LitFile into = new LitFile(out, Objects.requireNonNull(file.toAbsolutePath().getParent()));
     for (Instance child : root.children()) {
-      write(child, nodes, text, folder, "", 4);
+      write(child, into, "");
     }
     int left = 0;
     for (Route route : scene.routes()) {
-      left += route(route, nodes, text) ? 0 : 1;
+      left += route(route, into) ? 0 : 1;
     }
     if (left > 0 || !scene.imported().isEmpty()) {
       problems.info(
           Location.of(scene.url()),
-          "routes and IMPORTs that lead to nodes without a name of their own are not in the lit scene");
+          "routes and IMPORTs that lead to nodes without a name of their own are not in the lit"
+              + " scene");
     }
-    scene
-        .exports()
-        .forEach(
-            (as, name) ->
-                text.append("    <EXPORT localDEF='")
-                    .append(ValueText.escape(name))
-                    .append("' AS='")
-                    .append(ValueText.escape(as))
-                    .append("'/>\n"));
-    files.put(file, text.append("  </Scene>\n</X3D>\n").toString());
+    scene.exports().forEach((as, name) -> out.empty("EXPORT", "localDEF", name, "AS", as));
+    files.put(file, out.finish());
   }
 
-  private static boolean route(Route route, NodeText nodes, StringBuilder text) {
-    String from = nodes.name(route.from());
-    String to = nodes.name(route.to());
+  private static boolean route(Route route, LitFile into) {
+    String from = into.nodes().name(route.from());
+    String to = into.nodes().name(route.to());
     if (from.isEmpty() || to.isEmpty()) {
       return false;
     }
-    text.append("    <ROUTE");
-    nodes.attribute("fromNode", from);
-    nodes.attribute("fromField", route.from().type().fields().get(route.fromField()).name());
-    nodes.attribute("toNode", to);
-    nodes.attribute("toField", route.to().type().fields().get(route.toField()).name());
-    text.append("/>\n");
+    String fromField = route.from().type().fields().get(route.fromField()).name();
+    String toField = route.to().type().fields().get(route.toField()).name();
+    into.out().route(from, fromField, to, toField);
     return true;
   }
 
-  private static void head(StringBuilder text, Path file, Scene scene, String description) {
-    String profile = scene.profile().isEmpty() ? "Immersive" : scene.profile();
-    String version = scene.version().isEmpty() ? "3.3" : scene.version();
-    text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='")
-        .append(ValueText.escape(profile))
-        .append("' version='")
-        .append(ValueText.escape(version))
-        .append("'>\n  <head>\n");
-    scene
-        .components()
-        .forEach(
-            (name, level) ->
-                text.append("    <component name='")
-                    .append(ValueText.escape(name))
-                    .append("' level='")
-                    .append(level.intValue())
-                    .append("'/>\n"));
+  private static void head(X3dWriter out, Path file, Scene scene, String description) {
+    out.file(
+        scene.profile().isEmpty() ? "Immersive" : scene.profile(),
+        scene.version().isEmpty() ? "3.3" : scene.version());
+    out.open("head");
+    scene.components().forEach(out::component);
     if (scene.unitLength() != 1) {
-      text.append("    <unit category='length' name='length' conversionFactor='")
-          .append(NumberText.shortest(scene.unitLength()))
-          .append("'/>\n");
+      out.unit("length", "length", scene.unitLength());
     }
-    meta(text, "title", String.valueOf(file.getFileName()));
-    meta(text, "description", description);
-    meta(text, "generator", "./selective-renderer radiosity");
+    out.meta("title", String.valueOf(file.getFileName())).meta("description", description);
+    out.meta("generator", "./selective-renderer radiosity");
     String licence = scene.meta().get("license");
     if (licence != null) {
-      meta(text, "license", licence);
+      out.meta("license", licence);
     }
-    text.append("  </head>\n  <Scene>\n");
+    out.close().open("Scene");
   }
 
-  private static void meta(StringBuilder text, String name, String content) {
-    text.append("    <meta name='").append(name).append("' content='");
-    text.append(ValueText.escape(content)).append("'/>\n");
-  }
-
-  private void write(
-      Instance instance,
-      NodeText nodes,
-      StringBuilder text,
-      Path folder,
-      String container,
-      int indent) {
+  private void write(Instance instance, LitFile into, String container) {
     Node node = instance.node();
+    NodeText nodes = into.nodes();
     if (instance instanceof ShapeInstance shape && bodies.containsKey(shape)) {
-      String def = ShapeText.def(nodes.define(node));
-      new ShapeText(lit).append(text, bodies.get(shape), def, indent);
+      new LitShapeWriter(lit).append(into.out(), bodies.get(shape), nodes.define(node));
     } else if (instance instanceof GroupInstance group && !used(group, nodes)) {
-      group(group, nodes, text, folder, container, indent);
+      group(group, into, container);
     } else if (instance instanceof LightInstance && nodes.name(node).isEmpty()) {
-      nodes.open(node, ShapeText.def(nodes.define(node)), "", container, indent);
-      nodes.attributes(node, "on");
-      nodes.attribute("on", "false");
-      text.append("/>\n");
+      nodes.open(node, container);
+      nodes.values(node, "on", into);
+      into.out().attribute("on", "false").close();
     } else {
-      nodes.append(node, container, indent);
+      nodes.append(node, container, into);
     }
   }
 
@@ -167,43 +131,48 @@ public final class LitSceneWriter {
             && group.children().stream().anyMatch(this::holdsLit);
   }
 
-  private void group(
-      GroupInstance group,
-      NodeText nodes,
-      StringBuilder text,
-      Path folder,
-      String container,
-      int indent) {
+  private void group(GroupInstance group, LitFile into, String container) {
     Node node = group.node();
-    nodes.open(node, ShapeText.def(nodes.define(node)), "", container, indent);
-    boolean filled = node instanceof InlineNode && holdsLit(group);
-    if (filled) {
-      inline((InlineNode) node, group, nodes, folder);
+    NodeText nodes = into.nodes();
+    nodes.open(node, container);
+    if (node instanceof InlineNode inline && holdsLit(group)) {
+      inline(inline, group, into);
     } else {
-      nodes.attributes(node, "");
+      nodes.values(node, "", into);
     }
-    List<Instance> children = node instanceof InlineNode ? List.of() : group.children();
-    if (children.isEmpty() && !nodes.hasNodes(node, "children")) {
-      text.append("/>\n");
-      return;
+    nodes.nodes(node, "children", into);
+    if (!(node instanceof InlineNode)) {
+      group.children().forEach(child -> write(child, into, "children"));
     }
-    text.append(">\n");
-    nodes.nodes(node, "children", indent + 2);
-    for (Instance child : children) {
-      write(child, nodes, text, folder, "children", indent + 2);
-    }
-    nodes.close(node, indent);
+    into.out().close();
   }
 
-  private void inline(InlineNode inline, GroupInstance group, NodeText nodes, Path folder) {
+  private void inline(InlineNode inline, GroupInstance group, LitFile into) {
     Scene content = inline.content().orElseThrow();
     Path file = files.next(inline.strings("url")[0]);
-    nodes.attributes(inline, "url");
-    nodes.attribute("url", '"' + Urls.between(folder, file) + '"');
+    into.nodes().values(inline, "url", into);
+    into.out().attribute("url", ValueText.strings(Urls.between(into.folder(), file)));
     file(
         file,
         content,
         (GroupInstance) group.children().get(0),
         "Lit in its place by radiosity, from " + Path.of(content.url()).getFileName());
+  }
+
+  /**
+   * A file that is being written.
+   *
+   * @param folder that it will lie in
+   */
+  private record LitFile(X3dWriter out, NodeText nodes, Path folder) implements NodeText.UrlRule {
+    LitFile(X3dWriter out, Path folder) {
+      this(out, new NodeText(out, NodeText.Written.CHANGED), folder);
+    }
+
+    @Override
+    public String written(NodeView node, String url) {
+      Path from = Path.of(node.location().file()).toAbsolutePath().getParent();
+      return from == null ? url : Urls.turned(url, from, folder);
+    }
   }
 }

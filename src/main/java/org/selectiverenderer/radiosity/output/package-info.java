@@ -3,8 +3,9 @@
  * lit material, its lights off, every Inline with a file of its own.
  *
  * <p>In: a scene's instance tree and a {@link org.selectiverenderer.radiosity.bake.LitScene}. Out:
- * texts by file. Uses {@code runtime.instance}, {@code runtime.scene} and {@code polygon.model}'s
- * texts of values.
+ * texts by file. Uses {@code radiosity.bake}, {@code radiosity.mesh} and {@code radiosity.scene},
+ * {@code runtime}, {@code polygon.model}'s urls, {@code geometry.mesh}, {@code x3d} and {@code
+ * base}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.output;

@@ -3,13 +3,14 @@ package org.selectiverenderer.radiosity.preview;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.picture.PngFile;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.bake.ToneCurve;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.trace.Ray;
-import org.selectiverenderer.radiosity.trace.Triangles;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
 import org.selectiverenderer.radiosity.trace.Versions;
 
 /** Pictures of a scene's light from one place; what meets each pixel is found once. */
@@ -125,7 +126,7 @@ public final class PreviewPicture {
     double[] own = new double[2];
     for (int facet = facetOf[source]; facet < end; facet++) {
       if (lit.facets().source()[facet] == source) {
-        double outside = Triangles.weights(lit.facets().corners(), facet, point, own);
+        double outside = SceneTriangles.weights(lit.facets().corners(), facet, point, own);
         if (outside < least) {
           least = outside;
           best = facet;

@@ -1,8 +1,9 @@
 /**
- * Small pictures of light while it is computed: rays through pixels, PNG without AWT.
+ * Small pictures of light while it is computed: rays through pixels.
  *
  * <p>In: a scene and its light so far. Out: the bytes of a PNG file. Uses {@code radiosity.bake},
- * {@code .scene}, {@code .solve} and {@code .trace}.
+ * {@code radiosity.mesh}, {@code radiosity.scene}, {@code radiosity.solve}, {@code
+ * radiosity.trace}, {@code runtime}, {@code x3d.catalogue} and {@code base.picture}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.preview;

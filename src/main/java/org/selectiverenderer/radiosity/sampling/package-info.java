@@ -1,6 +1,8 @@
 /**
- * Points that fill squares and hemispheres evenly. In: integers. Out: numbers that are the same on
- * every machine and with any number of threads. Uses nothing.
+ * Points that fill squares and hemispheres evenly.
+ *
+ * <p>In: integers. Out: numbers that are the same on every machine and with any number of threads.
+ * Uses nothing else of ours.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.sampling;

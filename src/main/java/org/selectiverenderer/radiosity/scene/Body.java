@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity.scene;
 
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * A shape in one place that takes part in the light. Its triangles are consecutive, in the order of

@@ -6,6 +6,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.light.Falloff;
 import org.selectiverenderer.radiosity.light.Lamp;
 import org.selectiverenderer.radiosity.light.PointLamp;
@@ -13,7 +14,6 @@ import org.selectiverenderer.radiosity.light.RectangleLamp;
 import org.selectiverenderer.radiosity.light.SunLamp;
 import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * X3D's lights as lamps.
@@ -58,7 +58,8 @@ final class LampReader {
     if (!light.on() || !(light.intensity() > 0)) {
       return Optional.empty();
     }
-    Optional<Wishes> wishes = Wishes.of(instance.node(), "photometric", members(light), problems);
+    Optional<PhotometricMetadata> wishes =
+        PhotometricMetadata.of(instance.node(), "photometric", members(light), problems);
     float[] hue = Photometry.linear(light.color());
     double luminance = Photometry.luminance(hue);
     if (!(luminance > 0)) {
@@ -108,7 +109,7 @@ final class LampReader {
   }
 
   private Lamp spot(
-      Optional<Wishes> wishes,
+      Optional<PhotometricMetadata> wishes,
       Light light,
       Vector3d axis,
       Vector3d place,
@@ -134,7 +135,7 @@ final class LampReader {
   }
 
   private Lamp rectangle(
-      Wishes wishes,
+      PhotometricMetadata wishes,
       double[] size,
       Light light,
       Matrix4dc world,

@@ -2,7 +2,7 @@ package org.selectiverenderer.radiosity.scene;
 
 import java.util.List;
 import org.selectiverenderer.radiosity.light.Lamp;
-import org.selectiverenderer.radiosity.trace.Triangles;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
 import org.selectiverenderer.radiosity.trace.Versions;
 import org.selectiverenderer.radiosity.trace.Visibility;
 
@@ -19,7 +19,7 @@ import org.selectiverenderer.radiosity.trace.Visibility;
  */
 public record LightScene(
     List<Body> bodies,
-    Triangles triangles,
+    SceneTriangles triangles,
     int[] bodyOf,
     Versions versions,
     Visibility visibility,

@@ -3,13 +3,13 @@ package org.selectiverenderer.radiosity.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.light.GlowLamp;
 import org.selectiverenderer.radiosity.light.Lamp;
-import org.selectiverenderer.radiosity.trace.Triangles;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
 import org.selectiverenderer.radiosity.trace.Visibility;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.LightInstance;
-import org.selectiverenderer.x3d.Problems;
 
 /** Makes the {@link LightScene} of a loaded scene. */
 public final class LightSceneReader {
@@ -51,7 +51,7 @@ public final class LightSceneReader {
     gatherer.gather(tree.root());
     List<Body> bodies = gatherer.bodies();
     check(bodies, gatherer.triangles());
-    Triangles triangles = triangles(bodies, gatherer.triangles());
+    SceneTriangles triangles = triangles(bodies, gatherer.triangles());
     int[] bodyOf = new int[triangles.count()];
     for (int i = 0; i < bodies.size(); i++) {
       Body body = bodies.get(i);
@@ -68,7 +68,7 @@ public final class LightSceneReader {
     double lumens = lamps.stream().mapToDouble(Lamp::lumens).sum();
     if (lamps.isEmpty() && bodies.stream().noneMatch(Body::glows)) {
       throw new UnlitSceneException(
-          "nothing in the scene shines: it has neither lights that are on nor emissive materials");
+          "the scene has no light: add a light that is on, or an emissive material");
     }
     return new LightScene(
         List.copyOf(bodies),
@@ -100,14 +100,15 @@ public final class LightSceneReader {
         if (Math.abs(coordinate) > FARTHEST) {
           throw new UnlitSceneException(
               body.shape().node().location()
-                  + ": a shape lies more than 100 km from the origin, where points cannot be told"
-                  + " apart; move the scene to its origin or state another unit of length");
+                  + ": a shape is more than 100 km from the origin, where points "
+                  + "cannot be distinguished; move the scene to its origin or state "
+                  + "another unit of length");
         }
       }
     }
   }
 
-  private static Triangles triangles(List<Body> bodies, int count) {
+  private static SceneTriangles triangles(List<Body> bodies, int count) {
     float[] corners = new float[9 * count];
     boolean[] twoSided = new boolean[count];
     float[] transmittance = new float[count];
@@ -128,13 +129,13 @@ public final class LightSceneReader {
         version[first + i] = body.version();
       }
     }
-    return new Triangles(corners, twoSided, transmittance, version);
+    return new SceneTriangles(corners, twoSided, transmittance, version);
   }
 
   /** The brightest glowing surfaces of what stands in the scene become lamps. */
   private static void glows(
       List<Body> bodies,
-      Triangles triangles,
+      SceneTriangles triangles,
       SceneGatherer gatherer,
       double extent,
       List<Lamp> lamps,
@@ -167,7 +168,7 @@ public final class LightSceneReader {
             });
   }
 
-  private static double extent(Triangles triangles) {
+  private static double extent(SceneTriangles triangles) {
     double extent = 0;
     for (int axis = 0; axis < 3; axis++) {
       float low = Float.POSITIVE_INFINITY;

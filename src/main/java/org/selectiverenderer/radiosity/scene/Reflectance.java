@@ -1,8 +1,8 @@
 package org.selectiverenderer.radiosity.scene;
 
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * The share of light that surfaces throw back: the diffuse colour, colours at vertices in its

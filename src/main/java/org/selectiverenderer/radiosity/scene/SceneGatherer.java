@@ -9,15 +9,15 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.radiosity.trace.Versions;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
-import org.selectiverenderer.runtime.nodes.SwitchNode;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 
 /**
  * Walks the instance tree and notes every shape in every place. The children of a Switch or LOD are
@@ -93,7 +93,7 @@ final class SceneGatherer {
   }
 
   private int budget(GroupInstance group, int above) {
-    return Wishes.of(group.node(), "radiosity", MEMBERS, problems)
+    return PhotometricMetadata.of(group.node(), "radiosity", MEMBERS, problems)
         .flatMap(wishes -> wishes.number("polygons"))
         .map(
             polygons -> {
@@ -146,7 +146,7 @@ final class SceneGatherer {
     for (float value : positions) {
       if (!Float.isFinite(value)) {
         problems.warning(
-            shape.node().location(), "the shape's place is not finite; it is left out");
+            shape.node().location(), "the shape's position is not finite; it is left out");
         return;
       }
     }

@@ -3,8 +3,8 @@
  *
  * <p>In: the instance tree of a scene as it is when loaded. Out: {@link
  * org.selectiverenderer.radiosity.scene.LightScene}, or the one sentence why there can be none.
- * Uses {@code runtime.instance}, {@code runtime.scene}, {@code x3d.geometry} and {@code
- * radiosity.trace} and {@code radiosity.light}.
+ * Uses {@code radiosity.light}, {@code radiosity.trace}, {@code runtime}, {@code schema}, {@code
+ * geometry.mesh}, {@code x3d.catalogue} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.scene;

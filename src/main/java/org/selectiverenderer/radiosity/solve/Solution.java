@@ -14,7 +14,7 @@ import java.util.List;
  * @param balances one per iteration
  */
 public record Solution(
-    Patches patches,
+    LightPatches patches,
     float[] reflected,
     float[] glow,
     float[] direct,

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.work.Progress;
-import org.selectiverenderer.radiosity.work.Work;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
  * Solves B = E + rho F B (Goral et al. 1984; thesis 2.1.4) by gathering: in iteration k every patch
@@ -18,7 +18,7 @@ import org.selectiverenderer.radiosity.work.Work;
 public final class Solver {
   private final LightScene scene;
   private final Transport transport;
-  private final Patches patches;
+  private final LightPatches patches;
   private final float[] rho;
   private final float[] glow;
   private final double[] outsideShare;
@@ -61,7 +61,7 @@ public final class Solver {
    * @param each hears the solution after every iteration; it must not keep it
    */
   public Solution solve(
-      int iterations, double quality, Progress progress, Consumer<Solution> each) {
+      int iterations, double quality, WorkProgress progress, Consumer<Solution> each) {
     int count = patches.count();
     boolean[] buried = new boolean[count];
     for (int patch = 0; patch < count; patch++) {
@@ -85,11 +85,11 @@ public final class Solver {
       float[] arriving = new float[3 * count];
       float[] after = new float[3 * count];
       boolean whole =
-          Work.run(
+          ParallelWork.run(
               count,
               4096,
               progress,
-              Progress.Stage.ITERATIONS,
+              WorkProgress.Stage.ITERATIONS,
               (from, to) -> {
                 for (int patch = from; patch < to; patch++) {
                   if (!buried[patch]) {

@@ -4,9 +4,9 @@ import org.selectiverenderer.radiosity.sampling.Directions;
 import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
-import org.selectiverenderer.radiosity.trace.Triangles;
-import org.selectiverenderer.radiosity.work.Progress;
-import org.selectiverenderer.radiosity.work.Work;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
  * What every patch sees, found once by rays that leave it as light does from a diffuse surface: the
@@ -20,7 +20,7 @@ public final class Transport {
   /** The ray met a surface from behind: its start lies inside of something. */
   public static final int INSIDE = -2;
 
-  private final Patches patches;
+  private final LightPatches patches;
   private final int rays;
   private final int[] seen;
   private final float[] direct;
@@ -28,7 +28,7 @@ public final class Transport {
   private final long cast;
 
   private Transport(
-      Patches patches, int rays, int[] seen, float[] direct, long[] lampsOf, long cast) {
+      LightPatches patches, int rays, int[] seen, float[] direct, long[] lampsOf, long cast) {
     this.patches = patches;
     this.rays = rays;
     this.seen = seen;
@@ -43,7 +43,12 @@ public final class Transport {
    * @return what the patches see; if cancelled, what was found so far, the rest being dark
    */
   public static Transport find(
-      LightScene scene, Patches patches, int rays, int lampPlaces, int seed, Progress progress) {
+      LightScene scene,
+      LightPatches patches,
+      int rays,
+      int lampPlaces,
+      int seed,
+      WorkProgress progress) {
     int count = patches.count();
     int[] seen = new int[Math.multiplyExact(count, rays)];
     java.util.Arrays.fill(seen, INSIDE);
@@ -55,11 +60,11 @@ public final class Transport {
     PointSet lampSet = new PointSet(lampPlaces, seed, 3);
     PointSet starts = new PointSet(lampPlaces, seed, 4);
     java.util.concurrent.atomic.LongAdder cast = new java.util.concurrent.atomic.LongAdder();
-    Work.run(
+    ParallelWork.run(
         count,
         256,
         progress,
-        Progress.Stage.TRANSPORT,
+        WorkProgress.Stage.TRANSPORT,
         (from, to) -> {
           Ray ray = new Ray();
           Caster caster = new Caster(scene, patches, ray);
@@ -79,21 +84,21 @@ public final class Transport {
   /** One thread's work. */
   private static final class Caster {
     private final LightScene scene;
-    private final Patches patches;
-    private final Triangles triangles;
+    private final LightPatches patches;
+    private final SceneTriangles triangles;
     private final Ray ray;
-    private final Shadows shadows;
+    private final DirectLight shadows;
     private final double[] point = new double[3];
     private final double[] normal = new double[3];
     private final double[] direction = new double[3];
     private final double[] sum = new double[3];
 
-    Caster(LightScene scene, Patches patches, Ray ray) {
+    Caster(LightScene scene, LightPatches patches, Ray ray) {
       this.scene = scene;
       this.patches = patches;
       this.triangles = scene.triangles();
       this.ray = ray;
-      this.shadows = new Shadows(scene, ray);
+      this.shadows = new DirectLight(scene, ray);
     }
 
     private int start(int patch, double pick, double s, double t) {
@@ -134,7 +139,7 @@ public final class Transport {
                 triangles.version()[triangle],
                 turn(lampSet.x(i), shift),
                 lampSet.y(i),
-                Shadows.ALL,
+                DirectLight.ALL,
                 sum);
       }
       for (int c = 0; c < 3; c++) {
@@ -149,7 +154,7 @@ public final class Transport {
     }
   }
 
-  public Patches patches() {
+  public LightPatches patches() {
     return patches;
   }
 

@@ -5,7 +5,8 @@
  *
  * <p>In: a {@link org.selectiverenderer.radiosity.scene.LightScene}. Out: the radiance of each
  * patch, with an {@link org.selectiverenderer.radiosity.solve.EnergyBalance} per iteration. Uses
- * {@code radiosity.scene}, {@code .trace}, {@code .light}, {@code .sampling}, {@code .work}.
+ * {@code radiosity.light}, {@code radiosity.sampling}, {@code radiosity.scene}, {@code
+ * radiosity.trace} and {@code radiosity.work}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.solve;

@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity.trace;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.runtime.navigation.BoxTree;
+import org.selectiverenderer.geometry.tree.BoxTree;
 
 /** A ray on its way, used again and again by one thread: nothing is allocated per ray. */
 public final class Ray {

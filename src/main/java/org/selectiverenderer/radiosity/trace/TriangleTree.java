@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity.trace;
 
-import org.selectiverenderer.runtime.navigation.BoxTree;
-import org.selectiverenderer.runtime.navigation.BoxTreeBuilder;
+import org.selectiverenderer.geometry.tree.BoxTree;
+import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 
 /**
  * A bounding-volume hierarchy over some triangles of a scene, laid out for many rays: corner and
@@ -25,7 +25,7 @@ final class TriangleTree {
   private final int[] first;
   private final int[] count;
   private final float[] data;
-  private final Triangles triangles;
+  private final SceneTriangles triangles;
   private final int[] objectOf;
   private final double touch;
 
@@ -33,7 +33,7 @@ final class TriangleTree {
    * @param members the triangles in the tree
    * @param objectOf object by version
    */
-  TriangleTree(Triangles triangles, int[] members, int[] objectOf) {
+  TriangleTree(SceneTriangles triangles, int[] members, int[] objectOf) {
     this.triangles = triangles;
     this.objectOf = objectOf;
     float[] corners = triangles.corners();

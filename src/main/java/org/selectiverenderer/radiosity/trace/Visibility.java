@@ -15,7 +15,7 @@ public final class Visibility {
   private final Versions versions;
   private final int[] objectOf;
 
-  public Visibility(Triangles triangles, Versions versions) {
+  public Visibility(SceneTriangles triangles, Versions versions) {
     this.versions = versions;
     objectOf = IntStream.range(0, versions.count()).map(versions::object).toArray();
     int[][] members = new int[versions.count()][];

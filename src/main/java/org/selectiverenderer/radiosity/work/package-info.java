@@ -1,4 +1,7 @@
-/** Long work in parts: on all processors, with progress, until it is cancelled. Uses nothing. */
+/**
+ * Long work in parts: on all processors, with progress, until it is cancelled. Uses nothing else of
+ * ours.
+ */
 @NullMarked
 package org.selectiverenderer.radiosity.work;
 

@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.instance;
 
 import java.util.Optional;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /** Gives geometry nodes their meshes and texture nodes their images; made while loading, kept. */
 public interface Assets {

@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 

@@ -12,8 +12,8 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
-import org.selectiverenderer.runtime.nodes.ViewerDependent;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 
@@ -43,7 +43,7 @@ public final class InstanceTree {
   private final Assets assets;
   private final GroupInstance root;
   private final Map<Node, ShapeLook> looks = new IdentityHashMap<>();
-  private final Map<Node, Places> places = new IdentityHashMap<>();
+  private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
   private final List<Node> otherNodes = new ArrayList<>();
   private final List<GroupInstance> viewerDependent = new ArrayList<>();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
@@ -96,16 +96,8 @@ public final class InstanceTree {
 
   /** The instances of any node in document order; empty when it is in no part of the scene. */
   public List<Instance> instances(Node node) {
-    Places known = places.get(node);
+    NodeInstances known = places.get(node);
     return known == null ? List.of() : known.instances();
-  }
-
-  /** The places of a node that is neither group, shape nor light, in document order. */
-  public List<Occurrence> occurrences(Node node) {
-    return instances(node).stream()
-        .filter(Occurrence.class::isInstance)
-        .map(Occurrence.class::cast)
-        .toList();
   }
 
   /**
@@ -113,7 +105,7 @@ public final class InstanceTree {
    * tree and costs nothing to ask for.
    */
   public List<Matrix4dc> places(Node node) {
-    Places known = places.get(node);
+    NodeInstances known = places.get(node);
     return known == null ? List.of() : known;
   }
 
@@ -220,7 +212,7 @@ public final class InstanceTree {
       node.addObserver(instance);
       return instance;
     }
-    return new Occurrence(node, parent);
+    return new PlainInstance(node, parent);
   }
 
   /** Instances of a group's present children: those at hand for the node, and new ones. */
@@ -292,7 +284,7 @@ public final class InstanceTree {
   }
 
   private void collect(Instance instance, List<ShapeInstance> all) {
-    Places known = places.computeIfAbsent(instance.node(), node -> new Places());
+    NodeInstances known = places.computeIfAbsent(instance.node(), node -> new NodeInstances());
     boolean first = known.isEmpty();
     known.append(instance);
     if (instance instanceof GroupInstance group) {

@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /** A Shape in one place: what a renderer draws and a ray hits. */
 public final class ShapeInstance extends Instance {

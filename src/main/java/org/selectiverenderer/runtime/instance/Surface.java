@@ -37,9 +37,4 @@ public record Surface(
           0,
           null,
           null);
-
-  /** Whether the surface needs blending: it is transparent itself or by its texture. */
-  public boolean blended() {
-    return transparency > 0 || (texture != null && texture.image().translucent());
-  }
 }

@@ -7,8 +7,8 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.runtime.nodes.PointerHit;
-import org.selectiverenderer.runtime.nodes.TouchSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.PointerHit;
+import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 
 /**
@@ -27,18 +27,18 @@ public final class TouchDispatch {
    */
   public record Hit(ShapeInstance shape, Vector3dc point, Vector3dc normal, float s, float t) {}
 
-  private List<Occurrence> over = List.of();
-  private List<Occurrence> grabbed = List.of();
+  private List<PlainInstance> over = List.of();
+  private List<PlainInstance> grabbed = List.of();
   private boolean pressedBefore;
 
   /**
    * The sensors that a pointer over that instance is for; none when an Anchor stands below them.
    */
-  public static List<Occurrence> sensors(Instance hit) {
+  public static List<PlainInstance> sensors(Instance hit) {
     for (GroupInstance group = hit.parent(); group != null; group = group.parent()) {
-      List<Occurrence> found = new ArrayList<>(0);
+      List<PlainInstance> found = new ArrayList<>(0);
       for (Instance child : group.children()) {
-        if (child instanceof Occurrence place
+        if (child instanceof PlainInstance place
             && sensor(place).map(s -> s.enabled()).orElse(false)) {
           found.add(place);
         }
@@ -66,7 +66,7 @@ public final class TouchDispatch {
     return group.node().type().name().equals("Anchor");
   }
 
-  private static Optional<TouchSensorNode> sensor(Occurrence place) {
+  private static Optional<TouchSensorNode> sensor(PlainInstance place) {
     return place.node() instanceof TouchSensorNode sensor ? Optional.of(sensor) : Optional.empty();
   }
 
@@ -76,11 +76,11 @@ public final class TouchDispatch {
    * @param hit the nearest shape that the pointer meets
    */
   public void point(Optional<Hit> hit, boolean pressed, Cascade cascade) {
-    List<Occurrence> now = hit.map(at -> sensors(at.shape())).orElse(List.of());
+    List<PlainInstance> now = hit.map(at -> sensors(at.shape())).orElse(List.of());
     boolean goesDown = pressed && !pressedBefore;
     pressedBefore = pressed;
     if (!grabbed.isEmpty()) {
-      for (Occurrence place : grabbed) {
+      for (PlainInstance place : grabbed) {
         tell(place, contains(now, place) ? hit : Optional.empty(), pressed, cascade);
       }
       if (pressed) {
@@ -89,12 +89,12 @@ public final class TouchDispatch {
       over = grabbed;
       grabbed = List.of();
     }
-    for (Occurrence place : over) {
+    for (PlainInstance place : over) {
       if (!contains(now, place)) {
         tell(place, Optional.empty(), false, cascade);
       }
     }
-    for (Occurrence place : now) {
+    for (PlainInstance place : now) {
       tell(place, hit, goesDown, cascade);
     }
     over = now;
@@ -102,11 +102,12 @@ public final class TouchDispatch {
   }
 
   /** Whether the same node is among them, in whatever place. */
-  private static boolean contains(List<Occurrence> places, Occurrence wanted) {
+  private static boolean contains(List<PlainInstance> places, PlainInstance wanted) {
     return places.stream().anyMatch(place -> place.node() == wanted.node());
   }
 
-  private static void tell(Occurrence place, Optional<Hit> hit, boolean pressed, Cascade cascade) {
+  private static void tell(
+      PlainInstance place, Optional<Hit> hit, boolean pressed, Cascade cascade) {
     sensor(place)
         .ifPresent(
             sensor -> sensor.point(hit.map(at -> local(at, place.world())), pressed, cascade));

@@ -2,9 +2,17 @@
  * What is where in a running scene: one instance per path from the root to a node, with its world
  * transformation, whether it is shown, its mesh, surface and lights.
  *
- * <p>In: changes of nodes. Out: the {@link org.selectiverenderer.runtime.instance.InstanceTree},
- * kept true at the cost of what changed. Read by the renderer, sensors, navigation and counting. No
- * GL.
+ * <p>X3D is a graph: a node may be USEd in many places. {@link InstanceTree} is the tree of all
+ * paths, and each {@link Instance} is one node in one place. Groups keep the transformation of
+ * their content, shapes their mesh and surface (shared by all places of a Shape), lights their
+ * scope. The tree is built once, with every version of every object in it, and follows changes
+ * through node observers: a Switch costs its old and its new child, a Transform what is below it.
+ * The sum of the triangles shown is kept along. Drawing, sensors, rays, collisions and counting all
+ * read this one tree.
+ *
+ * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
+ * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh},
+ * {@code x3d.catalogue} and {@code x3d.field}; no GL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.instance;

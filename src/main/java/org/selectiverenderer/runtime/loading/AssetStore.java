@@ -4,10 +4,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.WeakHashMap;
 import java.util.function.Function;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * Meshes and images by node: those made while loading, and those made later for nodes that are new

@@ -12,10 +12,10 @@ final class Failure {
   /** A clause that reads after the file's name. */
   static String clause(IOException failure) {
     if (failure instanceof AccessDeniedException) {
-      return "may not be read";
+      return "cannot be read: no permission";
     }
     if (failure instanceof NoSuchFileException) {
-      return "is gone";
+      return "no longer exists";
     }
     String reason =
         failure instanceof FileSystemException file ? file.getReason() : failure.getMessage();

@@ -6,12 +6,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
  * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A

@@ -11,14 +11,14 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.UrlChoice;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.X3dReader;
-import org.selectiverenderer.x3d.geometry.Tessellator;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
  * Reads a file and everything it names, all at once: each file, each geometry and each image is a

@@ -4,8 +4,8 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.TreeSet;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * What is wrong with one file, in document order whichever thread finds it first. Keeps as many as

@@ -37,7 +37,7 @@ final class ImageDecoder {
         ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
       if (!readers.hasNext()) {
-        throw new IOException("is no image (PNG, JPEG, GIF and BMP are read)");
+        throw new IOException("is not an image of a known format (PNG, JPEG, GIF or BMP)");
       }
       ImageReader reader = readers.next();
       try {
@@ -56,11 +56,12 @@ final class ImageDecoder {
   private static void spend(long pixels, AtomicLong budget) throws IOException {
     if (pixels > MAX_PIXELS) {
       throw new IOException(
-          "has %s pixels, more than the %s that an image may have".formatted(pixels, MAX_PIXELS));
+          "has %s pixels, more than the limit of %s".formatted(pixels, MAX_PIXELS));
     }
     if (budget.addAndGet(-BYTES * pixels) < 0) {
       budget.addAndGet(BYTES * pixels);
-      throw new IOException("has %s pixels, for which there is no more memory".formatted(pixels));
+      throw new IOException(
+          "has %s pixels, for which there is not enough memory".formatted(pixels));
     }
   }
 
@@ -104,12 +105,12 @@ final class ImageDecoder {
     int height = image.length < 3 ? 0 : image[1];
     int components = image.length < 3 ? 0 : image[2];
     if (width < 1 || height < 1 || components < 1 || components > 4) {
-      throw new IOException("holds no picture: width, height and 1 to 4 components are needed");
+      throw new IOException("contains no image: it needs width, height and 1 to 4 components");
     }
     long pixels = (long) width * height;
     if (pixels > MAX_PIXELS || image.length - 3 < pixels) {
       throw new IOException(
-          "names %s x %s pixels and holds %s".formatted(width, height, image.length - 3));
+          "announces %s x %s pixels but contains %s".formatted(width, height, image.length - 3));
     }
     byte[] rgba = new byte[(int) pixels * 4];
     for (int i = 0; i < pixels; i++) {

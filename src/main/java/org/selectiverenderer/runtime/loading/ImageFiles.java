@@ -6,11 +6,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.UrlChoice;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
 
 /**
  * The images of texture nodes, for one load. A file that several nodes name is read once, and all

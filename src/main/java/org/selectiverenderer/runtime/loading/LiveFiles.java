@@ -4,14 +4,14 @@ import java.util.Collection;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.runtime.nodes.InlineNode;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * The files that a running scene comes to name: Inlines whose {@code load} or {@code url} changes
@@ -109,12 +109,12 @@ public final class LiveFiles {
   }
 
   /** A node that an application made belongs to the scene that runs. */
-  private Origin origin(Node node) {
+  private UrlBase origin(Node node) {
     SceneStore store = loaded.loader().store();
     return store
         .origin(node)
         .or(() -> store.origin(loaded.scene().root()))
-        .orElseGet(Origin::workingFolder);
+        .orElseGet(UrlBase::workingFolder);
   }
 
   /** A node as it is now, for other threads. */

@@ -3,10 +3,10 @@ package org.selectiverenderer.runtime.loading;
 import java.util.Map;
 import java.util.Optional;
 import java.util.WeakHashMap;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * The assets of a running scene. The image of an ImageTexture that is new or has another url

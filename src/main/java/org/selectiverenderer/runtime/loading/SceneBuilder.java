@@ -8,21 +8,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
-import org.selectiverenderer.runtime.nodes.InlineNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeType;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.X3dFile;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
  * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
@@ -80,7 +80,7 @@ final class SceneBuilder {
   /** Builds one file: DEF names and routes are its own. */
   private final class FileBuilder {
     private final FileContent content;
-    private final Origin origin;
+    private final UrlBase origin;
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
 
@@ -91,7 +91,7 @@ final class SceneBuilder {
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<Path> including = new ArrayList<>(above);
       including.add(content.path());
-      origin = new Origin(root, content.folder(), List.copyOf(including), file.unitLength());
+      origin = new UrlBase(root, content.folder(), List.copyOf(including), file.unitLength());
       Node top = factory.make(groupType, null, Location.of(file.source()));
       store.origin(top, origin);
       scene =
@@ -154,7 +154,7 @@ final class SceneBuilder {
       if (node.isEmpty()) {
         content.error(
             wanted.location(),
-            "IMPORT finds no node exported as %s by Inline %s and is left out"
+            "the Inline exports no node as %s (Inline %s); the IMPORT is left out"
                 .formatted(wanted.importedDef(), wanted.inlineDef()));
       } else {
         scene.imported().put(wanted.as(), node.get());
@@ -196,7 +196,8 @@ final class SceneBuilder {
         tooMany = true;
         content.error(
             parsed.location(),
-            "with its Inlines the scene has more than %s nodes, an Inline counted as %s; the rest is left out"
+            ("with its Inlines the scene has more than %s nodes (an Inline counts as "
+                    + "%s); the rest is left out")
                 .formatted(maxNodes, SCENE_COST));
       }
       return !tooMany;
@@ -232,7 +233,8 @@ final class SceneBuilder {
       if (store.firstKept(node.type())) {
         content.info(
             node.location(),
-            "%s is kept in the scene; nothing is done with it yet".formatted(node.type().name()));
+            "%s is kept in the scene, but this program does not act on it"
+                .formatted(node.type().name()));
       }
     }
 

@@ -17,22 +17,22 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4f;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
-import org.selectiverenderer.runtime.nodes.InlineNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.ContentRoot;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
-import org.selectiverenderer.x3d.UrlChoice;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.X3dReader;
-import org.selectiverenderer.x3d.geometry.Tessellator;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
  * Loads scenes. Owns as many threads as there are processors, named {@code scene-loader-N}, until
@@ -189,7 +189,7 @@ public final class SceneLoader implements AutoCloseable {
   record Arrival<T>(Optional<T> value, List<Problem> problems) {}
 
   /** Reads the file that an Inline names and all that it names in turn. */
-  CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, Origin origin) {
+  CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, UrlBase origin) {
     return read(
         inline,
         origin,
@@ -200,7 +200,7 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Reads the image that an ImageTexture names. */
-  CompletableFuture<Arrival<Texture.Image>> image(ParsedNode texture, Origin origin) {
+  CompletableFuture<Arrival<Texture.Image>> image(ParsedNode texture, UrlBase origin) {
     return read(
         texture,
         origin,
@@ -217,7 +217,8 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Reads what a node names, as if it were the only one of its file. */
-  private <T> CompletableFuture<Arrival<T>> read(ParsedNode node, Origin origin, Making<T> making) {
+  private <T> CompletableFuture<Arrival<T>> read(
+      ParsedNode node, UrlBase origin, Making<T> making) {
     TaskGroup tasks = new TaskGroup(threads);
     FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
     FileContent content =
@@ -227,7 +228,7 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Reads the scene that an Anchor links to; it may name what the scene with the Anchor may. */
-  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, Origin origin) {
+  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin) {
     TaskGroup tasks = new TaskGroup(threads);
     FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
     AtomicReference<Function<Problems, Optional<Scene>>> making =

@@ -7,7 +7,7 @@ import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
  * What a loader knows of the nodes that it made, as long as they live: assets, and where the urls
@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.NodeType;
 final class SceneStore {
   private final AssetStore assets;
   private final Predicate<NodeType> actedOn;
-  private final Map<Node, Origin> origins = new WeakHashMap<>();
+  private final Map<Node, UrlBase> origins = new WeakHashMap<>();
   private final Set<NodeType> keptOnly = ConcurrentHashMap.newKeySet();
 
   /**
@@ -32,14 +32,14 @@ final class SceneStore {
   }
 
   /** Keeps where a node comes from. */
-  void origin(Node node, Origin origin) {
+  void origin(Node node, UrlBase origin) {
     synchronized (origins) {
       origins.put(node, origin);
     }
   }
 
   /** Where a node comes from; empty for one that an application made. */
-  Optional<Origin> origin(Node node) {
+  Optional<UrlBase> origin(Node node) {
     synchronized (origins) {
       return Optional.ofNullable(origins.get(node));
     }

@@ -1,10 +1,11 @@
 /**
  * Files to running scenes: the scene's file and all Inlines and images it names, read and
- * tessellated in parallel, all versions up front.
+ * tessellated in parallel, all versions up front. The network is never used.
  *
  * <p>In: a path. Out: a {@link org.selectiverenderer.runtime.loading.LoadedScene} and problems.
- * Uses {@code x3d}, {@code runtime.scene}, {@code runtime.nodes} and the assets' interface of
- * {@code runtime.instance}. The network is never used.
+ * Uses {@code runtime.scene}, {@code runtime.nodes}, the assets' interface of {@code
+ * runtime.instance}, {@code geometry}, {@code x3d} and {@code base.problem}; AWT's ImageIO reads
+ * the images.
  */
 @NullMarked
 package org.selectiverenderer.runtime.loading;

@@ -5,22 +5,37 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.bind.BindableNode;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
+import org.selectiverenderer.runtime.nodes.event.Blend;
+import org.selectiverenderer.runtime.nodes.event.EaseInEaseOutNode;
+import org.selectiverenderer.runtime.nodes.event.EventUtilities;
+import org.selectiverenderer.runtime.nodes.event.InterpolatorNode;
+import org.selectiverenderer.runtime.nodes.event.SequencerNode;
+import org.selectiverenderer.runtime.nodes.group.BillboardNode;
+import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
+import org.selectiverenderer.runtime.nodes.group.CollisionNode;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.group.LodNode;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
+import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.runtime.scene.NodeMaker;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** Makes the node for a node type: the class with its behaviour where there is one. */
 public final class NodeFactory {
-  /** Makes a node of a type. */
-  @FunctionalInterface
-  public interface Maker {
-    Node make(NodeType type, @Nullable String name, Location location);
-  }
-
   /** Takes part in binding, but nothing looks foggy yet. */
   private static final String BOUND_ONLY = "Fog";
 
-  private final Map<String, Maker> makers = new HashMap<>(EventUtilities.MAKERS);
+  private final Map<String, NodeMaker> makers = new HashMap<>(EventUtilities.MAKERS);
 
   public NodeFactory() {
     put(
@@ -46,9 +61,8 @@ public final class NodeFactory {
     put(TouchSensorNode::new, "TouchSensor");
     put(TimeSensorNode::new, "TimeSensor");
 
-    put(BindableNode::new, "Background", "TextureBackground", "Fog");
+    put(BindableNode::new, "Background", "TextureBackground", "Fog", "NavigationInfo");
     put(ViewpointNode::new, "Viewpoint", "OrthoViewpoint");
-    put(NavigationInfoNode::new, "NavigationInfo");
 
     put(SequencerNode::new, "BooleanSequencer", "IntegerSequencer");
     put(EaseInEaseOutNode::new, "EaseInEaseOut");
@@ -60,14 +74,14 @@ public final class NodeFactory {
     put(interpolating(Blend::hsv), "ColorInterpolator");
   }
 
-  private void put(Maker maker, String... names) {
+  private void put(NodeMaker maker, String... names) {
     for (String name : List.of(names)) {
       makers.put(name, maker);
     }
   }
 
   /** Each node has a blend of its own, which keeps what it calculates with. */
-  private static Maker interpolating(Supplier<Blend> blend) {
+  private static NodeMaker interpolating(Supplier<Blend> blend) {
     return (type, name, location) -> new InterpolatorNode(type, name, location, blend.get());
   }
 

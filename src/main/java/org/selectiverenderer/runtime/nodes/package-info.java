@@ -1,10 +1,20 @@
 /**
  * The behaviour of X3D node types: one class each, found through the {@link
  * org.selectiverenderer.runtime.nodes.NodeFactory}. A node type that is not listed there is kept in
- * the scene as a plain node.
+ * the scene as a plain node, which keeps and passes on events.
  *
- * <p>In: events, and what a frame knows (time, viewer). Out: events. Uses {@code x3d} and {@code
- * runtime.scene}.
+ * <p>In: events, and what a frame knows (time, viewer). Out: events. This package only knows which
+ * class is whose; the classes are in
+ *
+ * <ul>
+ *   <li>{@code group} what holds other nodes: Transform, Switch, LOD, Inline ...
+ *   <li>{@code bind} what one of a kind is bound at a time: Viewpoint, NavigationInfo, Background
+ *       ...
+ *   <li>{@code sensor} what a frame drives: time, the viewer's place, the pointing device
+ *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers
+ * </ul>
+ *
+ * <p>Uses these, {@code runtime.scene}, {@code x3d.catalogue} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.nodes;

@@ -25,11 +25,12 @@ final class Addresses {
         return Path.of(URI.create(url));
       }
       if (SCHEME.matcher(url).matches()) {
-        throw new IOException(url + ": only files are read, nothing is fetched");
+        throw new IOException(
+            url + ": only local files are read, nothing is fetched from the network");
       }
       return Path.of(url);
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
-      throw new IOException(url + " is no address of a file: " + e.getMessage(), e);
+      throw new IOException(url + " is not the address of a file: " + e.getMessage(), e);
     }
   }
 

@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.sai;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.Problems;
 import org.web3d.x3d.sai.InvalidBrowserException;
 import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.X3DNode;
@@ -17,7 +17,7 @@ import org.web3d.x3d.sai.X3DNode;
 final class Binding {
   private final World world;
   private final SaiTypes types = new SaiTypes();
-  private final Values values = new Values(this);
+  private final SaiValues values = new SaiValues(this);
   private final UpdateBuffer updates = new UpdateBuffer();
   private volatile boolean disposed;
 
@@ -29,7 +29,7 @@ final class Binding {
     return types;
   }
 
-  Values values() {
+  SaiValues values() {
     return values;
   }
 

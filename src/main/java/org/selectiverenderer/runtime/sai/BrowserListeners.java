@@ -1,9 +1,9 @@
 package org.selectiverenderer.runtime.sai;
 
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
-import org.selectiverenderer.x3d.Location;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 

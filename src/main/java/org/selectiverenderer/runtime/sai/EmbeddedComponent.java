@@ -1,10 +1,10 @@
 package org.selectiverenderer.runtime.sai;
 
 import java.util.concurrent.locks.LockSupport;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
-import org.selectiverenderer.x3d.Location;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DComponent;
 

@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.sai;
 
-import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.web3d.x3d.sai.X3DFieldDefinition;
 import org.web3d.x3d.sai.X3DFieldTypes;
 

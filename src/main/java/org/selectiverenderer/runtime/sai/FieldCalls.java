@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.sai;
 
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.field.FieldType;
 
 /** The methods of field interfaces that read and write values: getValue, append, set1Value ... */
 final class FieldCalls {
@@ -26,10 +26,10 @@ final class FieldCalls {
    * @return the method's result
    */
   static @Nullable Object call(
-      String method, FieldType type, Object[] a, Target field, Values values) {
+      String method, FieldType type, Object[] a, Target field, SaiValues values) {
     switch (method) {
       case "getSize" -> {
-        return Values.size(type, field.value());
+        return SaiValues.size(type, field.value());
       }
       case "getValue" -> {
         if (a.length == 0) {
@@ -50,7 +50,7 @@ final class FieldCalls {
       case "clear" -> field.change(old -> type.zero());
       case "append" -> {
         Object tuple = values.tuple(type, a[0]);
-        field.change(old -> values.splice(type, old, Values.size(type, old), 0, tuple));
+        field.change(old -> values.splice(type, old, SaiValues.size(type, old), 0, tuple));
       }
       case "insertValue" -> {
         Object tuple = values.tuple(type, a[1]);
@@ -68,7 +68,7 @@ final class FieldCalls {
     return null;
   }
 
-  private static @Nullable Object newValue(FieldType type, Object[] a, Values values) {
+  private static @Nullable Object newValue(FieldType type, Object[] a, SaiValues values) {
     if (type == FieldType.SFImage) {
       return ImageValues.of((Integer) a[0], (Integer) a[1], (Integer) a[2], (int[]) a[3]);
     }

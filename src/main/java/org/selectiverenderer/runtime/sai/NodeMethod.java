@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.sai;
 import java.lang.reflect.Method;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.FieldAccess;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
  * What a method of a node interface means for nodes of one type, by the naming rule that the SAI

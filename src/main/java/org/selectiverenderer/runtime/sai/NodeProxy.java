@@ -6,9 +6,9 @@ import java.lang.reflect.Proxy;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.FieldAccess;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
 import org.web3d.x3d.sai.InvalidFieldException;
 import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.InvalidOperationTimingException;
@@ -143,7 +143,7 @@ final class NodeProxy implements InvocationHandler {
     }
     Object value = node.value(field.index());
     return switch (meaning.operation()) {
-      case COUNT -> Values.size(field.type(), value);
+      case COUNT -> SaiValues.size(field.type(), value);
       case READ -> field.type() == FieldType.SFNode ? binding.wrap((Node) value) : value;
       default -> {
         binding.values().toArgument(field.type(), value, a[0]);
@@ -190,7 +190,7 @@ final class NodeProxy implements InvocationHandler {
   }
 
   private @Nullable Object changed(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
-    return Values.accepted(field, change.apply(node.value(field.index())));
+    return SaiValues.accepted(field, change.apply(node.value(field.index())));
   }
 
   @Override

@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.sai;
 
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
-import org.selectiverenderer.x3d.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.web3d.x3d.sai.InvalidReadableFieldException;
 import org.web3d.x3d.sai.InvalidWritableFieldException;
 

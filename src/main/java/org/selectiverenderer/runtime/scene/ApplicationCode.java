@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.scene;
 
 import java.util.Optional;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * Calls what applications wrote: listeners. Whatever it throws is reported and ends there, so that
@@ -36,7 +36,7 @@ public final class ApplicationCode {
   private static void report(Problems problems, Location location, String who, Throwable thrown) {
     problems.error(
         location,
-        "%s failed and was passed over: %s"
+        "%s failed and was skipped: %s"
             .formatted(
                 who,
                 Optional.ofNullable(thrown.getMessage())

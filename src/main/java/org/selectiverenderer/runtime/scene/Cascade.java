@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.scene;
 
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Problems;
 
 /**
  * The event cascade (X3D 4.0, 4.4.8.3): carries events along routes until no more are sent, all
@@ -125,7 +125,7 @@ public final class Cascade {
         if (calls == MAX_NOTIFICATIONS) {
           notifications.clear();
           problems.error(
-              next.node.location(), "listeners answer each other without end; events were dropped");
+              next.node.location(), "listeners trigger each other endlessly; events were dropped");
           return;
         }
         call(next);

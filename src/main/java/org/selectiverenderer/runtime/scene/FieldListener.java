@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 @FunctionalInterface
 public interface FieldListener {
   /**
-   * @param value as {@link org.selectiverenderer.x3d.FieldType} represents it
+   * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
    * @param time the event's time stamp in seconds
    */
   void fieldChanged(Node node, int field, @Nullable Object value, double time);

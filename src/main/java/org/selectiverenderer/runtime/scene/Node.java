@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.FieldAccess;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeType;
-import org.selectiverenderer.x3d.NodeView;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
  * A node of a running scene: its field values, and who hears of their changes. As it stands it
@@ -107,7 +107,7 @@ public class Node implements NodeView {
    * An event arrives at a field. The base class keeps the value of an inputOutput field and sends
    * it on; it ignores inputOnly fields, which only mean something to a behaviour.
    *
-   * @param value as {@link org.selectiverenderer.x3d.FieldType} represents it
+   * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
    */
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     if (field.access() == FieldAccess.INPUT_OUTPUT) {

@@ -2,7 +2,7 @@ package org.selectiverenderer.statistics.anova;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.base.decimal.Counted;
 
 /**
  * What was measured on whom: each subject belongs to one level of the between factor and was

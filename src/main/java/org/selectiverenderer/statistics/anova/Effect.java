@@ -106,8 +106,8 @@ public record Effect(
     }
     return singular
         ? Optional.of(
-            "the multivariate tests need more participants than there are, or levels that do not"
-                + " determine each other")
+            "the multivariate tests need more participants, or levels that do not "
+                + "depend on each other")
         : Optional.empty();
   }
 

@@ -1,6 +1,6 @@
 package org.selectiverenderer.statistics.data;
 
-import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.base.problem.Location;
 
 /**
  * Something in a file that an analysis does not use, or not fully.

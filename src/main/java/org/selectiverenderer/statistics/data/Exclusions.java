@@ -3,9 +3,9 @@ package org.selectiverenderer.statistics.data;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.selectiverenderer.csv.CsvFaults;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /** Collects exclusions, and tells the user of each. */
 final class Exclusions implements CsvFaults {

@@ -12,14 +12,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.csv.CsvNumbers;
-import org.selectiverenderer.csv.CsvRow;
-import org.selectiverenderer.csv.CsvTable;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Reads measurements in long form, one row for each subject and level of the within factor, into a
@@ -69,7 +70,7 @@ public final class ObservationsReader {
   public static Optional<Observations> read(Path path, Columns columns, Problems problems)
       throws IOException {
     ObservationsReader reader = new ObservationsReader(columns, problems);
-    return CsvTable.read(path, reader.exclusions)
+    return CsvTable.read(path, reader.form(), reader.exclusions)
         .flatMap(table -> reader.observations(path.getFileName().toString(), table));
   }
 
@@ -77,14 +78,23 @@ public final class ObservationsReader {
   public static Optional<Observations> parse(
       String file, String text, Columns columns, Problems problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
-    return CsvTable.parse(file, text, reader.exclusions)
+    return CsvTable.parse(file, text, reader.form(), reader.exclusions)
         .flatMap(table -> reader.observations(file, table));
   }
 
-  private Optional<Observations> observations(String source, CsvTable table) {
+  private List<String> wanted() {
     List<String> wanted = new ArrayList<>(List.of(columns.subject(), columns.measure()));
     columns.within().ifPresent(wanted::add);
     columns.between().ifPresent(wanted::add);
+    return wanted;
+  }
+
+  private CsvColumns form() {
+    return CsvColumns.of(wanted());
+  }
+
+  private Optional<Observations> observations(String source, CsvTable table) {
+    List<String> wanted = wanted();
     if (!table.require(wanted, "a table with the columns " + String.join(", ", wanted))) {
       return Optional.empty();
     }
@@ -104,7 +114,7 @@ public final class ObservationsReader {
       exclusions.warning(
           table.location(column),
           "",
-          "%s has one level only, %s; no effect of it is tested"
+          "%s has only one level, %s; its effect is not tested"
               .formatted(column, factor.levels().get(0)));
     }
   }

@@ -3,8 +3,8 @@ package org.selectiverenderer.statistics.data;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.selectiverenderer.csv.CsvNumbers;
-import org.selectiverenderer.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.statistics.detection.Response;
 
 /** Reads one row of a file of answers, or says why it cannot be used. */
@@ -45,7 +45,7 @@ final class ResponseRow {
           "consistency",
           (type.isEmpty()
                   ? "the consistency is missing"
-                  : CsvNumbers.quoted(row.cell("consistency")) + " is no consistency")
+                  : CsvNumbers.quoted(row.cell("consistency")) + " is not a consistency")
               + " (it is consistent, inconsistent or neutral)"
               + LEFT_OUT);
     }
@@ -83,7 +83,9 @@ final class ResponseRow {
     }
     error(
         column,
-        (text.isEmpty() ? "yes or no is missing" : CsvNumbers.quoted(text) + " is not yes or no")
+        (text.isEmpty()
+                ? "the answer (yes or no) is missing"
+                : CsvNumbers.quoted(text) + " is not yes or no")
             + LEFT_OUT);
     return Optional.empty();
   }
@@ -97,16 +99,19 @@ final class ResponseRow {
           participant,
           "the confidence about "
               + row.cell("object")
-              + " is missing; the answer counts among all, not at the levels 3-5 and 5");
+              + " is missing; the answer counts among all answers, but not at the "
+              + "levels 3-5 and 5");
       return Optional.of(0);
     }
-    if (text.matches("[1-5]([.]0*)?")) {
+    if (row.decimal("confidence").matches("[1-5]([.]0*)?")) {
       return Optional.of(text.charAt(0) - '0');
     }
-    String hint =
-        text.matches("\\d+,\\d+") ? " (write it with a decimal point, not with a comma)" : "";
     error(
-        "confidence", CsvNumbers.quoted(text) + " is no confidence from 1 to 5" + hint + LEFT_OUT);
+        "confidence",
+        CsvNumbers.quoted(text)
+            + " is not a confidence from 1 to 5"
+            + CsvNumbers.commaHint(row, "confidence")
+            + LEFT_OUT);
     return Optional.empty();
   }
 

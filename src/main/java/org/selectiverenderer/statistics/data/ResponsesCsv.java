@@ -1,10 +1,7 @@
 package org.selectiverenderer.statistics.data;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.List;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVPrinter;
+import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.statistics.detection.Response;
 
 /** Answers as the file that {@link ResponsesReader} reads. */
@@ -13,24 +10,18 @@ public final class ResponsesCsv {
 
   /** Lines, the last one ended. */
   public static String of(List<Response> responses) {
-    StringBuilder out = new StringBuilder();
-    try (CSVPrinter printer =
-        new CSVPrinter(out, CSVFormat.RFC4180.builder().setRecordSeparator("\n").get())) {
-      printer.printRecord(ResponseRow.COLUMNS);
-      for (Response response : responses) {
-        printer.printRecord(
-            response.participant(),
-            response.condition(),
-            response.area(),
-            response.object(),
-            response.type(),
-            response.present() ? "yes" : "no",
-            response.yes() ? "yes" : "no",
-            response.confidence() == 0 ? "" : response.confidence());
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+    CsvText table = new CsvText().row(ResponseRow.COLUMNS);
+    for (Response response : responses) {
+      table.row(
+          response.participant(),
+          response.condition(),
+          response.area(),
+          response.object(),
+          response.type(),
+          response.present() ? "yes" : "no",
+          response.yes() ? "yes" : "no",
+          response.confidence() == 0 ? "" : response.confidence());
     }
-    return out.toString();
+    return table.toString();
   }
 }

@@ -10,11 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.csv.CsvRow;
-import org.selectiverenderer.csv.CsvTable;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Reads a file of answers: {@code participant,condition,area,object,consistency,present,response,
@@ -43,7 +44,8 @@ public final class ResponsesReader {
   public static Optional<Responses> read(Path path, Optional<Roster> roster, Problems problems)
       throws IOException {
     ResponsesReader reader = new ResponsesReader(problems, roster);
-    Optional<CsvTable> table = CsvTable.read(path, reader.exclusions);
+    Optional<CsvTable> table =
+        CsvTable.read(path, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions);
     return table.flatMap(found -> reader.responses(path.getFileName().toString(), found));
   }
 
@@ -51,7 +53,7 @@ public final class ResponsesReader {
   public static Optional<Responses> parse(
       String file, String text, Optional<Roster> roster, Problems problems) {
     ResponsesReader reader = new ResponsesReader(problems, roster);
-    return CsvTable.parse(file, text, reader.exclusions)
+    return CsvTable.parse(file, text, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
         .flatMap(table -> reader.responses(file, table));
   }
 
@@ -140,13 +142,11 @@ public final class ResponsesReader {
         exclusions.error(
             response.location(),
             response.participant(),
-            "a second answer to %s, as in line %d%s"
+            "a second answer to %s; line %d has the first%s"
                 .formatted(
                     response.object(),
                     earlier.location().line(),
-                    alike
-                        ? "; it is left out"
-                        : " but different; both are left out, as nothing tells which one holds"));
+                    alike ? "; it is left out" : "; they differ, so both are left out"));
         if (!alike) {
           contradicted.add(question);
         }
@@ -187,7 +187,7 @@ public final class ResponsesReader {
       return "has no answers about the area " + area + "; it is analysed without them";
     }
     List<String> named = wanting.stream().limit(NAMED_OBJECTS).toList();
-    return "of %d objects of the area %s %d are not in the file (%s%s); the others count"
+    return "of the %d objects of the area %s, %d are not in the file (%s%s); the others count"
         .formatted(
             asked,
             area,

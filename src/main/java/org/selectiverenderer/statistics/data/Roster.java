@@ -6,10 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.csv.CsvRow;
-import org.selectiverenderer.csv.CsvTable;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 
 /** Who took part in a study, and in which condition: {@code participant[,condition]}. */
 public final class Roster {
@@ -30,7 +31,10 @@ public final class Roster {
   public static Optional<Roster> read(Path path, Problems problems) throws IOException {
     Problems faults = new Problems(problems::add);
     Optional<CsvTable> table =
-        CsvTable.read(path, (at, what) -> faults.error(at, what + "; nothing is analysed"));
+        CsvTable.read(
+            path,
+            CsvColumns.of(List.of("participant")),
+            (at, what) -> faults.error(at, what + "; nothing is analysed"));
     if (table.isEmpty() || !table.get().require(List.of("participant"), "participant,condition")) {
       return Optional.empty();
     }

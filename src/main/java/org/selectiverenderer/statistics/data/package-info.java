@@ -4,8 +4,8 @@
  * org.selectiverenderer.statistics.data.Exclusion} that reports print.
  *
  * <p>In: CSV files. Out: {@link org.selectiverenderer.statistics.data.Responses} and {@link
- * org.selectiverenderer.statistics.anova.Design}. Uses {@code csv}, {@code x3d.Problems}, {@code
- * statistics.detection} and {@code statistics.anova}.
+ * org.selectiverenderer.statistics.anova.Design}. Uses {@code statistics.detection}, {@code
+ * statistics.anova}, {@code base.csv} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.data;

@@ -24,21 +24,21 @@ public record Detection(
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
   /** From counts. */
-  public static Detection of(Counts counts, Correction correction) {
+  public static Detection of(ResponseCounts counts, Correction correction) {
     double hit = rate(counts.hits(), counts.signals(), correction);
     double falseAlarm = rate(counts.falseAlarms(), counts.noise(), correction);
     if (counts.signals() == 0 || counts.noise() == 0) {
       return undefined(
           hit,
           falseAlarm,
-          "no answer to %s objects is left"
+          "no answers to %s objects are left"
               .formatted(
                   counts.signals() > 0
                       ? "absent"
                       : counts.noise() > 0 ? "present" : "present and to absent"));
     }
     if (hit == 0 || hit == 1 || falseAlarm == 0 || falseAlarm == 1) {
-      return undefined(hit, falseAlarm, "a rate of 0 or 1 is not corrected, and its z is infinite");
+      return undefined(hit, falseAlarm, "a rate of 0 or 1 was not corrected, so its z is infinite");
     }
     double zHit = NORMAL.inverseCumulativeProbability(hit);
     double zFalseAlarm = NORMAL.inverseCumulativeProbability(falseAlarm);

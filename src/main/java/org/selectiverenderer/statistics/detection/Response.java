@@ -1,7 +1,7 @@
 package org.selectiverenderer.statistics.detection;
 
 import java.util.List;
-import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.base.problem.Location;
 
 /**
  * A participant's answer to one object of the memory recognition questionnaire (thesis Fig 86).

@@ -13,5 +13,5 @@ public record Score(
     String type,
     ConfidenceLevel level,
     int objects,
-    Counts counts,
+    ResponseCounts counts,
     Detection detection) {}

@@ -33,7 +33,7 @@ public record Scoring(Correction correction, Guessing guessing) {
     cells.forEach(
         (key, cell) -> {
           for (ConfidenceLevel level : ConfidenceLevel.values()) {
-            Counts counts = Counts.of(cell, level, guessing);
+            ResponseCounts counts = ResponseCounts.of(cell, level, guessing);
             scores.add(
                 new Score(
                     key.participant(),

@@ -4,7 +4,7 @@
  *
  * <p>In: {@link org.selectiverenderer.statistics.detection.Response}s. Out: {@link
  * org.selectiverenderer.statistics.detection.Score}s. Uses Commons Math and, for the places of
- * answers in their file, {@code x3d.Location}.
+ * answers in their file, {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.detection;

@@ -44,7 +44,7 @@ final class AnovaBlocks {
   }
 
   private Table descriptives() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (Descriptive cell : anova.descriptives()) {
       rows.add(
@@ -63,7 +63,7 @@ final class AnovaBlocks {
   }
 
   private Table effects() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     List<EffectKind> averages = List.of(EffectKind.INTERCEPT, EffectKind.BETWEEN);
     List<Effect> all = new ArrayList<>(List.of(anova.intercept()));
@@ -95,7 +95,7 @@ final class AnovaBlocks {
         figures.notes());
   }
 
-  private static List<String> effect(Effect effect, Figures figures) {
+  private static List<String> effect(Effect effect, TableFigures figures) {
     return List.of(
         effect.name(),
         figures.number(effect.ss(), 3),
@@ -108,7 +108,7 @@ final class AnovaBlocks {
   }
 
   private Table multivariate() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     boolean bound = false;
     for (Effect effect : anova.effects()) {
@@ -138,7 +138,7 @@ final class AnovaBlocks {
   }
 
   private Table sphericity() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (Effect effect : anova.effects()) {
       if (effect.sphericity().isPresent()) {
@@ -162,7 +162,7 @@ final class AnovaBlocks {
   }
 
   private Table absence() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (Effect effect : anova.effects()) {
       rows.add(
@@ -195,7 +195,7 @@ final class AnovaBlocks {
   }
 
   private Table means() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (MarginalMean mean : anova.means()) {
       rows.add(
@@ -219,7 +219,7 @@ final class AnovaBlocks {
   }
 
   private Table comparisons() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     String family = "";
     for (Comparison pair : anova.comparisons()) {

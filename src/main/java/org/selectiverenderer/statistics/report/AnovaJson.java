@@ -32,19 +32,19 @@ final class AnovaJson {
     descriptives(anova.design(), json);
     ArrayNode means = json.putArray("marginal_means");
     anova.means().forEach(mean -> mean(mean, means.addObject()));
-    Json.put(json, "equivalence_bound", anova.bound());
+    JsonNumbers.put(json, "equivalence_bound", anova.bound());
     ArrayNode comparisons = json.putArray("comparisons");
     anova.comparisons().forEach(pair -> comparison(pair, comparisons.addObject()));
   }
 
   static void options(AnovaOptions options, ObjectNode json) {
-    Json.put(json, "alpha", options.alpha());
-    Json.put(json, "confidence", options.confidence());
-    Json.put(json, "eta_confidence", options.etaConfidence());
-    Json.put(json, "equivalence_bound", options.differenceBound());
+    JsonNumbers.put(json, "alpha", options.alpha());
+    JsonNumbers.put(json, "confidence", options.confidence());
+    JsonNumbers.put(json, "eta_confidence", options.etaConfidence());
+    JsonNumbers.put(json, "equivalence_bound", options.differenceBound());
     json.put("equivalence_bound_unit", options.rawBound() ? "measure" : "sd");
-    Json.put(json, "equivalence_eta2", options.etaBound());
-    Json.put(json, "jzs_scale", options.priorScale());
+    JsonNumbers.put(json, "equivalence_eta2", options.etaBound());
+    JsonNumbers.put(json, "jzs_scale", options.priorScale());
     json.put("sums_of_squares", "type III");
     json.put("bayes_factor_effects", "BIC (Wagenmakers 2007; Masson 2011), BF01");
     json.put("bayes_factor_comparisons", "JZS (Rouder et al. 2009), BF01");
@@ -74,8 +74,8 @@ final class AnovaJson {
       if (found.between().isPresent()) {
         node.put("between", design.between().varies() ? found.between().get() : null);
       }
-      Json.put(node, "mean", found.mean());
-      Json.put(node, "sd", found.sd());
+      JsonNumbers.put(node, "mean", found.mean());
+      JsonNumbers.put(node, "sd", found.sd());
       node.put("n", found.n());
     }
   }
@@ -91,44 +91,44 @@ final class AnovaJson {
 
   private static void effect(Effect effect, ObjectNode json) {
     json.put("effect", effect.name());
-    Json.put(json, "ss", effect.ss());
-    Json.put(json, "df1", effect.df1());
-    Json.put(json, "df2", effect.df2());
-    Json.put(json, "ms", effect.ms());
-    Json.put(json, "error_ss", effect.errorSs());
-    Json.put(json, "error_ms", effect.errorMs());
-    Json.put(json, "F", effect.f());
-    Json.put(json, "p", effect.p());
+    JsonNumbers.put(json, "ss", effect.ss());
+    JsonNumbers.put(json, "df1", effect.df1());
+    JsonNumbers.put(json, "df2", effect.df2());
+    JsonNumbers.put(json, "ms", effect.ms());
+    JsonNumbers.put(json, "error_ss", effect.errorSs());
+    JsonNumbers.put(json, "error_ms", effect.errorMs());
+    JsonNumbers.put(json, "F", effect.f());
+    JsonNumbers.put(json, "p", effect.p());
     size(json, "partial_eta2", effect.partialEta());
     size(json, "generalized_eta2", effect.generalisedEta());
     if (effect.sphericity().isPresent()) {
       Sphericity found = effect.sphericity().get();
       ObjectNode node = json.putObject("sphericity");
-      Json.put(node, "mauchly_w", found.mauchlyW());
-      Json.put(node, "mauchly_p", found.mauchlyP());
-      Json.put(node, "greenhouse_geisser", found.greenhouseGeisser());
-      Json.put(node, "p_greenhouse_geisser", effect.correctedP(found.greenhouseGeisser()));
-      Json.put(node, "huynh_feldt", found.huynhFeldt());
-      Json.put(node, "p_huynh_feldt", effect.correctedP(found.huynhFeldt()));
+      JsonNumbers.put(node, "mauchly_w", found.mauchlyW());
+      JsonNumbers.put(node, "mauchly_p", found.mauchlyP());
+      JsonNumbers.put(node, "greenhouse_geisser", found.greenhouseGeisser());
+      JsonNumbers.put(node, "p_greenhouse_geisser", effect.correctedP(found.greenhouseGeisser()));
+      JsonNumbers.put(node, "huynh_feldt", found.huynhFeldt());
+      JsonNumbers.put(node, "p_huynh_feldt", effect.correctedP(found.huynhFeldt()));
     }
     if (!effect.multivariate().isEmpty()) {
       ArrayNode tests = json.putArray("multivariate");
       effect.multivariate().forEach(test -> multivariate(test, tests.addObject()));
     }
     ObjectNode equivalence = json.putObject("equivalence");
-    Json.put(equivalence, "partial_eta2_bound", effect.equivalence().bound());
-    Json.put(equivalence, "p", effect.equivalence().p());
-    Json.put(json, "bf01_bic", effect.bayesFactor());
+    JsonNumbers.put(equivalence, "partial_eta2_bound", effect.equivalence().bound());
+    JsonNumbers.put(equivalence, "p", effect.equivalence().p());
+    JsonNumbers.put(json, "bf01_bic", effect.bayesFactor());
     effect.flaw().ifPresent(flaw -> json.put("undefined", flaw));
   }
 
   private static void size(ObjectNode json, String key, EffectSize size) {
-    Json.put(json, key, size.value());
+    JsonNumbers.put(json, key, size.value());
     if (Double.isFinite(size.low())) {
       ArrayNode interval = json.putArray(key + "_ci");
       ObjectNode bounds = json.objectNode();
-      Json.put(bounds, "low", size.low());
-      Json.put(bounds, "high", size.high());
+      JsonNumbers.put(bounds, "low", size.low());
+      JsonNumbers.put(bounds, "high", size.high());
       interval.add(bounds.get("low")).add(bounds.get("high"));
     } else {
       json.putNull(key + "_ci");
@@ -137,39 +137,39 @@ final class AnovaJson {
 
   private static void multivariate(MultivariateTest test, ObjectNode json) {
     json.put("statistic", test.statistic().name().toLowerCase(Locale.ROOT));
-    Json.put(json, "value", test.value());
-    Json.put(json, "F", test.f());
-    Json.put(json, "df1", test.df1());
-    Json.put(json, "df2", test.df2());
-    Json.put(json, "p", test.p());
+    JsonNumbers.put(json, "value", test.value());
+    JsonNumbers.put(json, "F", test.f());
+    JsonNumbers.put(json, "df1", test.df1());
+    JsonNumbers.put(json, "df2", test.df2());
+    JsonNumbers.put(json, "p", test.p());
     json.put("exact", test.exact());
   }
 
   private static void mean(MarginalMean mean, ObjectNode json) {
     json.put("within", mean.within().orElse(null)).put("between", mean.between().orElse(null));
-    Json.put(json, "mean", mean.mean());
-    Json.put(json, "se", mean.standardError());
-    Json.put(json, "df", mean.df());
-    Json.put(json, "low", mean.low());
-    Json.put(json, "high", mean.high());
+    JsonNumbers.put(json, "mean", mean.mean());
+    JsonNumbers.put(json, "se", mean.standardError());
+    JsonNumbers.put(json, "df", mean.df());
+    JsonNumbers.put(json, "low", mean.low());
+    JsonNumbers.put(json, "high", mean.high());
   }
 
   private static void comparison(Comparison pair, ObjectNode json) {
     json.put("factor", pair.factor()).put("at", pair.at().orElse(null));
     json.put("first", pair.first()).put("second", pair.second());
-    Json.put(json, "difference", pair.difference());
-    Json.put(json, "se", pair.standardError());
-    Json.put(json, "low", pair.low());
-    Json.put(json, "high", pair.high());
-    Json.put(json, "t", pair.t());
-    Json.put(json, "df", pair.df());
-    Json.put(json, "p", pair.p());
-    Json.put(json, "p_holm", pair.holm());
-    Json.put(json, "d", pair.d());
-    Json.put(json, "tost_lower_t", pair.tost().lowerT());
-    Json.put(json, "tost_upper_t", pair.tost().upperT());
-    Json.put(json, "tost_p", pair.tost().p());
-    Json.put(json, "bf01_jzs", pair.bayesFactor());
+    JsonNumbers.put(json, "difference", pair.difference());
+    JsonNumbers.put(json, "se", pair.standardError());
+    JsonNumbers.put(json, "low", pair.low());
+    JsonNumbers.put(json, "high", pair.high());
+    JsonNumbers.put(json, "t", pair.t());
+    JsonNumbers.put(json, "df", pair.df());
+    JsonNumbers.put(json, "p", pair.p());
+    JsonNumbers.put(json, "p_holm", pair.holm());
+    JsonNumbers.put(json, "d", pair.d());
+    JsonNumbers.put(json, "tost_lower_t", pair.tost().lowerT());
+    JsonNumbers.put(json, "tost_upper_t", pair.tost().upperT());
+    JsonNumbers.put(json, "tost_p", pair.tost().p());
+    JsonNumbers.put(json, "bf01_jzs", pair.bayesFactor());
     if (!Double.isFinite(pair.t())) {
       json.put("undefined", "the scores compared do not vary, so there is no t");
     }

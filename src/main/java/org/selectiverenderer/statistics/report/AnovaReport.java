@@ -1,9 +1,10 @@
 package org.selectiverenderer.statistics.report;
 
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.report.Block.Items;
@@ -33,11 +34,11 @@ public final class AnovaReport {
 
   /** For programs. */
   public static String json(Anova anova, List<Exclusion> exclusions) {
-    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    ObjectNode json = JsonTree.object();
     AnovaJson.write(anova, json);
     AnovaJson.options(anova.options(), json.putObject("options"));
     AnovaJson.exclusions(exclusions, json);
-    return Json.text(json);
+    return JsonText.of(json);
   }
 
   private static String title(Anova anova) {

@@ -1,6 +1,7 @@
 package org.selectiverenderer.statistics.report;
 
 import java.util.List;
+import org.selectiverenderer.base.markup.Markup;
 
 /** Writes blocks as one HTML page with its style and pictures inside; it loads nothing. */
 final class HtmlPage {
@@ -38,9 +39,9 @@ final class HtmlPage {
   static String of(String title, List<Block> blocks) {
     HtmlPage page = new HtmlPage();
     page.out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    page.out.append("<title>").append(escaped(title)).append("</title>\n");
+    page.out.append("<title>").append(Markup.attribute(title)).append("</title>\n");
     page.out.append("<style>\n").append(STYLE).append("</style>\n</head>\n<body>\n");
-    page.out.append("<h1>").append(escaped(title)).append("</h1>\n");
+    page.out.append("<h1>").append(Markup.attribute(title)).append("</h1>\n");
     page.write(blocks, 2);
     return page.out.append("</body>\n</html>\n").toString();
   }
@@ -50,39 +51,44 @@ final class HtmlPage {
       if (block instanceof Block.Section section) {
         section(section, level);
       } else if (block instanceof Block.Paragraph paragraph) {
-        out.append("<p>").append(escaped(paragraph.text())).append("</p>\n");
+        out.append("<p>").append(Markup.attribute(paragraph.text())).append("</p>\n");
       } else if (block instanceof Block.Items items) {
         out.append("<ul>\n");
-        items.texts().forEach(text -> out.append("<li>").append(escaped(text)).append("</li>\n"));
+        items
+            .texts()
+            .forEach(text -> out.append("<li>").append(Markup.attribute(text)).append("</li>\n"));
         out.append("</ul>\n");
       } else if (block instanceof Block.Table table) {
         table(table);
       } else if (block instanceof Block.Picture picture) {
         out.append("<figure>\n").append(picture.svg()).append("<figcaption>");
-        out.append(escaped(picture.caption())).append("</figcaption>\n</figure>\n");
+        out.append(Markup.attribute(picture.caption())).append("</figcaption>\n</figure>\n");
       }
     }
   }
 
   private void section(Block.Section section, int level) {
     if (section.detail()) {
-      out.append("<details><summary>").append(escaped(section.title())).append("</summary>\n");
+      out.append("<details><summary>")
+          .append(Markup.attribute(section.title()))
+          .append("</summary>\n");
       write(section.blocks(), level + 1);
       out.append("</details>\n");
     } else {
       String tag = "h" + Math.min(level, 6);
-      out.append('<').append(tag).append('>').append(escaped(section.title()));
+      out.append('<').append(tag).append('>').append(Markup.attribute(section.title()));
       out.append("</").append(tag).append(">\n");
       write(section.blocks(), level + 1);
     }
   }
 
   private void table(Block.Table table) {
-    out.append("<div class=\"wide\">\n<table>\n<caption>").append(escaped(table.caption()));
+    out.append("<div class=\"wide\">\n<table>\n<caption>")
+        .append(Markup.attribute(table.caption()));
     out.append("</caption>\n<thead><tr>");
     for (int i = 0; i < table.header().size(); i++) {
       out.append(table.words(i) ? "<th class=\"name\">" : "<th>");
-      out.append(escaped(table.header().get(i))).append("</th>");
+      out.append(Markup.attribute(table.header().get(i))).append("</th>");
     }
     out.append("</tr></thead>\n<tbody>\n");
     for (List<String> row : table.rows()) {
@@ -95,21 +101,16 @@ final class HtmlPage {
                 ? " class=\"words\""
                 : !part && table.words(i) ? " class=\"name\"" : "";
         out.append("<td").append(span).append(style).append('>');
-        out.append(escaped(row.get(i))).append("</td>");
+        out.append(Markup.attribute(row.get(i))).append("</td>");
       }
       out.append("</tr>\n");
     }
     out.append("</tbody>\n</table>\n");
     table
         .notes()
-        .forEach(note -> out.append("<p class=\"note\">").append(escaped(note)).append("</p>\n"));
+        .forEach(
+            note ->
+                out.append("<p class=\"note\">").append(Markup.attribute(note)).append("</p>\n"));
     out.append("</div>\n");
-  }
-
-  static String escaped(String text) {
-    return text.replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
   }
 }

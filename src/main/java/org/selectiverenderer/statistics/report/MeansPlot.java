@@ -4,16 +4,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.selectiverenderer.chart.Colour;
-import org.selectiverenderer.chart.Lettering;
+import org.selectiverenderer.chart.AxisStep;
+import org.selectiverenderer.chart.ChartColour;
+import org.selectiverenderer.chart.SizedFont;
 import org.selectiverenderer.chart.SvgCanvas;
+import org.selectiverenderer.geometry.font.FontFamily;
+import org.selectiverenderer.geometry.font.FontLibrary;
+import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.MarginalMean;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.x3d.geometry.text.FontFamily;
-import org.selectiverenderer.x3d.geometry.text.FontLibrary;
-import org.selectiverenderer.x3d.geometry.text.FontStyle;
 
 /**
  * Estimated marginal means as lines over the groups, one for each level of the within factor, as in
@@ -29,23 +30,23 @@ final class MeansPlot {
   private static final int BOTTOM = 44;
   private static final double DODGE = 26;
   private static final double SPREAD = 8;
-  private static final List<Colour> LINES =
-      List.of(Colour.BLUE, Colour.GREEN, Colour.VERMILION, Colour.ORANGE);
+  private static final List<ChartColour> LINES =
+      List.of(ChartColour.BLUE, ChartColour.GREEN, ChartColour.VERMILION, ChartColour.ORANGE);
 
-  private final Lettering plain;
-  private final Lettering bold;
+  private final SizedFont plain;
+  private final SizedFont bold;
 
   MeansPlot() {
     FontLibrary fonts = new FontLibrary();
-    plain = new Lettering(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 12, false);
-    bold = new Lettering(fonts.font(FontFamily.SANS, FontStyle.BOLD), 13, true);
+    plain = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 12, false);
+    bold = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.BOLD), 13, true);
   }
 
   /** An SVG element of 460 x 330 pixels. */
   String svg(Anova anova, String title) {
     SvgCanvas canvas = SvgCanvas.inline(WIDTH, HEIGHT, title);
-    canvas.rectangle(0, 0, WIDTH, HEIGHT, Colour.PAPER);
-    canvas.text(bold.fit(title, WIDTH - LEFT - RIGHT), LEFT, 16, bold, Colour.INK);
+    canvas.rectangle(0, 0, WIDTH, HEIGHT, ChartColour.PAPER);
+    canvas.text(bold.fit(title, WIDTH - LEFT - RIGHT), LEFT, 16, bold, ChartColour.INK);
     new Drawing(anova, canvas).draw();
     return canvas.finish();
   }
@@ -84,9 +85,7 @@ final class MeansPlot {
         most = Math.max(most, mean.high());
       }
       double range = most > least ? most - least : 1;
-      double power = Math.pow(10, Math.floor(Math.log10(range / 4)));
-      double ratio = range / 4 / power;
-      step = power * (ratio >= 5 ? 5 : ratio >= 2 ? 2 : 1);
+      step = AxisStep.of(range);
       low = Math.floor(least / step) * step;
       high = Math.max(Math.ceil(most / step) * step, low + step);
     }
@@ -107,22 +106,22 @@ final class MeansPlot {
       for (int i = 0; i <= marks; i++) {
         double value = low + i * step;
         double y = Math.rint(y(value));
-        canvas.rectangle(LEFT, y, WIDTH - LEFT - RIGHT, 1, Colour.GRID);
+        canvas.rectangle(LEFT, y, WIDTH - LEFT - RIGHT, 1, ChartColour.GRID);
         String number = number(value);
-        canvas.text(number, LEFT - 7 - plain.width(number), y + 4, plain, Colour.FAINT_INK);
+        canvas.text(number, LEFT - 7 - plain.width(number), y + 4, plain, ChartColour.FAINT_INK);
       }
       if (low < 0 && high > 0) {
-        canvas.rectangle(LEFT, Math.rint(y(0)), WIDTH - LEFT - RIGHT, 1, Colour.GREY);
+        canvas.rectangle(LEFT, Math.rint(y(0)), WIDTH - LEFT - RIGHT, 1, ChartColour.GREY);
       }
       double slot = (double) (WIDTH - LEFT - RIGHT) / groups;
       for (int group = 0; group < groups; group++) {
         String name = plain.fit(design.between().levels().get(group), slot - 8);
         double x = LEFT + slot * (group + 0.5) - plain.width(name) / 2;
-        canvas.text(name, x, HEIGHT - BOTTOM + 20, plain, Colour.INK);
+        canvas.text(name, x, HEIGHT - BOTTOM + 20, plain, ChartColour.INK);
       }
       String axis = plain.fit(design.between().name(), WIDTH - LEFT - RIGHT);
       double middle = LEFT + (WIDTH - LEFT - RIGHT) / 2.0;
-      canvas.text(axis, middle - plain.width(axis) / 2, HEIGHT - 8, plain, Colour.FAINT_INK);
+      canvas.text(axis, middle - plain.width(axis) / 2, HEIGHT - 8, plain, ChartColour.FAINT_INK);
     }
 
     private String number(double value) {
@@ -136,7 +135,7 @@ final class MeansPlot {
       for (int level = 0; levels > 1 && level < levels; level++) {
         String name = design.within().levels().get(level);
         canvas.rectangle(x, 27, 16, 3, colour(level));
-        canvas.text(name, x + 21, 33, plain, Colour.INK);
+        canvas.text(name, x + 21, 33, plain, ChartColour.INK);
         x += 40 + plain.width(name);
       }
     }
@@ -191,7 +190,7 @@ final class MeansPlot {
       return TOP + (HEIGHT - TOP - BOTTOM) * (high - value) / (high - low);
     }
 
-    private Colour colour(int level) {
+    private ChartColour colour(int level) {
       return LINES.get(level % LINES.size());
     }
   }

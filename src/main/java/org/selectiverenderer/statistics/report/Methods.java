@@ -29,19 +29,20 @@ final class Methods {
             : "±%s pooled standard deviations of a cell"
                 .formatted(number(options.differenceBound()));
     return List.of(
-        "Analysis of variance with type III sums of squares; where a within factor has three or more"
-            + " levels, Greenhouse-Geisser and Huynh-Feldt (Lecoutre) corrections and the"
-            + " multivariate tests stand beside F.",
+        "Analysis of variance with type III sums of squares; where a within factor "
+            + "has three or more levels, Greenhouse-Geisser and Huynh-Feldt (Lecoutre) "
+            + "corrections and the multivariate tests are given beside F.",
         ("Intervals: %s %% for means and differences, %s %% for η² (noncentral F; Steiger 2004; they"
                 + " are of the population's value and lie below the sample's where F is very"
                 + " small).")
             .formatted(percent(options.confidence()), percent(options.etaConfidence())),
-        "Comparisons use the pooled error of the multivariate model; p (Holm) holds each family of"
-            + " comparisons to α = "
+        "Comparisons use the pooled error of the multivariate model; p (Holm) keeps "
+            + "each family of comparisons at α = "
             + number(options.alpha())
             + ". Nothing is corrected across measures, areas and levels of confidence: of effects that do"
             + " not exist, that share comes out below α.",
-        "A p above α does not show that there is no difference. Beside it stand: TOST with bounds "
+        "A p above α does not show that there is no difference. The report therefore "
+            + "gives: TOST with bounds "
             + bound
             + " (Schuirmann 1987), its counterpart for effects with the bound ηp² < "
             + number(options.etaBound())

@@ -1,19 +1,20 @@
 package org.selectiverenderer.statistics.report;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.report.Block.Paragraph;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.simulation.Power;
 import org.selectiverenderer.statistics.simulation.PowerAnalysis;
 import org.selectiverenderer.statistics.simulation.PowerGoal;
-import org.selectiverenderer.x3d.Counted;
 
 /**
  * A power analysis in its forms.
@@ -45,7 +46,7 @@ public record PowerReport(
 
   /** For a terminal. */
   public String text() {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (Power.Finding finding : power.findings()) {
       rows.add(
@@ -88,27 +89,27 @@ public record PowerReport(
 
   /** For programs. */
   public String json() {
-    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    ObjectNode json = JsonTree.object();
     json.put("participants", power.participants()).put("studies", power.studies());
     json.put("seed", analysis.seed()).put("area", analysis.area());
     json.put("measure", analysis.measure().key());
     ArrayNode findings = json.putArray("power");
     for (Power.Finding finding : power.findings()) {
       ObjectNode node = findings.addObject().put("finding", finding.name());
-      Json.put(node, "power", finding.share());
-      Json.put(node, "low", finding.low());
-      Json.put(node, "high", finding.high());
+      JsonNumbers.put(node, "power", finding.share());
+      JsonNumbers.put(node, "low", finding.low());
+      JsonNumbers.put(node, "high", finding.high());
     }
     if (wanted.isPresent()) {
       ObjectNode node = json.putObject("needed");
       node.put("finding", wanted.get().goal().finding());
-      Json.put(node, "target", wanted.get().target());
+      JsonNumbers.put(node, "target", wanted.get().target());
       if (needed.isPresent()) {
         node.put("participants", needed.getAsInt());
       } else {
         node.putNull("participants").put("tried", wanted.get().most());
       }
     }
-    return Json.text(json);
+    return JsonText.of(json);
   }
 }

@@ -1,7 +1,5 @@
 package org.selectiverenderer.statistics.report;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -10,41 +8,37 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVPrinter;
+import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Score;
-import org.selectiverenderer.statistics.study.Study;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /** Scores as CSV, for other programs. What is not defined is an empty cell. */
 final class ScoresCsv {
-  private static final CSVFormat FORMAT =
-      CSVFormat.RFC4180.builder().setRecordSeparator("\n").get();
   private static final MathContext DIGITS = new MathContext(10);
 
   private ScoresCsv() {}
 
   /** One row for each participant, area, type of object and level of confidence. */
-  static String tidy(Study study) {
-    List<List<Object>> rows = new ArrayList<>();
-    rows.add(
-        List.of(
-            "participant",
-            "condition",
-            "area",
-            "object_type",
-            "confidence",
-            "objects",
-            "hits",
-            "misses",
-            "false_alarms",
-            "correct_rejections",
-            "hit_rate",
-            "false_alarm_rate",
-            "d_prime",
-            "log_beta",
-            "c",
-            "note"));
+  static String tidy(StudyAnalysis study) {
+    CsvText table = new CsvText();
+    table.row(
+        "participant",
+        "condition",
+        "area",
+        "object_type",
+        "confidence",
+        "objects",
+        "hits",
+        "misses",
+        "false_alarms",
+        "correct_rejections",
+        "hit_rate",
+        "false_alarm_rate",
+        "d_prime",
+        "log_beta",
+        "c",
+        "note");
     for (Score score : study.scores()) {
       List<Object> row = new ArrayList<>();
       row.addAll(List.of(score.participant(), score.condition(), score.area(), score.type()));
@@ -60,13 +54,13 @@ final class ScoresCsv {
         row.add(cell(measure.of(score.detection())));
       }
       row.add(score.detection().flaw().orElse(""));
-      rows.add(row);
+      table.row(row);
     }
-    return print(rows);
+    return table.toString();
   }
 
   /** One row for each participant, a column for each score: what SPSS and JASP take. */
-  static String wide(Study study) {
+  static String wide(StudyAnalysis study) {
     Set<String> columns = new LinkedHashSet<>();
     Map<String, Map<String, String>> participants = new LinkedHashMap<>();
     for (Score score : study.scores()) {
@@ -86,34 +80,21 @@ final class ScoresCsv {
         row.put(column, cell(measure.of(score.detection())));
       }
     }
-    List<List<Object>> rows = new ArrayList<>();
     List<Object> header = new ArrayList<>(List.of("participant", "condition"));
     header.addAll(columns);
-    rows.add(header);
+    CsvText table = new CsvText().row(header);
     participants.forEach(
         (id, values) -> {
           List<Object> row = new ArrayList<>(List.of(id, values.getOrDefault("condition", "")));
           columns.forEach(column -> row.add(values.getOrDefault(column, "")));
-          rows.add(row);
+          table.row(row);
         });
-    return print(rows);
+    return table.toString();
   }
 
   private static String cell(double value) {
     return Double.isFinite(value)
         ? new BigDecimal(value).round(DIGITS).stripTrailingZeros().toPlainString()
         : "";
-  }
-
-  private static String print(List<List<Object>> rows) {
-    StringBuilder out = new StringBuilder();
-    try (CSVPrinter printer = new CSVPrinter(out, FORMAT)) {
-      for (List<Object> row : rows) {
-        printer.printRecord(row);
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return out.toString();
   }
 }

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
+import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.statistics.anova.Descriptive;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
-import org.selectiverenderer.statistics.study.Study;
-import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
  * Means and standard deviations (in brackets) of d' and log beta at the three levels of confidence:
@@ -23,18 +23,18 @@ final class ScoresTable {
       Optional.of("one participant has no standard deviation");
   private static final String NONE = "no participant has this score";
 
-  private final Study study;
+  private final StudyAnalysis study;
   private final String area;
   private final List<AreaAnalysis> columns;
 
-  private ScoresTable(Study study, String area) {
+  private ScoresTable(StudyAnalysis study, String area) {
     this.study = study;
     this.area = area;
     columns =
         study.analyses(area).filter(analysis -> MEASURES.contains(analysis.measure())).toList();
   }
 
-  static Table of(Study study, String area) {
+  static Table of(StudyAnalysis study, String area) {
     return new ScoresTable(study, area).table();
   }
 
@@ -42,7 +42,7 @@ final class ScoresTable {
     List<String> header = new ArrayList<>(List.of("condition"));
     columns.forEach(
         column -> header.add(column.measure().symbol() + " " + column.level().heading()));
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (String type : columns.get(0).design().within().levels()) {
       rows.add(List.of("%s objects (O = %s)".formatted(type, objects(type))));
@@ -71,7 +71,7 @@ final class ScoresTable {
     }
     return fewer.isEmpty()
         ? "n = %s.".formatted(Counted.of(all, "participant"))
-        : "Of %s not all have every score (%s); named below."
+        : "Of %s, some do not have every score (%s); they are named below."
             .formatted(Counted.of(all, "participant"), String.join(", ", fewer));
   }
 
@@ -87,7 +87,8 @@ final class ScoresTable {
         : String.valueOf(counts.first());
   }
 
-  private List<String> row(String name, String type, Optional<String> condition, Figures figures) {
+  private List<String> row(
+      String name, String type, Optional<String> condition, TableFigures figures) {
     List<String> row = new ArrayList<>(List.of(name));
     for (AreaAnalysis column : columns) {
       row.add(cell(column.design(), type, condition, figures));
@@ -96,7 +97,7 @@ final class ScoresTable {
   }
 
   private static String cell(
-      Design design, String type, Optional<String> condition, Figures figures) {
+      Design design, String type, Optional<String> condition, TableFigures figures) {
     boolean types = design.within().varies();
     for (Descriptive found : Descriptive.of(design)) {
       boolean own = !types || found.within().equals(Optional.of(type));

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.data.Exclusion;
@@ -17,21 +18,20 @@ import org.selectiverenderer.statistics.report.Block.Picture;
 import org.selectiverenderer.statistics.report.Block.Section;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
-import org.selectiverenderer.statistics.study.Study;
-import org.selectiverenderer.x3d.Counted;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /** A study's report: methods, exclusions, and for each area tables, plots and details. */
 final class StudyBlocks {
   static final String TITLE = "Memory recognition: signal detection and analysis of variance";
 
-  private final Study study;
+  private final StudyAnalysis study;
   private final MeansPlot plot = new MeansPlot();
 
-  private StudyBlocks(Study study) {
+  private StudyBlocks(StudyAnalysis study) {
     this.study = study;
   }
 
-  static List<Block> of(Study study) {
+  static List<Block> of(StudyAnalysis study) {
     StudyBlocks blocks = new StudyBlocks(study);
     List<Block> all = new ArrayList<>();
     all.add(new Paragraph(blocks.summary()));
@@ -61,7 +61,7 @@ final class StudyBlocks {
   private Block exclusions() {
     List<Exclusion> exclusions = study.responses().exclusions();
     return exclusions.isEmpty()
-        ? new Paragraph("None: every answer of the file is used.")
+        ? new Paragraph("None. Every answer of the file is used.")
         : AnovaReport.exclusions(exclusions);
   }
 
@@ -118,7 +118,7 @@ final class StudyBlocks {
   }
 
   private Table effects(String area, List<AreaAnalysis> analyses) {
-    Figures figures = new Figures();
+    TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (AreaAnalysis analysis : analyses) {
       String name = analysis.measure().symbol() + " " + analysis.level().heading();
@@ -166,7 +166,7 @@ final class StudyBlocks {
   }
 
   /** Footnotes, and once for each level what is true of its analyses. */
-  private static List<String> notes(List<AreaAnalysis> analyses, Figures figures) {
+  private static List<String> notes(List<AreaAnalysis> analyses, TableFigures figures) {
     Map<String, Set<String>> levels = new LinkedHashMap<>();
     for (AreaAnalysis analysis : analyses) {
       for (String note : analysis.notes()) {
@@ -180,7 +180,7 @@ final class StudyBlocks {
     return notes;
   }
 
-  private static String test(Effect effect, Figures figures) {
+  private static String test(Effect effect, TableFigures figures) {
     return Double.isFinite(effect.f())
         ? "F(%s, %s) = %s"
             .formatted(

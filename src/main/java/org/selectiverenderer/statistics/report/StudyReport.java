@@ -1,41 +1,42 @@
 package org.selectiverenderer.statistics.report;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
-import org.selectiverenderer.statistics.study.Study;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /** A study in its forms. */
 public final class StudyReport {
   private StudyReport() {}
 
   /** Tables for a terminal, without the details of each analysis. */
-  public static String text(Study study) {
+  public static String text(StudyAnalysis study) {
     return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study), false);
   }
 
   /** One page with everything, that loads nothing. */
-  public static String html(Study study) {
+  public static String html(StudyAnalysis study) {
     return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study));
   }
 
   /** Scores, one a row. */
-  public static String tidyCsv(Study study) {
+  public static String tidyCsv(StudyAnalysis study) {
     return ScoresCsv.tidy(study);
   }
 
   /** Scores, one participant a row. */
-  public static String wideCsv(Study study) {
+  public static String wideCsv(StudyAnalysis study) {
     return ScoresCsv.wide(study);
   }
 
   /** Everything, for programs. */
-  public static String json(Study study) {
-    ObjectNode json = JsonNodeFactory.instance.objectNode();
+  public static String json(StudyAnalysis study) {
+    ObjectNode json = JsonTree.object();
     json.put("source", study.responses().source());
     ObjectNode options = json.putObject("options");
     options.put("correction", key(study.scoring().correction()));
@@ -48,7 +49,7 @@ public final class StudyReport {
     study.scores().forEach(score -> score(score, scores.addObject()));
     ArrayNode analyses = json.putArray("analyses");
     study.analyses().forEach(analysis -> analysis(analysis, analyses.addObject()));
-    return Json.text(json);
+    return JsonText.of(json);
   }
 
   private static String key(Enum<?> value) {
@@ -62,10 +63,10 @@ public final class StudyReport {
     json.put("hits", score.counts().hits()).put("misses", score.counts().misses());
     json.put("false_alarms", score.counts().falseAlarms());
     json.put("correct_rejections", score.counts().correctRejections());
-    Json.put(json, "hit_rate", score.detection().hitRate());
-    Json.put(json, "false_alarm_rate", score.detection().falseAlarmRate());
+    JsonNumbers.put(json, "hit_rate", score.detection().hitRate());
+    JsonNumbers.put(json, "false_alarm_rate", score.detection().falseAlarmRate());
     for (Measure measure : Measure.values()) {
-      Json.put(json, measure.key(), measure.of(score.detection()));
+      JsonNumbers.put(json, measure.key(), measure.of(score.detection()));
     }
     score.detection().flaw().ifPresent(flaw -> json.put("undefined", flaw));
   }

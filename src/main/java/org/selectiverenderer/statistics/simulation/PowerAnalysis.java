@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
+import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Comparison;
@@ -18,7 +19,6 @@ import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.study.AreaStudy;
-import org.selectiverenderer.x3d.Counted;
 
 /**
  * Power by simulation: many studies of a model, each through the same analysis as a real one, on
@@ -29,7 +29,7 @@ import org.selectiverenderer.x3d.Counted;
  * @param progress hears sentences
  */
 public record PowerAnalysis(
-    Model model,
+    StudyModel model,
     String area,
     Measure measure,
     Scoring scoring,
@@ -44,7 +44,7 @@ public record PowerAnalysis(
 
   /** The power of studies of that many participants. */
   public Power power(int participants) {
-    Model own = model.of(area);
+    StudyModel own = model.of(area);
     AtomicInteger done = new AtomicInteger();
     Object order = new Object();
     AtomicInteger told = new AtomicInteger();
@@ -108,7 +108,7 @@ public record PowerAnalysis(
     return OptionalInt.of(high * groups);
   }
 
-  private List<String> names(Model own) {
+  private List<String> names(StudyModel own) {
     boolean groups = own.conditions().size() > 1;
     boolean types = own.lists().stream().map(ObjectList::type).distinct().count() > 1;
     List<String> names = new ArrayList<>();
@@ -127,7 +127,7 @@ public record PowerAnalysis(
     return names;
   }
 
-  private List<String> findings(Model own, int participants, int study) {
+  private List<String> findings(StudyModel own, int participants, int study) {
     Responses responses =
         new Responses(
             "simulated",

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import org.apache.commons.math3.distribution.NormalDistribution;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.x3d.Location;
 
 /**
  * Answers of simulated participants. Evidence for an object is normal around d'/2 if it is present,
@@ -20,10 +20,10 @@ public final class SimulatedStudy {
    */
   private static final double[] CERTAINTY = {0.15, 0.35, 0.6, 0.9};
 
-  private final Model model;
+  private final StudyModel model;
   private final SplittableRandom random;
 
-  private SimulatedStudy(Model model, long seed) {
+  private SimulatedStudy(StudyModel model, long seed) {
     this.model = model;
     random = new SplittableRandom(seed);
   }
@@ -32,7 +32,7 @@ public final class SimulatedStudy {
    * The answers of a study. The first participants of a larger study of that seed are those of a
    * smaller one.
    */
-  public static List<Response> responses(Model model, int participants, long seed) {
+  public static List<Response> responses(StudyModel model, int participants, long seed) {
     List<Response> responses = new ArrayList<>();
     for (int i = 0; i < participants; i++) {
       new SimulatedStudy(model, Seeds.of(seed, i)).participant(i, responses);

@@ -45,7 +45,7 @@ public final class AreaStudy {
   public static AreaStudy of(Responses responses, Scoring scoring, String area) {
     return new AreaStudy(
         area,
-        Study.conditions(responses.usable()),
+        StudyAnalysis.conditions(responses.usable()),
         scoring.scores(responses.usable()).stream()
             .filter(score -> score.area().equals(area))
             .toList());

@@ -1,10 +1,10 @@
 /**
  * The analyses of a study of recognition memory (thesis 6.4, 6.5): every measure of every area at
- * every level of confidence.
+ * every level of confidence, and what leaves one without its F.
  *
  * <p>In: {@link org.selectiverenderer.statistics.data.Responses} and options. Out: {@link
- * org.selectiverenderer.statistics.study.Study}. Uses the other packages of {@code statistics} but
- * {@code report}, and {@code x3d} for places and problems.
+ * org.selectiverenderer.statistics.study.StudyAnalysis}. Uses {@code statistics.data}, {@code
+ * statistics.detection}, {@code statistics.anova} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.study;

@@ -30,7 +30,7 @@ public final class InterTrax2Emulator implements AutoCloseable {
      */
     public Settings {
       if (!(rateHz > 0 && rateHz <= FASTEST)) {
-        throw new IllegalArgumentException("the rate lies above 0 and at most at 480 records/s");
+        throw new IllegalArgumentException("the rate must be above 0 and at most 480 records/s");
       }
     }
   }

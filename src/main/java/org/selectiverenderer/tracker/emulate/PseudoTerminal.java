@@ -71,7 +71,7 @@ public final class PseudoTerminal implements AutoCloseable {
   /** Makes a terminal with the given program. */
   public static PseudoTerminal open(Path link, Maker maker) throws IOException {
     if (Files.exists(link, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(link)) {
-      throw new TrackerException(link + " exists and is no link; it is not replaced");
+      throw new TrackerException(link + " exists and is not a link; it is not replaced");
     }
     Process process =
         new ProcessBuilder(command(maker, holding(ProcessHandle.current().pid())))
@@ -116,11 +116,6 @@ public final class PseudoTerminal implements AutoCloseable {
       throw new TrackerException("the pseudo-terminal could not be made");
     }
     return line.toString();
-  }
-
-  /** The link by which it is opened. */
-  public Path link() {
-    return link;
   }
 
   /** What the program at the other end writes. */

@@ -7,7 +7,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /** TCP connections that never wait long. */
 final class Connecting {
@@ -32,7 +32,7 @@ final class Connecting {
       Closing.quietly(socket);
       throw new TrackerException(
           e instanceof ConnectException
-              ? "nothing listens on port " + port + " of " + host + " (is the server started?)"
+              ? "nothing listens on port " + port + " of " + host + " (is the server running?)"
               : e instanceof SocketTimeoutException
                   ? host + " does not answer on port " + port
                   : "no connection to " + host + ", port " + port + ": " + e.getMessage(),
@@ -43,7 +43,7 @@ final class Connecting {
   /** Sets up a socket for small records that are wanted at once. */
   static void prepare(Socket socket) throws IOException {
     socket.setTcpNoDelay(true);
-    socket.setSoTimeout(Intake.PATIENCE_MS);
+    socket.setSoTimeout(PoseSink.PATIENCE_MS);
   }
 
   /**

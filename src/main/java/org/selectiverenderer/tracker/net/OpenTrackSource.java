@@ -9,8 +9,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
  * opentrack's "UDP over network" output: datagrams of six little-endian doubles, x, y, z in
@@ -37,18 +37,18 @@ public final class OpenTrackSource implements PoseSource {
   public void open() throws TrackerException {
     try {
       socket = new DatagramSocket(port);
-      socket.setSoTimeout(Intake.PATIENCE_MS);
+      socket.setSoTimeout(PoseSink.PATIENCE_MS);
     } catch (IOException e) {
       throw new TrackerException(
           e instanceof BindException
-              ? "the UDP port " + port + " is in use by another program, or may not be used"
+              ? "the UDP port " + port + " is in use by another program, or not permitted"
               : "the UDP port " + port + " cannot be opened: " + e.getMessage(),
           e);
     }
   }
 
   @Override
-  public void read(Intake intake) throws IOException {
+  public void read(PoseSink intake) throws IOException {
     DatagramSocket from = socket;
     if (from == null) {
       throw new TrackerException("the UDP port " + port + " is not open");
@@ -76,7 +76,7 @@ public final class OpenTrackSource implements PoseSource {
     }
   }
 
-  private static void record(ByteBuffer numbers, int length, Intake intake) {
+  private static void record(ByteBuffer numbers, int length, PoseSink intake) {
     if (length == LENGTH) {
       intake.angles(
           System.nanoTime(),

@@ -5,8 +5,8 @@ import java.io.InputStream;
 import java.net.Socket;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
 import org.selectiverenderer.tracker.text.AngleLine;
 import org.selectiverenderer.tracker.text.LineSplitter;
 
@@ -30,7 +30,7 @@ public final class TcpLinesSource implements PoseSource {
   }
 
   @Override
-  public void read(Intake intake) throws IOException {
+  public void read(PoseSink intake) throws IOException {
     Socket from = socket;
     if (from == null) {
       throw new TrackerException("there is no connection to " + host);

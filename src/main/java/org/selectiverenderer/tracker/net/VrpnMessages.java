@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
  * The messages of a VRPN server. Each has a header of 24 bytes (length of header and payload, time
@@ -28,7 +28,7 @@ final class VrpnMessages {
 
   private final String tracker;
   private final VrpnStream stream;
-  private final Intake intake;
+  private final PoseSink intake;
   private final long begin = System.nanoTime();
   private int ourSender = UNKNOWN;
   private int poseType = UNKNOWN;
@@ -36,7 +36,7 @@ final class VrpnMessages {
   /** Of all senders, until ours is known. */
   private final Set<String> names = new TreeSet<>();
 
-  VrpnMessages(String tracker, VrpnStream stream, Intake intake) {
+  VrpnMessages(String tracker, VrpnStream stream, PoseSink intake) {
     this.tracker = tracker;
     this.stream = stream;
     this.intake = intake;

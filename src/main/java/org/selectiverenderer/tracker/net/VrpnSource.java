@@ -12,8 +12,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
  * A client of a VRPN server (Taylor et al., VRST 2001), protocol 07: sensor 0 of one tracker.
@@ -50,14 +50,14 @@ public final class VrpnSource implements PoseSource {
     server = Connecting.address(host, port);
     try {
       listening = new ServerSocket(0);
-      listening.setSoTimeout(Intake.PATIENCE_MS);
+      listening.setSoTimeout(PoseSink.PATIENCE_MS);
     } catch (IOException e) {
       throw new TrackerException("no TCP port can be opened here: " + e.getMessage(), e);
     }
   }
 
   @Override
-  public void read(Intake intake) throws IOException {
+  public void read(PoseSink intake) throws IOException {
     Socket from = accept(intake);
     if (from == null) {
       return;
@@ -76,7 +76,7 @@ public final class VrpnSource implements PoseSource {
   }
 
   /** Asks the server to connect back; null when the tracker is being closed. */
-  private @Nullable Socket accept(Intake intake) throws IOException {
+  private @Nullable Socket accept(PoseSink intake) throws IOException {
     InetSocketAddress to = server;
     ServerSocket back = listening;
     if (to == null || back == null) {
@@ -124,7 +124,7 @@ public final class VrpnSource implements PoseSource {
             + host
             + ", port "
             + port
-            + " (is it started, and may it connect back to this machine?)");
+            + " (is it running, and can it connect back to this machine?)");
   }
 
   @Override

@@ -7,18 +7,18 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /** Big-endian numbers from a connection, waiting in small pieces; allocates nothing to read. */
 final class VrpnStream {
   private final InputStream from;
-  private final Intake intake;
+  private final PoseSink intake;
   private final byte[] bytes = new byte[1 << 16];
   private final ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.BIG_ENDIAN);
   private int at;
   private int end;
 
-  VrpnStream(InputStream from, Intake intake) {
+  VrpnStream(InputStream from, PoseSink intake) {
     this.from = from;
     this.intake = intake;
   }

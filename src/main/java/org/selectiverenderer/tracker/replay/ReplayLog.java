@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.csv.NumberTable;
-import org.selectiverenderer.csv.TableForm;
+import org.selectiverenderer.base.csv.NumberTable;
+import org.selectiverenderer.base.csv.TableForm;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.tracker.PoseSample;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * Recorded orientations over time: a CSV file with the columns t (seconds), yaw, pitch and roll

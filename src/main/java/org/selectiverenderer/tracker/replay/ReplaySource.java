@@ -3,12 +3,12 @@ package org.selectiverenderer.tracker.replay;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.PoseSample;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
 
 /** Plays a log at the pace at which it was recorded, from its first row. */
 public final class ReplaySource implements PoseSource {
-  private static final long PATIENCE = TimeUnit.MILLISECONDS.toNanos(Intake.PATIENCE_MS);
+  private static final long PATIENCE = TimeUnit.MILLISECONDS.toNanos(PoseSink.PATIENCE_MS);
 
   private final ReplayLog log;
 
@@ -21,7 +21,7 @@ public final class ReplaySource implements PoseSource {
   public void open() {}
 
   @Override
-  public void read(Intake intake) {
+  public void read(PoseSink intake) {
     intake.connected();
     PoseSample angles = new PoseSample();
     long begin = System.nanoTime();

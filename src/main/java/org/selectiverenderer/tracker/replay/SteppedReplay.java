@@ -1,32 +1,27 @@
 package org.selectiverenderer.tracker.replay;
 
-import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.pose.Boresight;
-import org.selectiverenderer.tracker.pose.NewestPose;
-import org.selectiverenderer.tracker.pose.PoseFilter;
+import org.selectiverenderer.tracker.live.PoseFilter;
+import org.selectiverenderer.tracker.live.PublishingTracker;
 
 /**
  * Plays a log at the pace of the frames: the same times give the same poses, whatever the clock on
  * the wall says. {@link #advanceTo} is called by one thread.
  */
-public final class SteppedReplay implements HeadTracker {
-  private final TrackerSpec spec;
+public final class SteppedReplay extends PublishingTracker {
   private final ReplayLog log;
   private final TrackerOptions options;
-  private final NewestPose newest = new NewestPose();
-  private final Boresight boresight = new Boresight(newest);
   private final PoseSample sample = new PoseSample();
   private PoseFilter filter;
   private volatile int next;
   private volatile boolean closed;
 
   public SteppedReplay(TrackerSpec.Replay spec, ReplayLog log, TrackerOptions options) {
-    this.spec = spec;
+    super(spec);
     this.log = log;
     this.options = options;
     filter = PoseFilter.of(options);
@@ -55,25 +50,9 @@ public final class SteppedReplay implements HeadTracker {
     }
     if (row > before) {
       sample.set(row, System.nanoTime(), sample.yaw(), sample.pitch(), sample.roll());
-      boresight.arriving(sample);
-      newest.publish(sample);
+      publish(sample);
     }
     next = row;
-  }
-
-  @Override
-  public TrackerSpec spec() {
-    return spec;
-  }
-
-  @Override
-  public boolean read(PoseSample into) {
-    return boresight.read(into);
-  }
-
-  @Override
-  public void resetHeading() {
-    boresight.reset();
   }
 
   @Override

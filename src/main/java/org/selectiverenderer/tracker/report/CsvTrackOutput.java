@@ -5,7 +5,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.selectiverenderer.csv.FixedDecimals;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 
@@ -21,20 +22,17 @@ public final class CsvTrackOutput implements TrackOutput, AutoCloseable {
    */
   public CsvTrackOutput(Path file) throws IOException {
     writer = Files.newBufferedWriter(file, StandardCharsets.UTF_8);
-    writer.write("t,yaw,pitch,roll\n");
+    writer.write(CsvText.line("t", "yaw", "pitch", "roll"));
   }
 
   @Override
   public void sample(double time, PoseSample sample) throws IOException {
-    writer
-        .append(FixedDecimals.of(time, 6))
-        .append(',')
-        .append(FixedDecimals.of(sample.yaw(), 4))
-        .append(',')
-        .append(FixedDecimals.of(sample.pitch(), 4))
-        .append(',')
-        .append(FixedDecimals.of(sample.roll(), 4))
-        .append('\n');
+    writer.write(
+        CsvText.line(
+            DecimalText.fixed(time, 6),
+            DecimalText.fixed(sample.yaw(), 4),
+            DecimalText.fixed(sample.pitch(), 4),
+            DecimalText.fixed(sample.roll(), 4)));
   }
 
   @Override

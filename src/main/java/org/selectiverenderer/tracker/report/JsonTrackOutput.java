@@ -1,6 +1,7 @@
 package org.selectiverenderer.tracker.report;
 
 import java.io.IOException;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.tracker.PoseSample;
 
 /** One JSON object per record and line, and one with the figures at the end. */
@@ -21,13 +22,13 @@ public final class JsonTrackOutput implements TrackOutput {
   @Override
   public void sample(double time, PoseSample sample) throws IOException {
     out.append("{\"t\":")
-        .append(Decimals.of(time, 6))
+        .append(number(time, 6))
         .append(",\"yaw\":")
-        .append(Decimals.of(sample.yaw(), 4))
+        .append(number(sample.yaw(), 4))
         .append(",\"pitch\":")
-        .append(Decimals.of(sample.pitch(), 4))
+        .append(number(sample.pitch(), 4))
         .append(",\"roll\":")
-        .append(Decimals.of(sample.roll(), 4))
+        .append(number(sample.roll(), 4))
         .append("}\n");
   }
 
@@ -41,18 +42,23 @@ public final class JsonTrackOutput implements TrackOutput {
     out.append("{\"records\":")
         .append(Long.toString(figures.records()))
         .append(",\"rate_hz\":")
-        .append(Decimals.of(figures.rateHz(), 2))
+        .append(number(figures.rateHz(), 2))
         .append(",\"jitter_ms\":")
-        .append(Decimals.of(figures.jitterMs(), 3))
+        .append(number(figures.jitterMs(), 3))
         .append(",\"bad\":")
         .append(Long.toString(figures.bad()))
         .append(",\"dropped\":")
         .append(Long.toString(figures.dropped()))
         .append(",\"age_ms\":{\"p50\":")
-        .append(Decimals.of(figures.ageMedianMs(), 2))
+        .append(number(figures.ageMedianMs(), 2))
         .append(",\"p99\":")
-        .append(Decimals.of(figures.ageP99Ms(), 2))
+        .append(number(figures.ageP99Ms(), 2))
         .append("}}\n");
     flushing.flush();
+  }
+
+  /** As JSON libraries write a double: {@code 12.5}, {@code 0.0}. */
+  private static String number(double value, int decimals) {
+    return Double.toString(Double.parseDouble(DecimalText.fixed(value, decimals)));
   }
 }

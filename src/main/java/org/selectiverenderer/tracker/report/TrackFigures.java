@@ -16,7 +16,7 @@ import org.selectiverenderer.tracker.TrackerHealth;
  *     per second draws it, in milliseconds
  * @param ageP99Ms the same, 99th percentile
  */
-public record TrackFigures(
+record TrackFigures(
     long records,
     double rateHz,
     double jitterMs,

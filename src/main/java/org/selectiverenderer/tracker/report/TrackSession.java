@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.LatencyMeter;
 import org.selectiverenderer.tracker.PoseSample;
@@ -12,8 +13,7 @@ import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.tracker.open.Trackers;
 
 /**
  * Watches a tracker for a while: looks at it as often as a display draws, passes on every record,

@@ -3,8 +3,8 @@ package org.selectiverenderer.tracker.serial;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
 import org.selectiverenderer.tracker.text.FastrakRecord;
 import org.selectiverenderer.tracker.text.LineSplitter;
 
@@ -37,7 +37,7 @@ public final class FastrakSource implements PoseSource {
   }
 
   @Override
-  public void read(Intake intake) throws TrackerException {
+  public void read(PoseSink intake) throws TrackerException {
     byte[] bytes = new byte[1024];
     setUp(bytes, intake);
     Counting counting = new Counting();
@@ -68,7 +68,7 @@ public final class FastrakSource implements PoseSource {
   }
 
   /** Stops what it may be sending; ASCII, centimetres, station 1: angles and line end; go on. */
-  private void setUp(byte[] bytes, Intake intake) throws TrackerException {
+  private void setUp(byte[] bytes, PoseSink intake) throws TrackerException {
     send("c");
     long begin = System.nanoTime();
     while (!intake.closed() && line.read(bytes) > 0 && System.nanoTime() - begin < QUIET) {
@@ -98,7 +98,7 @@ public final class FastrakSource implements PoseSource {
     private long records;
 
     @Override
-    public boolean read(byte[] line, int length, long arrival, Intake intake) {
+    public boolean read(byte[] line, int length, long arrival, PoseSink intake) {
       boolean good = record.read(line, length, arrival, intake);
       records += good ? 1 : 0;
       return good;

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
  * Brings an InterTrax2 to send records, whatever state it is in: streaming already, in command mode
@@ -26,11 +26,11 @@ final class InterTrax2Handshake {
 
   private final SerialLine line;
   private final InterTraxRecords records;
-  private final Intake intake;
+  private final PoseSink intake;
   private final byte[] one = new byte[1];
   private boolean heard;
 
-  InterTrax2Handshake(SerialLine line, InterTraxRecords records, Intake intake) {
+  InterTrax2Handshake(SerialLine line, InterTraxRecords records, PoseSink intake) {
     this.line = line;
     this.records = records;
     this.intake = intake;

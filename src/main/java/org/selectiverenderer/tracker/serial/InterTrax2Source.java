@@ -1,8 +1,8 @@
 package org.selectiverenderer.tracker.serial;
 
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.pose.Intake;
-import org.selectiverenderer.tracker.pose.PoseSource;
+import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
  * An InterSense InterTrax2 on a serial port, in continuous mode. Its azimuth, elevation and twist
@@ -29,7 +29,7 @@ public final class InterTrax2Source implements PoseSource {
   }
 
   @Override
-  public void read(Intake intake) throws TrackerException {
+  public void read(PoseSink intake) throws TrackerException {
     InterTraxRecords records = new InterTraxRecords();
     new InterTrax2Handshake(line, records, intake).run();
     if (intake.closed()) {

@@ -1,6 +1,6 @@
 package org.selectiverenderer.tracker.serial;
 
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
  * Finds the InterTrax's continuous records in a stream of bytes.
@@ -27,7 +27,7 @@ final class InterTraxRecords {
   }
 
   /** Takes bytes as they arrived, and tells the intake of each record that is complete. */
-  void take(byte[] from, int count, long arrival, Intake intake) {
+  void take(byte[] from, int count, long arrival, PoseSink intake) {
     int taken = 0;
     while (taken < count) {
       int piece = Math.min(count - taken, bytes.length - end);
@@ -41,7 +41,7 @@ final class InterTraxRecords {
   }
 
   /** Reads what is complete; returns the index of the first byte that is still needed. */
-  private int read(long arrival, Intake intake) {
+  private int read(long arrival, PoseSink intake) {
     int at = 0;
     while (end - at >= (locked ? LENGTH : 2 * LENGTH)) {
       if (locked && valid(at)) {
@@ -66,7 +66,7 @@ final class InterTraxRecords {
    * Counts a bad record for every 8 bytes skipped, begun ones too; but not the rest of the record
    * into whose middle the port was opened.
    */
-  private void skip(Intake intake) {
+  private void skip(PoseSink intake) {
     if (skipped++ % LENGTH == (everLocked ? 0 : LENGTH - 1)) {
       intake.bad();
     }

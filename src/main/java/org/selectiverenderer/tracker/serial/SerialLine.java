@@ -122,6 +122,7 @@ final class SerialLine {
   }
 
   private TrackerException gone() {
-    return new TrackerException("the serial port " + name + " has gone (cable pulled?)");
+    return new TrackerException(
+        "the serial port " + name + " has disappeared (was the cable pulled?)");
   }
 }

@@ -49,7 +49,7 @@ final class SerialTrouble {
     }
     return "the serial port "
         + port
-        + " cannot be opened: another program uses it, or this user may not (error "
+        + " cannot be opened: another program uses it, or you have no permission (error "
         + code
         + ")";
   }
@@ -59,12 +59,12 @@ final class SerialTrouble {
       return denied(port, device);
     }
     if (Files.isRegularFile(device) || Files.isDirectory(device)) {
-      return port + " is no serial port";
+      return port + " is not a serial port";
     }
     return "the serial port "
         + port
         + " is in use by another program"
-        + (LOCKED.contains(code) ? "" : ", or is no serial port (error " + code + ")");
+        + (LOCKED.contains(code) ? "" : ", or is not a serial port (error " + code + ")");
   }
 
   private static String denied(String port, Path device) {
@@ -75,7 +75,10 @@ final class SerialTrouble {
       return may.contains(PosixFilePermission.GROUP_READ)
               && may.contains(PosixFilePermission.GROUP_WRITE)
           ? denied(port, attributes.group().getName())
-          : denied(port) + ": only its owner, " + attributes.owner().getName() + ", may use it";
+          : denied(port)
+              + ": only its owner, "
+              + attributes.owner().getName()
+              + ", has permission to use it";
     } catch (IOException | UnsupportedOperationException e) {
       return denied(port); // Not a POSIX system, or the device has just gone.
     }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.tracker.text;
 
 import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
  * A line of three numbers, {@code yaw pitch roll} in degrees, between them spaces or tabs, or two
@@ -11,7 +11,7 @@ public final class AngleLine implements LineSplitter.Records {
   private final double[] angles = new double[3];
 
   @Override
-  public boolean read(byte[] line, int length, long arrival, Intake intake) {
+  public boolean read(byte[] line, int length, long arrival, PoseSink intake) {
     int commas = commas(line, length);
     if (commas != 0 && commas != angles.length - 1) {
       return false;

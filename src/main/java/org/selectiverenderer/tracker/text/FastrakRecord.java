@@ -1,6 +1,6 @@
 package org.selectiverenderer.tracker.text;
 
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
  * An ASCII record of a Polhemus Fastrak or a compatible tracker of InterSense that was asked for
@@ -17,7 +17,7 @@ public final class FastrakRecord implements LineSplitter.Records {
   private final double[] angles = new double[3];
 
   @Override
-  public boolean read(byte[] line, int length, long arrival, Intake intake) {
+  public boolean read(byte[] line, int length, long arrival, PoseSink intake) {
     if (length != LENGTH || line[0] != '0' || line[1] != STATION) {
       return false;
     }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.tracker.text;
 
-import org.selectiverenderer.tracker.pose.Intake;
+import org.selectiverenderer.tracker.live.PoseSink;
 
 /** Cuts bytes into lines that end with LF or CR LF. Empty lines are passed over. */
 public final class LineSplitter {
@@ -16,7 +16,7 @@ public final class LineSplitter {
      * @param length of the line, without its end
      * @return whether it was a record that could be read
      */
-    boolean read(byte[] line, int length, long arrival, Intake intake);
+    boolean read(byte[] line, int length, long arrival, PoseSink intake);
   }
 
   private final Records records;
@@ -34,7 +34,7 @@ public final class LineSplitter {
   }
 
   /** Takes bytes as they arrived, and tells the intake of each line that is complete. */
-  public void take(byte[] bytes, int count, long arrival, Intake intake) {
+  public void take(byte[] bytes, int count, long arrival, PoseSink intake) {
     for (int i = 0; i < count; i++) {
       if (bytes[i] == '\n') {
         end(arrival, intake);
@@ -48,7 +48,7 @@ public final class LineSplitter {
     }
   }
 
-  private void end(long arrival, Intake intake) {
+  private void end(long arrival, PoseSink intake) {
     if (length > 0 && line[length - 1] == '\r') {
       length--;
     }

@@ -2,16 +2,16 @@ package org.selectiverenderer.validation.budget;
 
 import java.util.Comparator;
 import java.util.List;
-import org.selectiverenderer.polygon.statistics.SceneModel;
-import org.selectiverenderer.polygon.statistics.SceneModel.State;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.SceneModel.State;
 import org.selectiverenderer.validation.Budget;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.OutlinedFile;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Polygons of parts of a scene against their budgets. */
 final class BudgetCheck implements SceneCheck {
@@ -20,10 +20,10 @@ final class BudgetCheck implements SceneCheck {
     if (!view.settings().budgets().isEmpty()) {
       SceneModel model = OutlinedFile.model(view);
       for (Budget budget : view.settings().budgets()) {
-        Fit fit = Fit.of(budget, model);
-        if (fit instanceof Fit.Holds holds) {
+        BudgetMatch fit = BudgetMatch.of(budget, model);
+        if (fit instanceof BudgetMatch.Holds holds) {
           worst(view, budget, holds, findings);
-        } else if (fit instanceof Fit.Slip slip) {
+        } else if (fit instanceof BudgetMatch.Slip slip) {
           Object[] words = {slip.kind(), slip.name(), slip.near()};
           report(view, BudgetRules.NO_SUCH_BUDGET, slip.group(), findings, words);
         } // What is neither may be for another scene: UnusedBudgetCheck.
@@ -31,7 +31,8 @@ final class BudgetCheck implements SceneCheck {
     }
   }
 
-  private static void worst(SceneView view, Budget budget, Fit.Holds holds, Findings findings) {
+  private static void worst(
+      SceneView view, Budget budget, BudgetMatch.Holds holds, Findings findings) {
     String group = holds.group();
     holds.states().stream()
         .max(Comparator.comparingLong(State::polygons))

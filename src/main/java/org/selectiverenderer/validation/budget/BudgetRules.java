@@ -9,12 +9,13 @@ public final class BudgetRules {
   static final Rule OVER_BUDGET =
       Rule.error(
               "SR501",
-              "{scope} has {polygons} polygons {state}, {over} more than its budget of {budget}")
+              "{scope} has {polygons} polygons {state}, which is {over} more than "
+                  + "its budget of {budget}")
           .because(
               """
-              The settings allow a part of the scene so many polygons. Without schemas the budget \
-              is held against the worst state that a viewer can bring about by entering and \
-              leaving areas; with schemas against that state alone.""")
+              The settings limit the polygons of a part of the scene. Without schemas the \
+              budget is compared with the worst state that a viewer can cause by entering \
+              and leaving areas; with schemas, with the state of these schemas alone.""")
           .bad(example("Office", 170000, 180500))
           .good(example("Office", 190000, 180500))
           .see("thesis 6.2, Tables 3-5");
@@ -23,20 +24,20 @@ public final class BudgetRules {
       Rule.warning("SR502", "a budget is for the {kind} {name}, but the scene has {near}")
           .because(
               """
-              A budget of a group or of schemas that a scene does not have does not concern that \
-              scene. This one has nearly the same name, so that the settings probably have a slip, \
-              and the budget is not checked.""")
+              A budget of a group or of schemas that a scene does not have is ignored for \
+              that scene. The scene has a very similar name, so the settings probably have a \
+              typing error. The budget is not checked.""")
           .bad(example("Ofice", 190000, 180500))
           .good(example("Office", 190000, 180500))
           .see("thesis 6.2");
 
   static final Rule UNUSED_BUDGET =
-      Rule.warning("SR503", "the budget of {polygons} for {what} fits no scene of this run")
+      Rule.warning(
+              "SR503", "the budget of {polygons} polygons for {what} fits no scene of this run")
           .because(
               """
-              No scene has such a group, or such schemas that can be active together, so that \
-              nothing is held against the budget: a gate that is always open. Who checks only some \
-              of the scenes can leave it out by --ignore SR503.""")
+              No scene has such a group, or such schemas that can be active together, so the \
+              budget never fails. If you check only some of the scenes, add --ignore SR503.""")
           .bad(example("Kitchen", 190000, 180500))
           .good(example("Office", 190000, 180500))
           .see("docs/validate.md");

@@ -2,13 +2,13 @@ package org.selectiverenderer.validation.budget;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.polygon.statistics.SceneModel;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.polygon.count.SceneModel;
 import org.selectiverenderer.validation.Budget;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.OutlinedFile;
 import org.selectiverenderer.validation.RunCheck;
 import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.Location;
 
 /** Budgets that are for none of the scenes, so that nothing is held against them. */
 final class UnusedBudgetCheck implements RunCheck {
@@ -21,7 +21,7 @@ final class UnusedBudgetCheck implements RunCheck {
       }
       SceneModel model = OutlinedFile.model(scene);
       // A slip is told of in the scene that has what is meant.
-      unused.removeIf(budget -> !(Fit.of(budget, model) instanceof Fit.None));
+      unused.removeIf(budget -> !(BudgetMatch.of(budget, model) instanceof BudgetMatch.None));
     }
     for (Budget budget : unused) {
       String where = budget.scope().isEmpty() ? "the whole scene" : "the group " + budget.scope();

@@ -1,7 +1,8 @@
 /**
- * Polygon budgets of a configuration, SR5xx, against the worst state that a viewer can reach. In:
- * {@code SceneView} with its settings. Uses {@code validation}, {@code polygon.statistics} and
- * {@code x3d}.
+ * Polygon budgets of a configuration, SR5xx, against the worst state that a viewer can reach.
+ *
+ * <p>In: {@code SceneView} with its settings. Out: findings. Uses {@code validation}, {@code
+ * polygon.count}, {@code schema}, {@code x3d.read} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.budget;

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.polygon.statistics.SceneModel;
+import org.selectiverenderer.polygon.count.SceneModel;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.validation.OutlinedFile;
 import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * A scene as the controller sees it.

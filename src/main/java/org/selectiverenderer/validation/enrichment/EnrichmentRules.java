@@ -13,7 +13,7 @@ public final class EnrichmentRules {
   public static RuleGroup group() {
     return new RuleGroup(
         "Enrichment",
-        Stream.of(SensorRules.ALL, SwitchRules.ALL, SchemaRules.ALL, VersionRules.ALL)
+        Stream.of(SensorRules.ALL, SwitchRules.ALL, SchemaRules.ALL, ObjectVersionRules.ALL)
             .flatMap(List::stream)
             .sorted(Comparator.comparing(Rule::id))
             .toList(),
@@ -26,7 +26,7 @@ public final class EnrichmentRules {
                     new ReachCheck(),
                     new VocabularyCheck(),
                     new SchemaNamesCheck(),
-                    new VersionCheck(),
+                    new ObjectVersionCheck(),
                     new StartCheck(),
                     new OverlapCheck(),
                     new ShownCheck()))));

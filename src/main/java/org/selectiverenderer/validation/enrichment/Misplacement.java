@@ -9,7 +9,7 @@ final class Misplacement {
   static final String IN_AREA = "it describes a version of an object, not an area";
 
   private static final String IN_OBJECT = "it describes an area, not an object";
-  private static final String BESIDE = "it stands beside the sets of the choices, not in one";
+  private static final String BESIDE = "it is beside the sets of the choices, not inside one";
 
   private Misplacement() {}
 

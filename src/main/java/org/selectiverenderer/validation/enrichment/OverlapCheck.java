@@ -3,9 +3,9 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.polygon.statistics.SceneModel;
-import org.selectiverenderer.polygon.statistics.SceneModel.SensedArea;
-import org.selectiverenderer.polygon.statistics.SceneModel.VersionedSwitch;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.SceneModel.SensedArea;
+import org.selectiverenderer.polygon.count.SceneModel.VersionedSwitch;
 import org.selectiverenderer.validation.Findings;
 
 /**
@@ -37,7 +37,7 @@ final class OverlapCheck implements EnrichmentPart {
     Optional<Integer> two = LastNamed.choice(other.schemas().enter(), choices);
     if (one.isPresent() && two.isPresent() && !one.equals(two)) {
       findings.add(
-          VersionRules.ORDER_DEPENDENT,
+          ObjectVersionRules.ORDER_DEPENDENT,
           object.node(),
           area.name(),
           other.name(),

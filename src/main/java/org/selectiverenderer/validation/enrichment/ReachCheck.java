@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
-import org.selectiverenderer.polygon.statistics.Bounds;
-import org.selectiverenderer.polygon.statistics.SceneModel;
-import org.selectiverenderer.polygon.statistics.SensorBox;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.SensorBox;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Whether the viewer can get into the box of each area. */
 final class ReachCheck implements EnrichmentPart {
@@ -51,11 +51,11 @@ final class ReachCheck implements EnrichmentPart {
             "it is not enabled, and no route enables it");
       } else if (reach.isPresent()
           && !boxes.isEmpty()
-          && boxes.stream().allMatch(box -> apart(box.bounds(), reach.get()))) {
+          && boxes.stream().allMatch(box -> box.bounds().apart(reach.get()))) {
         findings.add(
             SensorRules.UNREACHABLE,
             sensor,
-            "it lies away from all that the scene shows and from its viewpoints");
+            "it is far from everything that the scene shows and from its viewpoints");
       }
     }
   }
@@ -76,23 +76,12 @@ final class ReachCheck implements EnrichmentPart {
     }
     Bounds reach = model.bounds();
     for (ParsedNode node : scene.nodes()) {
-      if (Viewpoints.isViewpoint(node)) {
-        for (Vector3d eye : Viewpoints.eyes(node, model)) {
-          reach = reach.and(new Bounds(eye, eye));
+      if (StartPositions.isViewpoint(node)) {
+        for (Vector3d eye : StartPositions.eyes(node, model)) {
+          reach = reach.union(Bounds.of(eye, eye));
         }
       }
     }
-    Vector3d extent = reach.max().sub(reach.min(), new Vector3d());
-    double margin = METRES + PART * extent.get(extent.maxComponent());
-    return Optional.of(
-        new Bounds(
-            reach.min().sub(margin, margin, margin, new Vector3d()),
-            reach.max().add(margin, margin, margin, new Vector3d())));
-  }
-
-  private static boolean apart(Bounds a, Bounds b) {
-    Vector3d low = a.min().max(b.min(), new Vector3d());
-    Vector3d high = a.max().min(b.max(), new Vector3d());
-    return low.x > high.x || low.y > high.y || low.z > high.z;
+    return Optional.of(reach.grown(METRES + PART * reach.extent()));
   }
 }

@@ -10,7 +10,7 @@ import org.selectiverenderer.schema.SchemaUse;
 import org.selectiverenderer.schema.SchemaUse.Unmatched;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Schemas that areas and objects do not share, as the controller mentions them when it starts. */
 final class SchemaNamesCheck implements EnrichmentPart {

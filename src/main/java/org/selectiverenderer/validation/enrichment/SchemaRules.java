@@ -11,8 +11,8 @@ final class SchemaRules {
       Rule.warning("SR405", "no Switch of the scene belongs to the schema {schema}")
           .because(
               """
-              Entering the area activates a schema that no version of any object belongs to: it \
-              has no effect. Exit schemas may be so, for the sake of order.""")
+              Entering the area activates a schema to which no version of any object \
+              belongs, so it has no effect. Exit schemas without objects are not reported.""")
           .bad(Examples.desk())
           .good(GOOD)
           .see("thesis 4.3, Figs 48 and 49");
@@ -21,9 +21,9 @@ final class SchemaRules {
       Rule.warning("SR406", "no area of the scene activates the schema {schema}")
           .because(
               """
-              A version belongs to a schema that nothing activates. It is as well where the schema \
-              says of all its objects what they show from the start, as in a room without areas; \
-              then it is not mentioned.""")
+              A version belongs to a schema that nothing activates. This is not reported if \
+              all objects of the schema show the right version from the start, as in a room \
+              without areas.""")
           .bad(
               Examples.desk()
                   + Examples.lamp(
@@ -34,11 +34,12 @@ final class SchemaRules {
           .see("thesis 5.4.3");
 
   static final Rule ALMOST_THE_SAME =
-      Rule.warning("SR407", "the schema {schema} has no counterpart; is {other} meant?")
+      Rule.warning(
+              "SR407", "only areas or only objects name the schema {schema}; is {other} meant?")
           .because(
               """
-              Names of schemas are compared letter by letter. This one is named by areas only or \
-              by objects only, and the other side has nearly the same name.""")
+              Names of schemas are compared letter by letter. Only areas or only objects use \
+              this name, and the other side uses a very similar one.""")
           .bad(Examples.desk() + Examples.LAMP.replace("\"Office\"", "\"Offise\""))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
@@ -47,14 +48,15 @@ final class SchemaRules {
       Rule.info("SR414", "{name} is Fig 40's spelling of {usual}")
           .because(
               """
-              The thesis has two sets of names: that of its listings, which other programs know, \
-              and that of its text and Fig 40, which is understood here too.""")
+              The thesis has two sets of names: the one of its listings, which other \
+              programs know, and the one of its text and Fig 40, which this program reads \
+              too.""")
           .bad(GOOD.replace("enterTimeSchema", "enterTimeSchemaActivation"))
           .good(GOOD)
           .see("thesis 4.2.2, Fig 40");
 
   static final Rule MISPLACED =
-      Rule.warning("SR415", "{field} means nothing here: {reason}")
+      Rule.warning("SR415", "{field} has no effect here: {reason}")
           .because(
               """
               Schemas are read from the metadata of the ProximitySensors and Switches of the \
@@ -64,11 +66,11 @@ final class SchemaRules {
           .see("thesis 4.2.2");
 
   static final Rule UNKNOWN_NAME =
-      Rule.warning("SR425", "the metadata name {name} means nothing; is {field} meant?")
+      Rule.warning("SR425", "the metadata name {name} has no effect; is {field} meant?")
           .because(
               """
-              Metadata may have any name, but this one is nearly that of the vocabulary and is \
-              ignored as it is.""")
+              Metadata may have any name, but this one is very similar to a name of the \
+              vocabulary. As written it is ignored.""")
           .bad(GOOD.replace("degreeOfConsistency", "degreeOfConsistancy"))
           .good(GOOD)
           .see("thesis 4.2.2");

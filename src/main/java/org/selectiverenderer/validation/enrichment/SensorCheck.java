@@ -7,7 +7,7 @@ import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** The metadata of each ProximitySensor by itself. */
 final class SensorCheck implements EnrichmentPart {

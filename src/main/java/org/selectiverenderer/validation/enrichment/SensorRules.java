@@ -7,8 +7,7 @@ import org.selectiverenderer.validation.Rule;
 final class SensorRules {
   static final Rule WITHOUT_SCHEMAS =
       Rule.warning(
-              "SR403",
-              "the sensor names no schema and has no route, so that entering it does nothing")
+              "SR403", "the sensor names no schema and has no route, so entering it has no effect")
           .because(
               """
               An area activates the schemas that the metadata of its ProximitySensor names; a \
@@ -19,11 +18,11 @@ final class SensorRules {
           .see("thesis 4.2.2, Fig 42");
 
   static final Rule NOT_ENRICHED =
-      Rule.info("SR426", "the sensor names no schema yet, as nothing in this scene does")
+      Rule.info("SR426", "the sensor names no schema; the scene is not enriched yet")
           .because(
               """
-              Sensors without schemas, in a scene of which nothing is enriched, wait for their \
-              metadata, or for an application.""")
+              The scene has no schema metadata at all. Its sensors may get theirs later, or \
+              serve an application.""")
           .bad("<ProximitySensor DEF='DeskProx' size='3 2 3'/>")
           .good(Examples.desk() + Examples.LAMP)
           .see("thesis 5.4.2, Fig 76");
@@ -31,8 +30,8 @@ final class SensorRules {
   static final Rule WITHOUT_EXIT =
       Rule.warning(
               "SR404",
-              "the sensor has an enterTimeSchema but no exitTimeSchema, so that objects stay as"
-                  + " they are when the viewer leaves")
+              "the sensor has an enterTimeSchema but no exitTimeSchema, so objects "
+                  + "do not change back when the viewer leaves")
           .because(
               """
               Leaving an area activates its exitTimeSchema, which is the schema of the place around \
@@ -52,7 +51,7 @@ final class SensorRules {
           .see("thesis 4.2.2");
 
   static final Rule NO_VOLUME =
-      Rule.warning("SR421", "the sensor's box has no volume, so that nobody can enter it")
+      Rule.warning("SR421", "the sensor's box has no volume, so nobody can enter it")
           .because(
               """
               A ProximitySensor senses the viewer in a box; where one of its sides is 0, which is \
@@ -62,7 +61,7 @@ final class SensorRules {
           .see("X3D 4.0, 22.4.1");
 
   static final Rule UNREACHABLE =
-      Rule.warning("SR423", "the viewer never gets into the sensor's box: {reason}")
+      Rule.warning("SR423", "the viewer can never enter the sensor's box: {reason}")
           .because(
               """
               An area that nobody can enter activates nothing. The box must lie where the scene \

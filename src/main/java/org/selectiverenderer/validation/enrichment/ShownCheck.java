@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Versions that are never shown. */
 final class ShownCheck implements EnrichmentPart {
@@ -44,7 +44,7 @@ final class ShownCheck implements EnrichmentPart {
                   .anyMatch(index -> index == choice.index());
       if (!own.isEmpty() && !shown && !scene.driven(object, "whichChoice")) {
         findings.add(
-            VersionRules.NEVER_SHOWN,
+            ObjectVersionRules.NEVER_SHOWN,
             object,
             choice.index(),
             "later schemas of the same areas overrule " + String.join(", ", own));
@@ -62,7 +62,8 @@ final class ShownCheck implements EnrichmentPart {
     if (versions && choice >= 0 && !scene.driven(node, "whichChoice")) {
       for (int i = 0; i < children.size(); i++) {
         if (i != choice) {
-          findings.add(VersionRules.NEVER_SHOWN, node, i, "the Switch has no metadata of schemas");
+          findings.add(
+              ObjectVersionRules.NEVER_SHOWN, node, i, "the Switch has no schema metadata");
         }
       }
     }

@@ -7,12 +7,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector3d;
-import org.selectiverenderer.polygon.statistics.SceneModel;
-import org.selectiverenderer.polygon.statistics.SceneModel.SensedArea;
-import org.selectiverenderer.polygon.statistics.SceneModel.VersionedSwitch;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.SceneModel.SensedArea;
+import org.selectiverenderer.polygon.count.SceneModel.VersionedSwitch;
 import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** What each object shows at the start against what holds where the viewer starts. */
 final class StartCheck implements EnrichmentPart {
@@ -22,7 +22,7 @@ final class StartCheck implements EnrichmentPart {
   @Override
   public void check(EnrichedScene scene, Findings findings) {
     SceneModel model = scene.model().orElse(null);
-    Vector3d eye = model == null ? null : Viewpoints.start(scene, model).orElse(null);
+    Vector3d eye = model == null ? null : StartPositions.start(scene, model).orElse(null);
     if (model == null || eye == null) {
       return;
     }
@@ -43,7 +43,7 @@ final class StartCheck implements EnrichmentPart {
           && claim.choice != shown
           && !scene.driven(object.node(), "whichChoice")) {
         findings.addAt(
-            VersionRules.NOT_AS_AT_START,
+            ObjectVersionRules.NOT_AS_AT_START,
             scene.view().main(),
             object.node(),
             "whichChoice",

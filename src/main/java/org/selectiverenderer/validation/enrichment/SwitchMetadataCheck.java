@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.NodeMetadata;
@@ -15,9 +16,8 @@ import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** The metadata of each Switch by itself, against its children. */
 final class SwitchMetadataCheck implements EnrichmentPart {
@@ -60,9 +60,11 @@ final class SwitchMetadataCheck implements EnrichmentPart {
     NodeView node = at.node();
     switch (problem.kind()) {
       case FEWER_SETS_THAN_CHOICES ->
-          findings.add(SwitchRules.FEWER_SETS, node, Counts.sets(sets), Counts.children(children));
+          findings.add(
+              SwitchRules.FEWER_SETS, node, NumberWords.sets(sets), NumberWords.children(children));
       case MORE_SETS_THAN_CHOICES ->
-          findings.add(SwitchRules.MORE_SETS, node, Counts.sets(sets), Counts.children(children));
+          findings.add(
+              SwitchRules.MORE_SETS, node, NumberWords.sets(sets), NumberWords.children(children));
       case NO_SCHEMA -> findings.add(SwitchRules.NO_SCHEMA, node, Math.max(0, sets.indexOf(at)));
       case UNKNOWN_TYPE ->
           findings.addAt(SwitchRules.UNKNOWN_TYPE, file, node, "value", first(at), meant(at));
@@ -119,7 +121,7 @@ final class SwitchMetadataCheck implements EnrichmentPart {
           node,
           "whichChoice",
           choice,
-          Counts.children(children));
+          NumberWords.children(children));
     }
   }
 }

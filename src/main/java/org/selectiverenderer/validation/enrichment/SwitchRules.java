@@ -11,11 +11,12 @@ final class SwitchRules {
   private static final String GOOD = Examples.desk() + Examples.LAMP;
 
   static final Rule FEWER_SETS =
-      Rule.warning("SR401", "the Switch has {sets} for {children}; no schema shows the rest")
+      Rule.warning(
+              "SR401", "the Switch has {sets} for {children}; no schema shows the other children")
           .because(
               """
-              MetadataSet i describes child i of the Switch; a child without one is never shown by \
-              a schema. A set without words of the vocabulary says that this is meant.""")
+              MetadataSet i describes child i of the Switch. A child without a set is never \
+              shown by a schema. If this is intended, add an empty set.""")
           .bad(Examples.desk() + Examples.lamp("0", DESK, VERSIONS))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
@@ -24,15 +25,16 @@ final class SwitchRules {
       Rule.warning("SR402", "the Switch has {sets} for {children}; this one is ignored")
           .because(
               """
-              MetadataSet i describes child i of the Switch; a set beyond the last child describes \
-              nothing, and to follow it would hide the object.""")
+              MetadataSet i describes child i of the Switch. A set beyond the last child \
+              describes nothing; showing that child would hide the object.""")
           .bad(Examples.desk() + Examples.lamp("0", DESK + OFFICE, Examples.DETAILED))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
   static final Rule NO_SCHEMA =
       Rule.warning(
-              "SR409", "no schema shows choice {choice} of the Switch, as its metadata names none")
+              "SR409",
+              "no schema shows choice {choice} of the Switch, because its metadata names none")
           .because(
               """
               The metadata of a version says how consistent it is, but schemaBelonginess, which \
@@ -47,11 +49,12 @@ final class SwitchRules {
           .see("thesis 4.2.2, Fig 43");
 
   static final Rule CLAIMED_TWICE =
-      Rule.warning("SR410", "choices {choices} claim the schema {schema}; the last one counts")
+      Rule.warning(
+              "SR410", "choices {choices} all name the schema {schema}; only the last one is used")
           .because(
               """
-              A schema can show one version of an object only. The algorithm of the thesis sets \
-              the choices one after the other, so that the last one stays.""")
+              A schema can show only one version of an object. The algorithm of the thesis \
+              sets the choices one after the other, so the last one remains.""")
           .bad(
               Examples.desk()
                   + Examples.lamp("1", DESK + OFFICE.replace("Office", "Desk"), VERSIONS))
@@ -61,24 +64,24 @@ final class SwitchRules {
   static final Rule UNKNOWN_TYPE =
       Rule.warning(
               "SR411",
-              "consistencyType is neither consistent, inconsistent nor frame but {value}{suggestion}")
-          .because("What is not one of the three words is ignored.")
+              "consistencyType must be consistent, inconsistent or frame, not "
+                  + "{value}{suggestion}")
+          .because("Any other word is ignored.")
           .bad(typed("usual"))
           .good(typed("inconsistent"))
           .see("thesis 4.2.2");
 
   static final Rule UNKNOWN_DEGREE =
       Rule.warning(
-              "SR412",
-              "degreeOfConsistency is neither low, high nor a number from 0 to 1 but {value}")
-          .because("What is no degree is ignored; then consistencyType alone decides.")
+              "SR412", "degreeOfConsistency must be low, high or a number from 0 to 1, not {value}")
+          .because("Any other value is ignored; then consistencyType alone decides.")
           .bad(Examples.desk() + Examples.LAMP.replace("low", "medium"))
           .good(GOOD)
           .see("thesis 4.2.2, 7.2");
 
   static final Rule SEVERAL_VALUES =
-      Rule.warning("SR413", "{field} has several values; only the first counts")
-          .because("An object is in one version consistent to one degree.")
+      Rule.warning("SR413", "{field} has several values; only the first is used")
+          .because("A version has one type and one degree of consistency.")
           .bad(Examples.desk() + Examples.LAMP.replace("\"low\"", "\"low\" \"high\""))
           .good(GOOD)
           .see("thesis 4.2.2");
@@ -88,7 +91,7 @@ final class SwitchRules {
               "SR419",
               "whichChoice is {choice}, but the Switch has {children}; nothing is shown until a"
                   + " schema is activated")
-          .because("The children are counted from 0; what is beyond them shows nothing.")
+          .because("The children are counted from 0. A choice beyond the last child shows nothing.")
           .bad(Examples.desk() + Examples.lamp("2", DESK + OFFICE, VERSIONS))
           .good(GOOD)
           .see("X3D 4.0, 10.4.3");

@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.ParsedNode;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** The names of metadata, wherever they stand: in Fig 40's spelling, misspelt, or misplaced. */
 final class VocabularyCheck implements EnrichmentPart {
@@ -31,7 +31,7 @@ final class VocabularyCheck implements EnrichmentPart {
             if (ours) {
               spelling(at, file, findings);
             } else if (SchemaField.of(at.name()).isPresent()) {
-              misplaced(at, "only ProximitySensors and Switches have schemas", file, findings);
+              misplaced(at, "only ProximitySensors and Switches can have schemas", file, findings);
             }
           });
     }

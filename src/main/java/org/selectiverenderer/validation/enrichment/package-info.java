@@ -1,7 +1,9 @@
 /**
  * Rules of the enrichment with memory schemata, SR4xx: whether areas and objects in versions do
- * together what their author means (thesis 4.2, 4.3 and 5.4). In: {@code SceneView}. Uses {@code
- * validation}, {@code schema}, {@code polygon.statistics} and {@code x3d}.
+ * together what their author means (thesis 4.2, 4.3 and 5.4).
+ *
+ * <p>In: {@code SceneView}. Out: findings. Uses {@code validation}, {@code polygon.count}, {@code
+ * schema}, {@code geometry}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.enrichment;

@@ -9,7 +9,7 @@ import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Files that inline themselves, directly or through others. */
 final class CircleCheck implements SceneCheck {

@@ -11,7 +11,8 @@ public final class FileRules {
   static final Rule MISSING =
       Rule.error("SR301", "url '{url}' is missing")
           .because(
-              "What the node should show is not there; the paths of a scene start from its folder.")
+              "The file that the node should show does not exist. Paths are relative "
+                  + "to the scene's folder.")
           .bad("<Inline url='\"inlineNodes/dsek.x3d\"'/>")
           .good(GOOD)
           .see("X3D 4.0, 9.2.1");
@@ -20,8 +21,8 @@ public final class FileRules {
       Rule.error("SR302", "url '{url}' differs from the file {file} in upper and lower case")
           .because(
               """
-              Windows and macOS take such names for the same, Linux and web servers do not: the \
-              scene works on one machine and is empty on the next.""")
+              Windows and macOS treat such names as equal, Linux and web servers do not. The \
+              scene works on one machine and is empty on another.""")
           .bad("<Inline url='\"inlineNodes/Desk.x3d\"'/>")
           .good(GOOD)
           .see("RFC 3986, 6.2.2.1");
@@ -30,50 +31,53 @@ public final class FileRules {
       Rule.warning("SR303", "url '{url}' points outside the scene's folder")
           .because(
               """
-              This program opens files in the folder of the scene, below it, and in a folder \
-              inlineNodes beside it; others would be missing where the scene is copied to.""")
+              This program opens only files in the folder of the scene, below it, and in a \
+              folder inlineNodes beside it. Other files would be missing after the scene is \
+              copied.""")
           .bad("<Inline url='\"../../models/desk.x3d\"'/>")
           .good(GOOD)
           .see("docs/validate.md");
 
   static final Rule NETWORK =
       Rule.warning("SR304", "url '{url}' {reason}")
-          .because("This program fetches nothing. Keep a copy beside the scene and name it first.")
+          .because(
+              "This program fetches nothing from the network. Keep a copy beside the "
+                  + "scene and name it first.")
           .bad("<Inline url='\"https://example.org/desk.x3d\"'/>")
           .good("<Inline url='\"inlineNodes/desk.x3d\" \"https://example.org/desk.x3d\"'/>")
           .see("X3D 4.0, 9.2.1");
 
   static final Rule NO_NAME =
       Rule.error("SR305", "url '{url}' {reason}")
-          .because("Such a url names nothing that could be opened.")
+          .because("Such a url does not name a file.")
           .bad("<Inline url='\"inlineNodes/\"'/>")
           .good(GOOD)
           .see("RFC 3986");
 
   static final Rule EMPTY =
       Rule.info("SR306", "{node} has no url")
-          .because("It shows nothing until an application gives it one.")
+          .because("The node shows nothing until an application gives it a url.")
           .bad("<Inline/>")
           .good(GOOD)
           .see("X3D 4.0, 9.4.2");
 
   static final Rule CIRCLE =
       Rule.error("SR307", "{file} would be inlined within itself here")
-          .because("There would be no end of it; the inner Inline is left out.")
+          .because("This would never end; the inner Inline is left out.")
           .bad("desk.x3d: <Inline url='\"desk.x3d\"'/>")
           .good("desk.x3d: <Inline url='\"leg.x3d\"'/>")
           .see("X3D 4.0, 9.4.2");
 
   static final Rule SECOND_MISSING =
       Rule.warning("SR308", "url '{url}' {reason}; another url of the node is used")
-          .because("A url that never works is a slip, or a leftover.")
+          .because("A url that never works is a mistake or a leftover; remove or correct it.")
           .bad("<Inline url='\"inlineNodes/dsek.x3d\" \"inlineNodes/desk.x3d\"'/>")
           .good(GOOD)
           .see("X3D 4.0, 9.2.1");
 
   static final Rule UNREADABLE =
       Rule.error("SR309", "url '{url}' cannot be read")
-          .because("The file is there, but this user may not open it.")
+          .because("The file exists, but you have no permission to read it.")
           .bad("<Inline url='\"locked.x3d\"'/>")
           .good(GOOD)
           .see("docs/validate.md");
@@ -87,7 +91,7 @@ public final class FileRules {
 
   static final Rule BACKSLASH =
       Rule.warning("SR311", "url '{url}' has backslashes, which separate folders on Windows only")
-          .because("A url has forward slashes everywhere.")
+          .because("Use forward slashes in a url, on every system.")
           .bad("<Inline url='\"inlineNodes\\desk.x3d\"'/>")
           .good(GOOD)
           .see("RFC 3986, 3.3");
@@ -96,8 +100,8 @@ public final class FileRules {
       Rule.warning("SR312", "the scene and its {count} files have {size} MB, more than {most} MB")
           .because(
               """
-              A scene of that size is slow to load and may not fit a machine's memory. The limit is \
-              100 MB unless the configuration says another ("megabytes").""")
+              A scene of that size is slow to load and may not fit into memory. The limit is \
+              100 MB unless the settings state another one ("megabytes").""")
           .bad("(a scene that inlines 120 MB)")
           .good("(a scene that inlines 30 MB)")
           .see("docs/validate.md");

@@ -2,11 +2,11 @@ package org.selectiverenderer.validation.files;
 
 import java.util.List;
 import java.util.Locale;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.Location;
 
 /** How much there is to load. */
 final class SizeCheck implements SceneCheck {

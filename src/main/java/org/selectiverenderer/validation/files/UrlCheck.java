@@ -12,9 +12,9 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.ContentRoot.Cause;
-import org.selectiverenderer.x3d.ContentRoot.Target;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.files.ContentRoot.Cause;
+import org.selectiverenderer.x3d.files.ContentRoot.Target;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** The urls of Inlines, textures, sounds, scripts and shaders. */
 final class UrlCheck implements SceneCheck {
@@ -131,10 +131,10 @@ final class UrlCheck implements SceneCheck {
     }
   }
 
-  /** The name in "is missing (there is Desk.x3d: ...)". */
+  /** The name in "is missing (there is Desk.x3d, which differs in ...)". */
   private static String similar(String reason) {
     int start = reason.indexOf("there is ") + "there is ".length();
-    return reason.substring(start, reason.lastIndexOf(": upper"));
+    return reason.substring(start, reason.lastIndexOf(", which differs"));
   }
 
   /**

@@ -1,6 +1,9 @@
 /**
  * Rules of the files that a scene names, SR3xx: missing, outside the scene's folder, on the
- * network, in circles. In: {@code SceneView}. Uses {@code validation} and {@code x3d}.
+ * network, in circles.
+ *
+ * <p>In: {@code SceneView}. Out: findings. Uses {@code validation}, {@code x3d} and {@code
+ * base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.files;

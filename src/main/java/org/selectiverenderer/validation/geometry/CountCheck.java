@@ -1,7 +1,7 @@
 package org.selectiverenderer.validation.geometry;
 
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Numbers of values that must agree: of properties, points, faces and heights. */
 final class CountCheck implements NodeCheck {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.validation.geometry;
 
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Geometry that draws nothing, whatever else is wrong with it. */
 final class EmptyCheck implements NodeCheck {

@@ -5,7 +5,7 @@ import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.SceneNodes;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Goes over the nodes of a file once, for all that look at geometry. */
 record GeometryCheck(List<NodeCheck> parts) implements FileCheck {

@@ -12,8 +12,8 @@ public final class GeometryRules {
       Rule.error("SR201", "{field} names {what} {index}, but there are only {count}")
           .because(
               """
-              A face with an index beyond its points cannot be drawn; browsers leave it out or \
-              refuse the whole shape. Indices count from 0.""")
+              A face with an index beyond the points cannot be drawn; browsers leave it out \
+              or refuse the whole shape. Indices are counted from 0.""")
           .bad(triangle("0 1 3 -1", "0 0 0, 1 0 0, 0 1 0"))
           .good(GOOD)
           .see("X3D 4.0, 13.3.6");
@@ -22,8 +22,8 @@ public final class GeometryRules {
       Rule.warning("SR202", "{field} has {count} {what}, but {needed} are needed")
           .because(
               """
-              Normals, colours and heights must be as many as there are points, faces or indices \
-              to have them; what lacks one is drawn as each browser likes.""")
+              There must be as many normals, colours and heights as points, faces or indices \
+              that need them. Browsers differ in how they draw the rest.""")
           .bad(
               """
               <Shape><ElevationGrid xDimension='2' zDimension='2' height='0 1 0'/></Shape>""")
@@ -33,7 +33,7 @@ public final class GeometryRules {
           .see("X3D 4.0, 11.2.3 and 13.3");
 
   static final Rule NO_AREA =
-      Rule.warning("SR203", "{count} of {all} faces have no area, the first of them face {first}")
+      Rule.warning("SR203", "{count} of {all} faces have no area; the first is face {first}")
           .because(
               """
               A face of fewer than three points, or whose points coincide or lie on a line, shows \
@@ -46,40 +46,42 @@ public final class GeometryRules {
   static final Rule TOO_FAR =
       Rule.warning(
               "SR204",
-              "{field} has {value} as its value {index}, where single precision cannot tell places"
-                  + " a unit apart")
+              "{field} has {value} as value {index}, too large for single precision: "
+                  + "points one unit apart become equal")
           .because(
               """
-              Coordinates have some seven digits. Far from the origin neighbouring points fall \
-              together; such values are mostly slips or in another unit.""")
+              Coordinates have about seven digits. Far from the origin neighbouring points \
+              become equal. Such values are usually mistakes or in another unit.""")
           .bad(triangle("0 1 2 -1", "0 0 0, 1 0 0, 0 1e8 0"))
           .good(GOOD)
           .see("X3D 4.0, 5.3.5");
 
   static final Rule NORMAL_LENGTH =
       Rule.warning(
-              "SR205", "{count} of {all} normals are not of length 1, the first of them {first}")
+              "SR205",
+              "{count} of {all} normals do not have the length 1; the first is normal {first}")
           .because(
               """
-              Light is computed with normals of length 1; others make surfaces too bright or too \
-              dark in browsers that do not mend them.""")
+              Light is computed with normals of length 1. Others make surfaces too bright or \
+              too dark in browsers that do not correct them.""")
           .bad(normals("0 0 2, 0 0 1, 0 0 1"))
           .good(normals("0 0 1, 0 0 1, 0 0 1"))
           .see("X3D 4.0, 11.4.11");
 
   static final Rule NOTHING =
-      Rule.warning("SR206", "the {type} has no {what} and shows nothing")
-          .because("Geometry without points or faces is a leftover, or lacks what it should show.")
+      Rule.warning("SR206", "the {type} has no {what}, so it shows nothing")
+          .because("Geometry without points or faces is a leftover, or its data are missing.")
           .bad("<Shape><IndexedFaceSet><Coordinate point='0 0 0'/></IndexedFaceSet></Shape>")
           .good(GOOD)
           .see("X3D 4.0, 11.2.1");
 
   static final Rule NON_MANIFOLD =
-      Rule.info("SR207", "edges shared by more than two faces: {count}, the first of them {edge}")
+      Rule.info("SR207", "edges shared by more than two faces: {count}; the first is {edge}")
           .because(
               """
-              Surfaces of real things have two faces at an edge. Where more meet, simplification \
-              and radiosity cannot tell inside from outside; this is no fault where it is meant.""")
+              Surfaces of real objects have two faces at an edge. Where more meet, \
+              simplification and radiosity cannot tell inside from outside. Ignore this if \
+              it is intended.""")
           .bad(triangle("0 1 2 -1 1 0 3 -1 0 1 4 -1", "0 0 0, 1 0 0, 0 1 0, 0 0 1, 0 -1 0"))
           .good(triangle("0 1 2 -1 1 0 3 -1", "0 0 0, 1 0 0, 0 1 0, 0 0 1"))
           .see("thesis 4.2.1");
@@ -96,7 +98,7 @@ public final class GeometryRules {
                     new IndexCheck(),
                     new CountCheck(),
                     new NumberCheck(),
-                    new FaceCheck(),
+                    new FaceAreaCheck(),
                     new EmptyCheck()))),
         List.of());
   }

@@ -1,8 +1,8 @@
 package org.selectiverenderer.validation.geometry;
 
 import java.util.List;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Indices against what they name. Without an index of its own, a property follows coordIndex. */
 final class IndexCheck implements NodeCheck {

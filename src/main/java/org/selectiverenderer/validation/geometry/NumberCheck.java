@@ -1,6 +1,6 @@
 package org.selectiverenderer.validation.geometry;
 
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Points too far away, and normals of another length than 1. */
 final class NumberCheck implements NodeCheck {

@@ -2,10 +2,10 @@ package org.selectiverenderer.validation.geometry;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.ParsedNode;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** What geometry nodes refer to by index: points, normals, colours, texture coordinates. */
 final class Vertices {

@@ -1,7 +1,8 @@
 /**
- * Rules of geometry, SR2xx: indices, counts, coordinates, normals. In: {@code FileView}, whose
- * nodes still have their coordinates; nothing is tessellated. Uses {@code validation} and {@code
- * x3d}.
+ * Rules of geometry, SR2xx: indices, counts, coordinates, normals. Nothing is tessellated.
+ *
+ * <p>In: {@code FileView}, whose nodes still have their coordinates. Out: findings. Uses {@code
+ * validation}, {@code geometry}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.geometry;

@@ -2,8 +2,8 @@ package org.selectiverenderer.validation.language;
 
 import java.util.Optional;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** IS: fields of nodes in a prototype's body, connected with those of its interface. */
 final class ConnectCheck implements ScopeCheck {
@@ -16,7 +16,7 @@ final class ConnectCheck implements ScopeCheck {
     DocumentElement node = element.parent().orElse(null);
     if (prototype == null || node == null) {
       findings.add(
-          PrototypeRules.CONNECT, element, "IS has a meaning in the body of a prototype only");
+          PrototypeRules.CONNECT, element, "IS is allowed only in the body of a prototype");
       return;
     }
     for (DocumentElement connect : element.children()) {

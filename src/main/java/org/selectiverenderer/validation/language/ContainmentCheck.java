@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.Containment;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.Containment;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Which nodes stand in which fields of a node, and at the top of the scene. */
 final class ContainmentCheck implements ScopeCheck {
@@ -28,7 +28,13 @@ final class ContainmentCheck implements ScopeCheck {
     }
     Set<String> filled = new HashSet<>();
     boolean old =
-        parent.document().root().flatMap(root -> root.text("version")).orElse("").startsWith("3.");
+        scopes
+            .file()
+            .document()
+            .root()
+            .flatMap(root -> root.text("version"))
+            .orElse("")
+            .startsWith("3.");
     for (DocumentElement child : parent.children()) {
       NodeType childType = scopes.isNode(child) ? scopes.type(child).orElse(null) : null;
       if (childType != null) {
@@ -67,7 +73,7 @@ final class ContainmentCheck implements ScopeCheck {
                     .orElse(fitting.get(0)));
     if (wanted.isEmpty()) {
       String name = asked == null ? Containment.usual(parent, type) : asked;
-      String suggestion = "; it is taken as its " + field.name();
+      String suggestion = "; it is used as its " + field.name();
       findings.add(ContainmentRules.CONTAINER_FIELD, child, type, name, parent, suggestion);
     } else if (asked != null
         && Containment.renamed(parent, asked).isPresent()

@@ -6,32 +6,34 @@ import org.selectiverenderer.validation.Rule;
 /** SR11x: what stands in what. */
 final class ContainmentRules {
   static final Rule MISPLACED_NODE =
-      Rule.error("SR111", "a {child} cannot stand in a {parent}")
-          .because("No field of the parent takes such a node, so it is left out.")
+      Rule.error("SR111", "a {child} is not allowed in a {parent}")
+          .because("No field of the parent accepts such a node, so it is left out.")
           .bad("<Group><Box/></Group>")
           .good("<Group><Shape><Box/></Shape></Group>")
           .see("X3D 4.0 XML encoding, 4.3.6");
 
   static final Rule CONTAINER_FIELD =
-      Rule.warning("SR112", "a {child} does not go into {field} of a {parent}{suggestion}")
+      Rule.warning(
+              "SR112", "a {child} does not fit into the field {field} of a {parent}{suggestion}")
           .because(
               """
-              This program puts the node where it fits; other browsers may leave it out. Give the \
-              containerField that the parent has, or none.""")
+              This program uses a field that accepts the node; other browsers may leave the \
+              node out. Write a containerField that the parent has, or none.""")
           .bad("<Shape><Box containerField='children'/></Shape>")
           .good("<Shape><Box/></Shape>")
           .see("X3D 4.0 XML encoding, 4.3.6");
 
   static final Rule TWICE =
-      Rule.error("SR113", "the {field} of a {parent} is one node and there already")
+      Rule.error(
+              "SR113", "the {field} of a {parent} can be only one node, and there is one already")
           .because("A second node for the same field is left out.")
           .bad("<Shape><Box/><Sphere/></Shape>")
           .good("<Shape><Box/></Shape>\n<Shape><Sphere/></Shape>")
           .see("X3D 4.0, 5.3.9 (SFNode)");
 
   static final Rule MISPLACED_STATEMENT =
-      Rule.error("SR114", "{element} does not belong into {parent}")
-          .because("Statements have places of their own; elsewhere they are left out.")
+      Rule.error("SR114", "{element} is not allowed in {parent}")
+          .because("Each statement has its own place; elsewhere it is left out.")
           .bad("<meta name='title' content='x'/>")
           .good(
               "<?xml version='1.0' encoding='UTF-8'?>\n<X3D profile='Immersive' version='4.0'>\n"
@@ -39,17 +41,15 @@ final class ContainmentRules {
           .see("X3D 4.0 XML encoding, 4.3");
 
   static final Rule TOP =
-      Rule.warning(
-              "SR115", "a {node} at the top of a scene is not shown; it stands in another node")
-          .because("The top of a scene, like a group, holds nodes that are children of groups.")
+      Rule.warning("SR115", "a {node} at the top of a scene is not shown; put it into another node")
+          .because("The top of a scene may contain only nodes that may be children of groups.")
           .bad("<Box/>")
           .good("<Shape><Box/></Shape>")
           .see("X3D 4.0, 4.3.2");
 
   static final Rule NO_SCENE =
       Rule.error("SR116", "an X3D file has one Scene; this one has {count}")
-          .because(
-              "All nodes stand in the element Scene; further ones are not read by all browsers.")
+          .because("All nodes must be in one element Scene; not all browsers read further ones.")
           .bad("<?xml version='1.0' encoding='UTF-8'?>\n<X3D profile='Immersive' version='4.0'/>")
           .good(
               "<?xml version='1.0' encoding='UTF-8'?>\n<X3D profile='Immersive' version='4.0'>\n"

@@ -4,7 +4,7 @@ import java.util.Set;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Elements that X3D does not know. */
 final class ElementCheck implements FileCheck {

@@ -2,16 +2,16 @@ package org.selectiverenderer.validation.language;
 
 import java.util.List;
 import java.util.Set;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldParser;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeType;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The attributes of nodes against the catalogue: names, access and the syntax of values. */
 final class FieldCheck implements FileCheck {

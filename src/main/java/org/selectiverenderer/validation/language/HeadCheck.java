@@ -6,10 +6,10 @@ import java.util.TreeSet;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The attributes of the root and the statements of the head. */
 final class HeadCheck implements FileCheck {
@@ -106,7 +106,7 @@ final class HeadCheck implements FileCheck {
       findings.add(
           HeadRules.COMPONENT,
           level,
-          "a level is a number from 1 to 5, not '" + level.text() + "'");
+          "a level must be a whole number from 1 to 5, not '" + level.text() + "'");
     }
   }
 

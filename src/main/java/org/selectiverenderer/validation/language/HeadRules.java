@@ -9,19 +9,21 @@ final class HeadRules {
 
   static final Rule VERSION =
       Rule.warning("SR121", "{fault}")
-          .about("the version is missing or none of X3D")
+          .about("the version is missing or not a version of X3D")
           .because(
               """
-              The version says which nodes a browser must know. This program reads all as 4.0; \
-              others refuse a file without one.""")
+              The version states which nodes a browser must know. This program reads every \
+              file as 4.0; others refuse a file without a version.""")
           .bad(HEAD + "<X3D profile='Immersive'><Scene/></X3D>")
           .good(HEAD + "<X3D profile='Immersive' version='4.0'><Scene/></X3D>")
           .see("X3D 4.0 XML encoding, 4.3.3");
 
   static final Rule PROFILE =
       Rule.warning("SR122", "{fault}")
-          .about("the profile is missing or none of X3D")
-          .because("A browser loads what the profile names; without one it may refuse the file.")
+          .about("the profile is missing or not a profile of X3D")
+          .because(
+              "A browser loads what the profile names. Without a profile it may refuse "
+                  + "the file.")
           .bad(HEAD + "<X3D profile='Imersive' version='4.0'><Scene/></X3D>")
           .good(HEAD + "<X3D profile='Immersive' version='4.0'><Scene/></X3D>")
           .see("X3D 4.0, 7.2.5.3");
@@ -46,8 +48,8 @@ final class HeadRules {
               "{node} needs component {component} level {level}, which profile {profile} does not have")
           .because(
               """
-              A browser need not support nodes beyond the profile. Add the component to the head, \
-              or name a larger profile. Said once per component and file.""")
+              A browser need not support nodes beyond the profile. Add the component to the \
+              head, or name a larger profile. Reported once per component and file.""")
           .bad(
               HEAD
                   + "<X3D profile='Interchange' version='4.0'>\n"
@@ -63,8 +65,8 @@ final class HeadRules {
       Rule.warning("SR125", "{what} came with X3D {since}, but the file says version {version}")
           .because(
               """
-              A browser of the stated version does not know it. State the later version. Said once \
-              per node type or field and file.""")
+              A browser of the stated version does not know it. State the later version. \
+              Reported once per node type or field and file.""")
           .bad(
               HEAD
                   + "<X3D profile='Immersive' version='3.3'>\n"
@@ -78,18 +80,18 @@ final class HeadRules {
           .see("ISO/IEC 19775-1, editions of 2004 to 2023");
 
   static final Rule ORDER =
-      Rule.warning("SR126", "{element} stands {place}")
+      Rule.warning("SR126", "{element} must not come {place}")
           .because(
               """
-              Head before Scene, and in the head first components, then units, then meta: so says \
-              the schema of the standard; this program reads any order.""")
+              The standard demands head before Scene, and in the head first components, then \
+              units, then meta. This program reads any order.""")
           .bad(HEAD + "<X3D profile='Immersive' version='4.0'>\n  <Scene/>\n  <head/>\n</X3D>")
           .good(HEAD + "<X3D profile='Immersive' version='4.0'>\n  <head/>\n  <Scene/>\n</X3D>")
           .see("X3D 4.0 XML encoding, 4.3.3 and 4.3.4");
 
   static final Rule INCOMPLETE =
       Rule.warning("SR127", "{element} needs {attribute}")
-          .because("Without it the statement says nothing.")
+          .because("Without it the statement has no effect.")
           .bad(
               HEAD
                   + "<X3D profile='Immersive' version='4.0'>\n"
@@ -101,7 +103,7 @@ final class HeadRules {
           .see("X3D 4.0, 7.2.5");
 
   static final Rule YOUNGER =
-      Rule.warning("SR128", "{node} is a node of X3D 4.1, which this program leaves out")
+      Rule.warning("SR128", "{node} is a node of X3D 4.1; this program leaves it out")
           .because("This program knows the nodes of X3D 4.0, the last edition that is a standard.")
           .bad("<EnvironmentLight/>")
           .good("<DirectionalLight/>")

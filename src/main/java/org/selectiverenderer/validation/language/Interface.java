@@ -5,11 +5,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldAccess;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The fields that routes and IS may name: those of a node type, of a script with its own, or of a

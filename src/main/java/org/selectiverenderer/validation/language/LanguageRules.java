@@ -32,7 +32,7 @@ public final class LanguageRules {
             new RangeCheck(),
             new HeadCheck(),
             new ProfileCheck(),
-            new VersionCheck(),
+            new LanguageVersionCheck(),
             new PlacementCheck(),
             new ScopeChecks()),
         List.of());

@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** DEF, USE, IMPORT and EXPORT. */
 final class NameCheck implements ScopeCheck {
@@ -61,7 +61,7 @@ final class NameCheck implements ScopeCheck {
       if (!scopes.of(element).imported.contains(name)) {
         Set<String> names = scopes.of(element).names.keySet();
         Object hint =
-            names.contains(name) ? "; it is given further down" : Suggestion.of(name, names);
+            names.contains(name) ? "; the name is given further down" : Suggestion.of(name, names);
         findings.add(NameRules.UNKNOWN, use, name, hint);
       }
     } else if (holds(named, element)) {
@@ -119,7 +119,9 @@ final class NameCheck implements ScopeCheck {
       findings.add(
           NameRules.LINK,
           named,
-          "no node is called " + named.text() + Suggestion.of(named.text(), scope.names.keySet()));
+          "no node has the name "
+              + named.text()
+              + Suggestion.of(named.text(), scope.names.keySet()));
     } else if (!export && found != null && !found.name().equals("Inline")) {
       findings.add(
           NameRules.LINK, named, named.text() + " is a " + found.name() + ", not an Inline");

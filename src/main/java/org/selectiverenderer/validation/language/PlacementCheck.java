@@ -2,12 +2,12 @@ package org.selectiverenderer.validation.language;
 
 import java.util.Map;
 import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Where statements stand, and what stands outside the Scene. */
 final class PlacementCheck implements FileCheck {

@@ -5,8 +5,8 @@ import java.util.Map;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The components that the nodes of a file need against those that it declares. */
 final class ProfileCheck implements FileCheck {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.validation.language;
 
 import java.util.List;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * A declared prototype.

@@ -4,20 +4,20 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldAccess;
-import org.selectiverenderer.x3d.FieldType;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Declarations and instances of prototypes. */
 final class PrototypeCheck implements ScopeCheck {
   @Override
   public void check(DocumentElement element, Scopes scopes, Findings findings) {
     switch (element.name()) {
-      case "ProtoDeclare" -> declaration(element, findings);
+      case "ProtoDeclare" -> declaration(element, scopes, findings);
       case "ExternProtoDeclare" ->
           findings.add(
-              PrototypeRules.EXTERNAL, element, element.text("name").orElse("a nameless one"));
+              PrototypeRules.EXTERNAL, element, element.text("name").orElse("one without a name"));
       case "ProtoInstance" -> instance(element, scopes, findings);
       case "field" -> field(element, findings);
       default -> {
@@ -26,12 +26,12 @@ final class PrototypeCheck implements ScopeCheck {
     }
   }
 
-  private static void declaration(DocumentElement element, Findings findings) {
+  private static void declaration(DocumentElement element, Scopes scopes, Findings findings) {
     if (element.text("name").orElse("").isBlank()) {
       findings.add(PrototypeRules.DECLARATION, element, "a name");
     }
     if (element.children().stream().noneMatch(child -> child.name().equals("ProtoBody"))) {
-      if (!element.document().broken()) {
+      if (!scopes.file().document().broken()) {
         findings.add(PrototypeRules.DECLARATION, element, "a ProtoBody");
       }
     }
@@ -96,7 +96,7 @@ final class PrototypeCheck implements ScopeCheck {
       String fault =
           type.isBlank()
               ? "a field needs a type"
-              : "'" + type + "' is no type of a field" + suggestion;
+              : "'" + type + "' is not a type of field" + suggestion;
       report(element, "type", fault, findings);
     } else if (Interface.access(access).isEmpty()) {
       report(element, "accessType", accessFault(access.strip()), findings);
@@ -134,7 +134,7 @@ final class PrototypeCheck implements ScopeCheck {
             ? Suggestion.of(
                 access, Stream.of(FieldAccess.values()).map(FieldAccess::spelling).toList())
             : ", but VRML's word for " + now;
-    return "'" + access + "' is no accessType" + hint;
+    return "'" + access + "' is not an accessType" + hint;
   }
 
   private static void value(DocumentElement element, FieldType type, Findings findings) {

@@ -21,13 +21,13 @@ final class PrototypeRules {
 
   static final Rule DECLARATION =
       Rule.error("SR151", "a ProtoDeclare needs {part}")
-          .because("Without a name and a body there is nothing that an instance could stand for.")
+          .because("Without a name and a body there is nothing that an instance could show.")
           .bad("<ProtoDeclare name='Chair'/>")
           .good(GOOD)
           .see("X3D 4.0, 4.4.4");
 
   static final Rule UNKNOWN =
-      Rule.error("SR152", "no prototype before this is called {name}{suggestion}")
+      Rule.error("SR152", "no prototype above has the name {name}{suggestion}")
           .because("An instance of a prototype that is not declared above it is left out.")
           .bad(GOOD.replace("<ProtoInstance name='Chair'>", "<ProtoInstance name='Chiar'>"))
           .good(GOOD)
@@ -45,8 +45,8 @@ final class PrototypeRules {
           .about("an IS that connects nothing, or fields of different type or access")
           .because(
               """
-              IS connects a field of a node in a prototype's body with a field of the prototype's \
-              interface; both are of one type.""")
+              IS connects a field of a node in a prototype's body with a field of the \
+              prototype's interface; both must have the same type.""")
           .bad(GOOD.replace("protoField='place'", "protoField='plaec'"))
           .good(GOOD)
           .see("X3D 4.0, 4.4.4.2");
@@ -62,7 +62,7 @@ final class PrototypeRules {
   static final Rule EXTERNAL =
       Rule.info(
               "SR156",
-              "prototypes of other files are not loaded by this program; {name} is not checked")
+              "this program does not load prototypes of other files; {name} is not checked")
           .because("Its instances are left out here; other browsers show them.")
           .bad("<ExternProtoDeclare name='Chair' url='\"chairs.x3d#Chair\"'/>")
           .good(GOOD)
@@ -70,7 +70,7 @@ final class PrototypeRules {
 
   static final Rule ITSELF =
       Rule.error("SR157", "the prototype {name} contains itself")
-          .because("There would be no end of it; the inner instance is left out.")
+          .because("This would never end; the inner instance is left out.")
           .bad(
               """
               <ProtoDeclare name='Chair'>

@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The ends of routes, their directions and types. One object serves one file. */
 final class RouteCheck implements ScopeCheck {
@@ -77,7 +77,7 @@ final class RouteCheck implements ScopeCheck {
           field,
           text(route, end),
           found.get().access().spelling(),
-          input ? "takes no events" : "sends no events");
+          input ? "does not receive events" : "does not send events");
       return null;
     }
     return found.get();

@@ -17,8 +17,8 @@ final class RouteRules {
           .see("X3D 4.0, 4.4.8.2");
 
   static final Rule UNKNOWN_NODE =
-      Rule.error("SR142", "no node is called {name}{suggestion}")
-          .because("A ROUTE names nodes of its own file, or of its own prototype, by their DEF.")
+      Rule.error("SR142", "no node has the name {name}{suggestion}")
+          .because("A ROUTE can name only nodes of its own file or prototype, by their DEF.")
           .bad(
               "<TimeSensor DEF='A'/>\n<TimeSensor DEF='B'/>\n"
                   + "<ROUTE fromNode='C' fromField='stopTime' toNode='B' toField='startTime'/>")
@@ -40,7 +40,9 @@ final class RouteRules {
 
   static final Rule DIRECTION =
       Rule.error("SR144", "{end} is {access} and {fault}")
-          .because("A ROUTE leads from a field that sends events to one that takes them.")
+          .because(
+              "A ROUTE must lead from a field that sends events to a field that receives "
+                  + "them.")
           .bad(
               "<TimeSensor DEF='A'/>\n<TimeSensor DEF='B'/>\n"
                   + "<ROUTE fromNode='A' fromField='stopTime' toNode='B' toField='cycleTime'/>")
@@ -65,8 +67,10 @@ final class RouteRules {
           .see("X3D 4.0, 4.4.8.2");
 
   static final Rule REPEATED =
-      Rule.warning("SR146", "the same ROUTE stands above")
-          .because("A second ROUTE between the same fields does nothing; mostly one was to differ.")
+      Rule.warning("SR146", "the same ROUTE occurs above")
+          .because(
+              "A second ROUTE between the same fields has no effect; usually one of the "
+                  + "two should be different.")
           .bad(
               "<TimeSensor DEF='A'/>\n<TimeSensor DEF='B'/>\n"
                   + "<ROUTE fromNode='A' fromField='stopTime' toNode='B' toField='startTime'/>\n"

@@ -1,7 +1,7 @@
 package org.selectiverenderer.validation.language;
 
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Looks at an element with the names that are known where it stands. */
 interface ScopeCheck {

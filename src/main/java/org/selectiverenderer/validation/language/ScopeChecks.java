@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The checks that need to know what names mean. */
 final class ScopeChecks implements FileCheck {

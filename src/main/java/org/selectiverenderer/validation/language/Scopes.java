@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.validation.FileView;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * Which names mean what where: a scope for the scene and one for each prototype (X3D 4.0, 4.4.3 and

@@ -5,10 +5,10 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Keys of interpolators and sequencers, and ranges of levels of detail. */
 final class SequenceCheck implements FileCheck {

@@ -3,9 +3,9 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.x3d.DocumentAttribute;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The attributes of elements that are no nodes (X3D 4.0 XML encoding, 4.3). */
 final class Statements {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.validation.language;
 
 import java.util.Collection;
-import org.selectiverenderer.x3d.Spelling;
+import org.selectiverenderer.base.problem.Spelling;
 
 /**
  * The question whether another name was meant, as the end of a message; empty if no candidate is

@@ -1,7 +1,9 @@
 /**
  * Rules of the X3D language, SR1xx: elements, fields, containment, profiles, names, routes and
- * prototypes, all by the node catalogue. In: {@code FileView}. Uses {@code validation} and {@code
- * x3d}.
+ * prototypes, all by the node catalogue.
+ *
+ * <p>In: {@code FileView}. Out: findings. Uses {@code validation}, {@code x3d} and {@code
+ * base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.language;

@@ -1,8 +1,8 @@
 package org.selectiverenderer.validation.report;
 
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.x3d.Problem.Severity;
 
 /** Workflow commands of GitHub Actions, which appear beside the lines of a pull request. */
 final class GithubReport {
@@ -13,7 +13,7 @@ final class GithubReport {
     for (Finding finding : report.findings()) {
       Severity severity = finding.severity();
       text.append("::")
-          .append(severity == Severity.INFO ? "notice" : Words.of(severity))
+          .append(severity == Severity.INFO ? "notice" : ReportWords.of(severity))
           .append(" file=")
           .append(property(finding.location().file()));
       if (finding.location().line() > 0) {
@@ -29,7 +29,7 @@ final class GithubReport {
           .append('\n');
     }
     if (report.dropped() > 0) {
-      text.append("::warning::").append(Words.dropped(report)).append('\n');
+      text.append("::warning::").append(ReportWords.dropped(report)).append('\n');
     }
     return text.toString();
   }

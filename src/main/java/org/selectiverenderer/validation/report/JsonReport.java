@@ -2,9 +2,10 @@ package org.selectiverenderer.validation.report;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.x3d.Problem.Severity;
 
 /** The report as {@code report.schema.json} describes it; also what {@code --baseline} reads. */
 final class JsonReport {
@@ -20,7 +21,7 @@ final class JsonReport {
     for (Finding finding : report.findings()) {
       json.writeStartObject();
       json.writeStringField("rule", finding.rule().id());
-      json.writeStringField("severity", Words.of(finding.severity()));
+      json.writeStringField("severity", ReportWords.of(finding.severity()));
       json.writeStringField("file", finding.location().file());
       json.writeNumberField("line", finding.location().line());
       json.writeNumberField("column", finding.location().column());

@@ -4,10 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.SourceFile;
-import org.selectiverenderer.x3d.Problem.Severity;
 
 /**
  * JUnit's XML as CI systems read it: each file is a test, which fails when a finding of it makes
@@ -37,7 +38,7 @@ final class JunitReport {
             .formatted(byFile.size(), failed));
     byFile.forEach((file, findings) -> test(xml, file, findings, failOn));
     if (report.dropped() > 0) {
-      xml.append("    <system-err>").append(Words.dropped(report)).append("</system-err>\n");
+      xml.append("    <system-err>").append(ReportWords.dropped(report)).append("</system-err>\n");
     }
     return xml.append("  </testsuite>\n</testsuites>\n").toString();
   }
@@ -46,7 +47,9 @@ final class JunitReport {
       StringBuilder xml, String file, List<Finding> findings, Severity failOn) {
     List<Finding> failures = findings.stream().filter(finding -> fails(finding, failOn)).toList();
     List<Finding> rest = findings.stream().filter(finding -> !fails(finding, failOn)).toList();
-    xml.append("    <testcase classname=\"validate\" name=\"").append(escape(file)).append('"');
+    xml.append("    <testcase classname=\"validate\" name=\"")
+        .append(Markup.attribute(file))
+        .append('"');
     if (findings.isEmpty()) {
       xml.append("/>\n");
       return;
@@ -54,15 +57,17 @@ final class JunitReport {
     xml.append(">\n");
     if (!failures.isEmpty()) {
       xml.append("      <failure message=\"")
-          .append(Words.count(failures.size(), "finding"))
+          .append(ReportWords.count(failures.size(), "finding"))
           .append("\" type=\"")
           .append(failures.get(0).rule().id())
           .append("\">")
-          .append(escape(lines(failures)))
+          .append(Markup.attribute(lines(failures)))
           .append("</failure>\n");
     }
     if (!rest.isEmpty()) {
-      xml.append("      <system-out>").append(escape(lines(rest))).append("</system-out>\n");
+      xml.append("      <system-out>")
+          .append(Markup.attribute(lines(rest)))
+          .append("</system-out>\n");
     }
     xml.append("    </testcase>\n");
   }
@@ -77,7 +82,7 @@ final class JunitReport {
       lines
           .append(finding.location())
           .append(": ")
-          .append(Words.of(finding.severity()))
+          .append(ReportWords.of(finding.severity()))
           .append(": ")
           .append(finding.message())
           .append(" [")
@@ -85,29 +90,5 @@ final class JunitReport {
           .append("]\n");
     }
     return lines.toString();
-  }
-
-  /** What XML 1.0 cannot hold at all becomes a question mark. */
-  private static String escape(String text) {
-    StringBuilder escaped = new StringBuilder();
-    text.codePoints()
-        .forEach(
-            c -> {
-              switch (c) {
-                case '<' -> escaped.append("&lt;");
-                case '>' -> escaped.append("&gt;");
-                case '&' -> escaped.append("&amp;");
-                case '"' -> escaped.append("&quot;");
-                default ->
-                    escaped.appendCodePoint(
-                        c < ' ' && c != '\n'
-                                || c >= 0xd800 && c < 0xe000
-                                || c == 0xfffe
-                                || c == 0xffff
-                            ? '?'
-                            : c);
-              }
-            });
-    return escaped.toString();
   }
 }

@@ -1,8 +1,8 @@
 package org.selectiverenderer.validation.report;
 
 import java.util.function.BiFunction;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.x3d.Problem.Severity;
 
 /** The formats of {@code --format}. */
 public enum ReportFormat {

@@ -2,12 +2,13 @@ package org.selectiverenderer.validation.report;
 
 import java.util.Locale;
 import org.selectiverenderer.validation.Rule;
-import org.selectiverenderer.validation.RuleCatalogue;
 import org.selectiverenderer.validation.RuleGroup;
+import org.selectiverenderer.validation.run.RuleCatalogue;
 
 /** The rules as people read them: a list, one explained, and the page {@code docs/rules.md}. */
 public final class RuleBook {
-  private static final int WIDTH = 78;
+  private static final int SCREEN_WIDTH = 78;
+  private static final int PAGE_WIDTH = 120;
 
   private final RuleCatalogue catalogue;
 
@@ -22,9 +23,7 @@ public final class RuleBook {
       text.append(text.isEmpty() ? "" : "\n").append(group.title()).append('\n');
       for (Rule rule : group.rules()) {
         text.append(
-            "  %s  %-7s  %s%n"
-                .replace("%n", "\n")
-                .formatted(rule.id(), Words.of(rule.severity()), rule.title()));
+            "  %s  %-7s  %s\n".formatted(rule.id(), ReportWords.of(rule.severity()), rule.title()));
       }
     }
     return text.toString();
@@ -34,11 +33,11 @@ public final class RuleBook {
   public static String explain(Rule rule) {
     return rule.id()
         + " ("
-        + Words.of(rule.severity())
+        + ReportWords.of(rule.severity())
         + "): "
         + rule.title()
         + "\n\n"
-        + wrapped(rule.explanation())
+        + wrapped(rule.explanation(), SCREEN_WIDTH)
         + "\n\nBad:\n\n"
         + rule.bad().indent(4)
         + "\nGood:\n\n"
@@ -55,11 +54,11 @@ public final class RuleBook {
             """
             # Rules of the validator
 
-            Made from the catalogue in the program by `RuleBookTest`; do not edit it by hand. How to run the
+            `RuleBookTest` writes this page from the program's catalogue; do not edit it by hand. How to run the
             validator, to ignore rules and to read its reports: [validate.md](validate.md).
 
-            An error breaks what everybody relies on, or something will not show. A warning works here, but is
-            not meant so or does not work everywhere. A remark (info) never makes a run fail.
+            An error violates the standard, or something will not show. A warning works here, but is probably a
+            mistake or does not work everywhere. A remark (info) never makes a run fail.
             """);
     for (RuleGroup group : catalogue.groups()) {
       page.append("\n## ").append(group.title()).append("\n\n| rule | severity | message |\n");
@@ -70,7 +69,7 @@ public final class RuleBook {
                 .formatted(
                     rule.id(),
                     rule.id().toLowerCase(Locale.ROOT),
-                    Words.of(rule.severity()),
+                    ReportWords.of(rule.severity()),
                     markdown(rule.title())));
       }
       group.rules().forEach(rule -> section(page, rule));
@@ -80,9 +79,11 @@ public final class RuleBook {
 
   private static void section(StringBuilder page, Rule rule) {
     page.append("\n### ").append(rule.id()).append("\n\n");
-    page.append("**").append(markdown(rule.title())).append("** (");
-    page.append(Words.of(rule.severity())).append("; ").append(rule.reference()).append(")\n\n");
-    page.append(markdown(rule.explanation())).append("\n\n");
+    String message =
+        "**%s** (%s; %s)"
+            .formatted(markdown(rule.title()), ReportWords.of(rule.severity()), rule.reference());
+    page.append(wrapped(message, PAGE_WIDTH)).append("\n\n");
+    page.append(wrapped(markdown(rule.explanation()), PAGE_WIDTH)).append("\n\n");
     example(page, "Bad", rule.bad());
     example(page, "Good", rule.good());
   }
@@ -98,11 +99,11 @@ public final class RuleBook {
     return text.replace("<", "&lt;").replace("|", "\\|");
   }
 
-  private static String wrapped(String text) {
+  private static String wrapped(String text, int width) {
     StringBuilder lines = new StringBuilder();
     int column = 0;
     for (String word : text.split("\\s+")) {
-      if (column > 0 && column + 1 + word.length() > WIDTH) {
+      if (column > 0 && column + 1 + word.length() > width) {
         lines.append('\n');
         column = 0;
       }

@@ -5,12 +5,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
-import org.selectiverenderer.validation.Fingerprints;
 import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.Rule;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problem.Severity;
 
 /** SARIF 2.1.0 (OASIS): the rules that were broken, and a result for each finding. */
 final class SarifReport {
@@ -73,7 +73,7 @@ final class SarifReport {
     json.writeArrayFieldStart("toolExecutionNotifications");
     json.writeStartObject();
     json.writeStringField("level", "warning");
-    text(json, "message", Words.dropped(report));
+    text(json, "message", ReportWords.dropped(report));
     json.writeEndObject();
     json.writeEndArray();
     json.writeEndObject();
@@ -136,7 +136,7 @@ final class SarifReport {
   }
 
   private static String level(Severity severity) {
-    return severity == Severity.INFO ? "note" : Words.of(severity);
+    return severity == Severity.INFO ? "note" : ReportWords.of(severity);
   }
 
   /**

@@ -3,10 +3,9 @@ package org.selectiverenderer.validation.report;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.validation.SourceExcerpts;
-import org.selectiverenderer.x3d.Problem.Severity;
 
 /**
  * For people, as compilers write it: a line for each finding that editors and terminals link, the
@@ -40,7 +39,7 @@ final class TextReport {
       }
       text.append(in(BOLD, finding.location() + ":"))
           .append(' ')
-          .append(in(colour(finding.severity()), Words.of(finding.severity()) + ":"))
+          .append(in(colour(finding.severity()), ReportWords.of(finding.severity()) + ":"))
           .append(' ')
           .append(in(BOLD, finding.message()))
           .append(" [")
@@ -65,7 +64,7 @@ final class TextReport {
           }
         });
     if (report.dropped() > 0) {
-      text.append(Words.dropped(report)).append('\n');
+      text.append(ReportWords.dropped(report)).append('\n');
     }
     return text.append(sum(report)).append('\n').toString();
   }
@@ -83,12 +82,12 @@ final class TextReport {
   }
 
   private static String sum(Report report) {
-    return Words.count(report.files().size(), "file")
+    return ReportWords.count(report.files().size(), "file")
         + ": "
-        + Words.count(report.count(Severity.ERROR), "error")
+        + ReportWords.count(report.count(Severity.ERROR), "error")
         + ", "
-        + Words.count(report.count(Severity.WARNING), "warning")
+        + ReportWords.count(report.count(Severity.WARNING), "warning")
         + ", "
-        + Words.count(report.count(Severity.INFO), "remark");
+        + ReportWords.count(report.count(Severity.INFO), "remark");
   }
 }

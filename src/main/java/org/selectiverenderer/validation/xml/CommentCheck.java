@@ -6,13 +6,13 @@ import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.IgnoreComment;
-import org.selectiverenderer.x3d.SceneDocument;
+import org.selectiverenderer.x3d.source.XmlDocument;
 
 /** Comments that are meant to suppress findings. */
 final class CommentCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {
-    for (SceneDocument.Comment comment : file.document().comments()) {
+    for (XmlDocument.Comment comment : file.document().comments()) {
       IgnoreComment.of(comment)
           .ifPresent(
               ignoring -> {
@@ -25,7 +25,7 @@ final class CommentCheck implements FileCheck {
   }
 
   private static String reason(
-      IgnoreComment ignoring, Set<String> rules, SceneDocument.Comment comment) {
+      IgnoreComment ignoring, Set<String> rules, XmlDocument.Comment comment) {
     if (comment.before() == null) {
       return "no element follows it";
     }

@@ -4,7 +4,7 @@ import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.Rule;
-import org.selectiverenderer.x3d.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentFault;
 
 /** What the parser said. */
 final class FaultCheck implements FileCheck {

@@ -3,12 +3,12 @@ package org.selectiverenderer.validation.xml;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.XmlDocument;
 
 /** The file's name, its DOCTYPE and its root element. */
 final class PrologCheck implements FileCheck {
@@ -16,7 +16,7 @@ final class PrologCheck implements FileCheck {
 
   @Override
   public void check(FileView file, Findings findings) {
-    SceneDocument document = file.document();
+    XmlDocument document = file.document();
     String name = document.name().toLowerCase(Locale.ROOT);
     if (document.isCompressed() && (name.endsWith(".x3d") || name.endsWith(".xml"))) {
       findings.add(
@@ -36,7 +36,7 @@ final class PrologCheck implements FileCheck {
   }
 
   private static void checkType(
-      SceneDocument.DocumentType type, DocumentElement root, Findings findings) {
+      XmlDocument.DocumentType type, DocumentElement root, Findings findings) {
     Matcher declared = VERSION.matcher(type.publicId());
     String version = root.text("version").map(String::strip).orElse("");
     if (declared.find() && !version.isEmpty() && !declared.group(1).equals(version)) {

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.xml;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Text between elements. */
 final class TextCheck implements FileCheck {

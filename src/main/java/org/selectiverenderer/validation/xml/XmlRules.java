@@ -11,15 +11,15 @@ public final class XmlRules {
           .about("the XML is not well formed")
           .because(
               """
-              A file that is not well-formed XML is refused by most programs; this one keeps what \
-              stands before the fault. All other findings of the file are about that part.""")
+              Most programs refuse a file that is not well-formed XML. This program keeps \
+              the part before the error; all other findings of the file refer to that part.""")
           .bad("<Group><Shape></Group>")
           .good("<Group><Shape/></Group>")
           .see("XML 1.0, 2.1");
 
   static final Rule NO_X3D =
       Rule.error("SR002", "{fault}")
-          .about("the file is no X3D in the XML encoding")
+          .about("the file is not X3D in the XML encoding")
           .because(
               """
               Only the XML encoding of X3D is read. Scenes in the Classic VRML or JSON encoding can \
@@ -35,19 +35,19 @@ public final class XmlRules {
           .about("the compression is damaged")
           .because(
               """
-              A compressed scene ends before its compression does, mostly after a broken download \
-              or a text-mode transfer. Compress it again from the original.""")
+              The compressed data end too early, usually after an interrupted download or a \
+              text-mode transfer. Compress the original again.""")
           .bad("(the first half of scene.x3dz)")
           .good("(all of scene.x3dz)")
           .see("RFC 1952");
 
   static final Rule ENCODING =
       Rule.error("SR004", "{fault}")
-          .about("the bytes are not of the encoding that the file names")
+          .about("the bytes do not fit the encoding that the file names")
           .because(
               """
-              Other programs refuse a file whose bytes are not of the encoding that its first line \
-              names (UTF-8 where it names none), or show other letters. Save it as UTF-8.""")
+              Other programs refuse a file whose bytes do not fit the encoding of its first \
+              line (UTF-8 if it names none), or show other letters. Save it as UTF-8.""")
           .bad("<?xml version='1.0' encoding='UTF-8'?>  (and an e with acute as the one byte E9)")
           .good("<?xml version='1.0' encoding='UTF-8'?>  (and an e with acute as the bytes C3 A9)")
           .see("XML 1.0, 4.3.3");
@@ -67,8 +67,8 @@ public final class XmlRules {
       Rule.warning("SR006", "the DOCTYPE is that of X3D {declared}, but the version is {version}")
           .because(
               """
-              Programs that check against the DOCTYPE refuse what a later version brought. A DOCTYPE \
-              may be left out altogether.""")
+              Programs that check against the DOCTYPE refuse what a later version added. A \
+              DOCTYPE is optional; remove or update it.""")
           .bad(
               """
               <?xml version='1.0' encoding='UTF-8'?>
@@ -84,8 +84,8 @@ public final class XmlRules {
           .see("ISO/IEC 19776-1, 4.3.2");
 
   static final Rule ROOT =
-      Rule.error("SR007", "the root element of a scene is X3D, not {element}")
-          .because("Nothing of such a file is shown; what it holds may be no scene at all.")
+      Rule.error("SR007", "the root element of a scene must be X3D, not {element}")
+          .because("Nothing of such a file is shown; it may not be a scene at all.")
           .bad("<?xml version='1.0'?>\n<Scene><Shape><Box/></Shape></Scene>")
           .good(
               "<?xml version='1.0'?>\n<X3D profile='Immersive' version='4.0'>\n"
@@ -93,12 +93,12 @@ public final class XmlRules {
           .see("ISO/IEC 19776-1, 4.3.3");
 
   static final Rule LIMIT =
-      Rule.error("SR008", "{fault}; nothing is read from here on")
-          .about("more or deeper elements than are read")
+      Rule.error("SR008", "{fault}; the rest of the file is not read")
+          .about("the elements are too many or too deeply nested")
           .because(
               """
-              Limits keep a hostile file from taking all memory. No real scene that we know comes \
-              near them; a program that wrote this one is probably at fault.""")
+              Limits keep a hostile file from using all memory. No real scene that we know \
+              comes near them; the program that wrote this file probably has an error.""")
           .bad("(groups in groups, 300 deep)")
           .good("(groups in groups, 20 deep)")
           .see("docs/validate.md");
@@ -107,8 +107,8 @@ public final class XmlRules {
       Rule.warning("SR009", "the file is compressed, but its name ends in {ending}")
           .because(
               """
-              Programs that go by the name take it for XML and fail. A compressed scene is called \
-              .x3dz (or .x3d.gz).""")
+              Programs that rely on the name read the file as XML and fail. Name a \
+              compressed scene .x3dz (or .x3d.gz).""")
           .bad("scene.x3d, beginning with the bytes 1F 8B")
           .good("scene.x3dz, beginning with the bytes 1F 8B")
           .see("ISO/IEC 19776-1, annex on MIME types and file extensions");
@@ -117,18 +117,18 @@ public final class XmlRules {
       Rule.warning("SR010", "this comment suppresses nothing: {reason}")
           .because(
               """
-              A comment 'validate-ignore ID ...' stands directly before the element that it is for \
-              and names rules of the list.""")
+              A comment 'validate-ignore ID ...' must be directly before its element and \
+              name rules of the list.""")
           .bad("<!-- validate-ignore SR999 -->\n<Group/>")
           .good("<!-- validate-ignore SR114: on purpose -->\n<Group/>")
           .see("docs/validate.md");
 
   static final Rule TEXT =
-      Rule.warning("SR011", "text between elements means nothing in X3D: {text}")
+      Rule.warning("SR011", "text between elements has no meaning in X3D: {text}")
           .because(
               """
-              All values are attributes; text has a meaning in scripts and shaders only. Often a \
-              comment has lost its marks, or an element its bracket.""")
+              All values are attributes; text has a meaning only in scripts and shaders. \
+              Often a comment has lost its marks, or an element its bracket.""")
           .bad("<Group>the table</Group>")
           .good("<Group><!-- the table --></Group>")
           .see("ISO/IEC 19776-1, 4.3");

@@ -31,8 +31,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.app.RunListener;
-import org.selectiverenderer.app.TimelineEvent;
+import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.session.Session;
@@ -45,8 +47,6 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.tracker.TrackerOptions;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 /** A session with participant and experimenter at the windows; all that is shown is white. */
 @RequiresDisplay
@@ -153,8 +153,8 @@ class AttendedSessionTest {
                 number,
                 new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
                 new Problems());
-        SessionDesk desk = new WindowDesk(material.wording())) {
-      return new SessionRunner(session, desk, show(), text -> {}).run();
+        SessionDialogue dialogue = new WindowDialogue(material.wording())) {
+      return new SessionRunner(session, dialogue, show(), text -> {}).run();
     }
   }
 
@@ -243,7 +243,7 @@ class AttendedSessionTest {
   private void abort() {
     JButton abort = Hands.named(controls, "Abort ...", JButton.class);
     OpenWindow.click(hands, abort, OpenWindow::asking);
-    OpenWindow.answerDialog(hands, "End the session");
+    OpenWindow.answerDialog(hands, "End the Session");
   }
 
   private List<String> events(int number) throws IOException {

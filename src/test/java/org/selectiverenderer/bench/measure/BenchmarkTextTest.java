@@ -34,7 +34,7 @@ class BenchmarkTextTest {
       kitchen, polygons drawn                        277,224     100,000      49,135
       kitchen, first frame, ms                           800         801         802
       kitchen, MB                                        513         513         514
-      kitchen: selective draws 2.0 times the frames of high
+      kitchen: selective draws 2.0 times as many frames as high
       """;
 
   private final ObjectMapper json = new ObjectMapper();

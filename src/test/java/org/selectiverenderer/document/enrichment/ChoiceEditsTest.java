@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 class ChoiceEditsTest {
   private static final ChoiceValues DESK =
@@ -43,7 +43,7 @@ class ChoiceEditsTest {
 
   private static Scenes described(String nodes, int choice, ChoiceValues values) {
     Scenes scene = Scenes.with(nodes);
-    SwitchNode node = scene.enrichment.switches().get(0);
+    EnrichedSwitch node = scene.enrichment.switches().get(0);
     scene.perform(scene.edits().choice(node, choice, values));
     assertThat(scene.enrichment.switches().get(0).values().get(choice)).isEqualTo(values);
     return scene;
@@ -127,7 +127,7 @@ class ChoiceEditsTest {
   void switchesWithoutANameGetNamesThatDiffer() {
     String two = "<Switch><Shape/></Switch>\n<Switch><Shape/></Switch>\n";
     Scenes scene = described(two, 0, DESK);
-    SwitchNode second = scene.enrichment.switches().get(1);
+    EnrichedSwitch second = scene.enrichment.switches().get(1);
     assertThat(second.name()).isEqualTo("Switch#2");
     scene.perform(scene.edits().choice(second, 0, DESK));
     assertThat(scene.nodes())
@@ -138,7 +138,8 @@ class ChoiceEditsTest {
   void aSwitchOnOneLineStaysOnOne() {
     assertThat(described("<Switch DEF=\"S\"><Shape/><Shape/></Switch>\n", 0, DESK).nodes())
         .startsWith(
-            "<Switch DEF=\"S\"><MetadataSet containerField=\"metadata\" DEF=\"MetadataSet_SDefinition\"")
+            "<Switch DEF=\"S\"><MetadataSet containerField=\"metadata\""
+                + " DEF=\"MetadataSet_SDefinition\"")
         .contains("value='\"DeskSchema\"'/></MetadataSet>")
         .endsWith("</MetadataSet><Shape/><Shape/></Switch>\n")
         .containsOnlyOnce("\n");
@@ -154,7 +155,8 @@ class ChoiceEditsTest {
   @Test
   void metadataOfOtherKindsIsKept() {
     String other =
-        "<MetadataSet name='author' containerField='metadata'><!-- x --><MetadataString name='who' value='\"me\"'/></MetadataSet>";
+        "<MetadataSet name='author' containerField='metadata'><!-- x --><MetadataString name='who'"
+            + " value='\"me\"'/></MetadataSet>";
     String nodes = PLAIN.replaceFirst("    <Inline", "    " + other + "\n    <Inline");
     Scenes scene = described(nodes, 1, DESK);
     assertThat(scene.nodes()).contains("<MetadataSet name='author'", "<!-- x -->", "name='who'");
@@ -199,15 +201,17 @@ class ChoiceEditsTest {
         PLAIN.replaceFirst(
                 "    <Inline",
                 "    <MetadataSet DEF='M'><MetadataSet><MetadataString DEF='N'"
-                    + " name='schemaBelonginess' value='\"A\"'/></MetadataSet></MetadataSet>\n    <Inline")
+                    + " name='schemaBelonginess' value='\"A\"'/></MetadataSet></MetadataSet>\n"
+                    + "    <Inline")
             + "  <Switch DEF='Other'><MetadataSet USE='M'/><Shape/></Switch>\n"
-            + "  <Switch DEF='Third'><MetadataSet><MetadataSet><MetadataString USE='N'/></MetadataSet></MetadataSet><Shape/></Switch>\n";
+            + "  <Switch DEF='Third'><MetadataSet><MetadataSet><MetadataString"
+            + " USE='N'/></MetadataSet></MetadataSet><Shape/></Switch>\n";
     Scenes scene = Scenes.with(used);
     assertThat(scene.switchNode("Other").values().get(0).schemas()).containsExactly("A");
     assertThatThrownBy(() -> scene.edits().choice(scene.switchNode("Switch_TrashCan"), 0, DESK))
         .isInstanceOf(EditRefused.class)
         .hasMessageStartingWith("scene.x3d:4:")
-        .hasMessageContaining("'N' is USEd elsewhere");
+        .hasMessageContaining("'N' is also used elsewhere");
     scene.perform(scene.edits().choice(scene.switchNode("Other"), 0, DESK));
     assertThat(scene.switchNode("Other").values()).containsExactly(DESK);
     scene.perform(scene.edits().choice(scene.switchNode("Third"), 0, DESK));
@@ -246,6 +250,6 @@ class ChoiceEditsTest {
     assertThat(scene.enrichment.switches()).isEmpty();
     assertThatThrownBy(() -> scene.edits().renameSchema("A", "B"))
         .isInstanceOf(EditRefused.class)
-        .hasMessageContaining("mend it in the source view first");
+        .hasMessageContaining("correct it in the source view first");
   }
 }

@@ -6,10 +6,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.schema.Degree;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 class MetadataTableTest {
   private static final String NODES =
@@ -58,7 +58,7 @@ class MetadataTableTest {
                 """
                 node;choice;field;value
                 Switch_A;0;schemaBelonginess;Desk
-                Switch_A;0;degreeOfConsistency;0.5
+                Switch_A;0;degreeOfConsistency;0,5
                 """)
             .orElseThrow());
     scene.perform(
@@ -88,12 +88,16 @@ class MetadataTableTest {
     assertThat(problems.list())
         .extracting(Problem::toString)
         .containsExactly(
-            "m.csv:3:1: there is no Switch 'Switch_B' in the scene; is Switch_A meant?; the table is not applied",
-            "m.csv:4:1: Switch_A has choices 0 to 1, not '2'; the table is not applied",
-            "m.csv:5:1: there is no field 'belongs' of schema metadata; the table is not applied",
-            "m.csv:6:1: 'maybe' is neither consistent, inconsistent nor frame; the table is not applied",
-            "m.csv:7:1: '2' is neither low, high nor a number from 0 to 1; the table is not applied",
-            "m.csv:8:1: a ProximitySensor has no choices; leave the column choice empty; the table is not applied");
+            "m.csv:3:1: there is no Switch 'Switch_B' in the scene; is Switch_A meant?; the table"
+                + " is not applied",
+            "m.csv:4:10: Switch_A has choices 0 to 1, not '2'; the table is not applied",
+            "m.csv:5:12: schema metadata has no field 'belongs'; the table is not applied",
+            "m.csv:6:28: 'maybe' is unknown; write consistent, inconsistent or "
+                + "frame; the table is not applied",
+            "m.csv:7:32: '2' is not a degree; write low, high or a number from 0 to "
+                + "1; the table is not applied",
+            "m.csv:8:6: a ProximitySensor has no choices; leave the column choice empty; the table"
+                + " is not applied");
   }
 
   @Test
@@ -102,7 +106,22 @@ class MetadataTableTest {
     assertThat(problems.list())
         .extracting(Problem::toString)
         .containsExactly(
-            "m.csv:1:1: the first line names the columns node,choice,field,value; nothing is read"
-                + " without it");
+            "m.csv:1:1: the header lacks node, choice, field, value (it must be"
+                + " node,choice,field,value); the table is not applied");
+  }
+
+  @Test
+  void aTableMayBeOfASpreadsheetAndItsRowsShortOrLong() {
+    Scenes scene = Scenes.with(NODES);
+    byte[] table =
+        "node\tchoice\tfield\tvalue\tfield\t\nSwitch_A\t0\t\tK\u00fcche\tschemaBelonginess\t\t\n"
+            .getBytes(StandardCharsets.UTF_16);
+    scene.perform(MetadataTable.edit(scene.enrichment, "m.txt", table, problems).orElseThrow());
+    assertThat(scene.switchNode("Switch_A").values().get(0).schemas())
+        .containsExactly("K\u00fcche");
+    scene.perform(
+        edit(scene, "node,choice,field,value\nSwitch_A,0,schemaBelonginess").orElseThrow());
+    assertThat(scene.switchNode("Switch_A").values().get(0).schemas()).isEmpty();
+    assertThat(problems.list()).isEmpty();
   }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** A small scene open for editing. */
 public final class Scenes {
@@ -36,11 +36,11 @@ public final class Scenes {
     return text.substring(text.indexOf("<Scene>\n") + 8, text.lastIndexOf("</Scene>"));
   }
 
-  public SwitchNode switchNode(String name) {
+  public EnrichedSwitch switchNode(String name) {
     return enrichment.switchesByName().get(name);
   }
 
-  public SensorNode sensor(String name) {
+  public EnrichedSensor sensor(String name) {
     return enrichment.sensorsByName().get(name);
   }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.schema.SensorSchemas;
 
@@ -41,7 +41,7 @@ class SchemaEditsTest {
   void aSensorThatWasAnEmptyElementStaysTheSameElementThatItsFormStandsFor() {
     String nodes = "  <ProximitySensor DEF='DeskProx' size='1 1 1'/>\n";
     Scenes scene = Scenes.with(nodes);
-    SensorNode before = scene.sensor("DeskProx");
+    EnrichedSensor before = scene.sensor("DeskProx");
     SensorSchemas wanted = new SensorSchemas(List.of("Desk"), List.of());
     scene.perform(scene.edits().sensor(before, wanted));
     assertThat(before.element().attached()).isTrue();
@@ -63,7 +63,7 @@ class SchemaEditsTest {
              </MetadataSet>
             </ProximitySensor>
             """);
-    SensorNode sensor = scene.sensor("P");
+    EnrichedSensor sensor = scene.sensor("P");
     assertThat(sensor.schemas().enter()).containsExactly("Schema1", "Schema2");
     scene.perform(
         scene
@@ -131,13 +131,13 @@ class SchemaEditsTest {
   @Test
   void aSlipInANameIsFoundAndMended() {
     Scenes scene = Scenes.with(SMALL);
-    List<Finding> findings = scene.enrichment.findings();
+    List<ElementFinding> findings = scene.enrichment.findings();
     assertThat(findings)
-        .extracting(Finding::message)
+        .extracting(ElementFinding::message)
         .containsExactly(
             "no Switch of the scene belongs to the schema Desk; is Dest meant? It has no effect",
             "no area of the scene activates the schema Dest; is Desk meant? It has no effect");
-    Finding last = findings.get(1);
+    ElementFinding last = findings.get(1);
     assertThat(last.located(scene.document)).hasToString("scene.x3d:7:1: " + last.message());
     scene.perform(last.fix().orElseThrow().edit().get());
     assertThat(scene.enrichment.findings()).isEmpty();

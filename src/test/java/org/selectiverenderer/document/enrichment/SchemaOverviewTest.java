@@ -46,7 +46,7 @@ class SchemaOverviewTest {
   void severalCellsOfOneObjectAreOneEditOfIt() {
     Scenes scene = scene(1, 2);
     SchemaOverview empty = overview(scene);
-    SwitchNode object = empty.objects().get(0);
+    EnrichedSwitch object = empty.objects().get(0);
     scene.perform(empty.fill(List.of(new Place(object, "A"), new Place(object, "B")), Degree.LOW));
     assertThat(scene.switchNode("S0").values().get(0).schemas()).containsExactly("A", "B");
   }

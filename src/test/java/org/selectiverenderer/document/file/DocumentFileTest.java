@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.polygon.versions.FileActions;
+import org.selectiverenderer.base.files.FileActions;
 
 class DocumentFileTest {
   private static final String SCENE = "<X3D><Scene/></X3D>\n";
@@ -43,7 +43,7 @@ class DocumentFileTest {
     assertThat(file.document().modified()).isFalse();
     assertThat(path).hasContent("<!-- 1 -->" + SCENE);
     assertThat(file.backup()).hasContent(SCENE);
-    assertThat(file.state()).isEqualTo(DiskState.SAME);
+    assertThat(file.guard().state()).isEqualTo(DiskState.SAME);
     assertThat(files()).isEqualTo(2);
     file.document().history().undo();
     assertThat(file.document().modified()).isTrue();
@@ -56,14 +56,17 @@ class DocumentFileTest {
     DocumentFile file = DocumentFile.open(path);
     file.document().type(0, 0, " ");
     Files.writeString(path, "<X3D/>");
-    assertThat(file.state()).isEqualTo(DiskState.CHANGED);
+    assertThat(file.guard().state()).isEqualTo(DiskState.CHANGED);
     assertThatThrownBy(file::save)
         .isInstanceOf(FileChanged.class)
         .hasMessage(
             path
-                + ": another program has changed the file since it was opened; it is not overwritten");
+                + ": another program has changed the file since it was opened; it is not"
+                + " overwritten");
     assertThat(path).hasContent("<X3D/>");
-    file.saveOver();
+    Writing over = file.writing().over();
+    over.write();
+    file.written(over);
     assertThat(path).hasContent(" " + SCENE);
     assertThat(file.backup()).hasContent("<X3D/>");
   }
@@ -73,14 +76,14 @@ class DocumentFileTest {
     DocumentFile file = DocumentFile.open(path);
     Files.writeString(path, SCENE);
     Files.setLastModifiedTime(path, FileTime.fromMillis(1));
-    assertThat(file.state()).isEqualTo(DiskState.SAME);
+    assertThat(file.guard().state()).isEqualTo(DiskState.SAME);
   }
 
   @Test
   void aFileThatIsGoneIsWrittenAgain() throws IOException {
     DocumentFile file = DocumentFile.open(path);
     Files.delete(path);
-    assertThat(file.state()).isEqualTo(DiskState.GONE);
+    assertThat(file.guard().state()).isEqualTo(DiskState.GONE);
     file.save();
     assertThat(path).hasContent(SCENE);
   }
@@ -105,31 +108,16 @@ class DocumentFileTest {
   /** Takes half of what is written. */
   private static final class FullDisk implements FileActions {
     @Override
-    public void createFolder(Path folder) throws IOException {
-      REAL.createFolder(folder);
-    }
-
-    @Override
     public void write(Path file, byte[] content) throws IOException {
       Files.write(file, Arrays.copyOf(content, content.length / 2));
       throw new FileSystemException(file.toString(), null, "No space left on device");
-    }
-
-    @Override
-    public void move(Path from, Path to) throws IOException {
-      REAL.move(from, to);
-    }
-
-    @Override
-    public void delete(Path fileOrFolder) throws IOException {
-      REAL.delete(fileOrFolder);
     }
   }
 
   @Test
   void aMissingFileIsToldInOneLine() {
     assertThatThrownBy(() -> DocumentFile.open(folder.resolve("b.x3d")))
-        .hasMessage(folder.resolve("b.x3d") + ": there is no such file");
+        .hasMessage(folder.resolve("b.x3d") + ": the file does not exist");
   }
 
   @Test

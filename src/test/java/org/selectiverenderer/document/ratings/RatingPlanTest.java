@@ -3,18 +3,22 @@ package org.selectiverenderer.document.ratings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
 import org.selectiverenderer.document.enrichment.Scenes;
 import org.selectiverenderer.document.ratings.ObjectMatching.How;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 class RatingPlanTest {
   private static final ChoiceValues LOW =
@@ -58,9 +62,9 @@ class RatingPlanTest {
     assertThat(problems.list())
         .extracting(Problem::toString)
         .containsExactly(
-            "r.csv:2:1: '0' is no rating from 1 to 6; the table is not used",
-            "r.csv:3:1: '7' is no rating from 1 to 6; the table is not used",
-            "r.csv:4:1: 'x' is no rating from 1 to 6; the table is not used",
+            "r.csv:2:10: '0' is not a rating from 1 to 6; the table is not used",
+            "r.csv:3:10: '7' is not a rating from 1 to 6; the table is not used",
+            "r.csv:4:10: 'x' is not a number; the table is not used",
             "r.csv:5:1: a rating needs an object and a schema; the table is not used");
   }
 
@@ -126,5 +130,16 @@ class RatingPlanTest {
     matching.choose("mug", "Switch_CoffeeMug");
     Ratings ratings = ratings("mug,Desk,1\n").orElseThrow();
     assertThat(RatingPlan.of(scene.enrichment, ratings, matching, false).rows()).hasSize(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"UTF-8", "ISO-8859-1", "windows-1252", "UTF-16"})
+  void aTableMayComeInTheEncodingsThatSpreadsheetsWrite(String encoding) {
+    byte[] table =
+        "object,schema,rating,\nM\u00f6bel,K\u00fcche,\"4,5\",\nM\u00f6bel,Bad\n"
+            .getBytes(Charset.forName(encoding));
+    assertThat(Ratings.read("r.csv", table, problems).orElseThrow().means())
+        .containsExactly(Map.entry("M\u00f6bel", Map.of("K\u00fcche", new Ratings.Mean(4.5, 1))));
+    assertThat(problems.list()).isEmpty();
   }
 }

@@ -9,14 +9,14 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.polygon.versions.FileActions;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class VersionsEditTest {
   private static final String SCENE =
@@ -61,5 +61,24 @@ class VersionsEditTest {
     assertThatThrownBy(() -> versions.apply(file.document(), FileActions.REAL))
         .isInstanceOf(EditRefused.class);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
+  }
+
+  @Test
+  void aSwitchInASharedLineHasLinesOfItsOwn() throws IOException {
+    String scene =
+        "<X3D version='3.3'><Scene>\r\n    <Group DEF='Ball'><Shape><Sphere/></Shape></Group>\r\n"
+            + "</Scene></X3D>";
+    DocumentFile file = DocumentFile.open(Files.writeString(folder.resolve("ball.x3d"), scene));
+    plan(file).apply(file.document(), FileActions.REAL);
+    assertThat(file.document().text().toString())
+        .isEqualTo(
+            """
+            <X3D version='3.3'><Scene>
+                <Group DEF='Ball'><Switch DEF='Switch_Ball' whichChoice='0'>
+                  <Inline DEF='Inline_Ball_v1' url='"inlineNodes/Ball_v1.x3d"'/>
+                  <Inline DEF='Inline_Ball_v2' url='"inlineNodes/Ball_v2.x3d"'/>
+                </Switch></Group>
+            </Scene></X3D>"""
+                .replace("\n", "\r\n"));
   }
 }

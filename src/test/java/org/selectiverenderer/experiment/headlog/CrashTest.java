@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Problems;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class CrashTest {

@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.base.problem.Problems;
 
 class HeadLogTest {
   private static final SceneMap MAP =
@@ -63,7 +63,8 @@ class HeadLogTest {
 
   private Path write(List<HeadSample> samples) throws IOException {
     Path file = folder.resolve("session.csv");
-    try (HeadLogWriter writer = HeadLogWriter.open(file, DESCRIPTION, problem -> {})) {
+    try (HeadLogWriter writer =
+        HeadLogWriter.open(HeadLogFiles.claim(file, false), DESCRIPTION, problem -> {})) {
       samples.forEach(writer::add);
     }
     return file;
@@ -120,7 +121,7 @@ class HeadLogTest {
     Files.writeString(file, "t,x\n1,2\n");
     Problems problems = new Problems();
     assertThat(HeadLogReader.read(file, problems)).isEmpty();
-    assertThat(problems.list().get(0).toString()).contains("other.csv:1:1", "a column y");
+    assertThat(problems.list().get(0).toString()).contains("other.csv:1:1", "lacks y");
   }
 
   @Test
@@ -178,7 +179,7 @@ class HeadLogTest {
     }
     HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(samples)));
     assertThat(analysis.looks())
-        .extracting(Look::object)
+        .extracting(Dwell::object)
         .containsExactly("Switch_Desk", "Leg", "Switch_Shelf", "Switch_Desk");
     assertThat(analysis.looks().get(0).end()).isCloseTo(2, within(1e-9));
     HeadLogAnalysis.ObjectView desk = analysis.objects().get(0);

@@ -10,7 +10,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.base.problem.Problem;
 
 /** A disk that fails or lags behind costs the log, never the session. */
 @Timeout(value = 30, unit = TimeUnit.SECONDS)

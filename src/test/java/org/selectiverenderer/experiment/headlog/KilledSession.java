@@ -11,7 +11,8 @@ final class KilledSession {
 
   public static void main(String[] args) throws IOException {
     HeadLogWriter writer =
-        HeadLogWriter.open(Path.of(args[0]), HeadLogDescription.UNKNOWN, problem -> {});
+        HeadLogWriter.open(
+            HeadLogFiles.claim(Path.of(args[0]), false), HeadLogDescription.UNKNOWN, problem -> {});
     long begun = System.nanoTime();
     while (true) {
       double t = (System.nanoTime() - begun) * 1e-9;

@@ -15,17 +15,17 @@ import java.util.Properties;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.study.QuestionKind;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyReader;
 import org.selectiverenderer.experiment.study.StudyTemplate;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 class QuestionnaireTest {
   @TempDir Path folder;
 
-  private Optional<List<Item>> items(QuestionKind kind, String text, Problems problems)
+  private Optional<List<QuestionItem>> items(QuestionKind kind, String text, Problems problems)
       throws IOException {
     Path file = folder.resolve("items.csv");
     Files.writeString(file, text);
@@ -39,7 +39,7 @@ class QuestionnaireTest {
     for (Path each : List.of(file, folder.resolve("pilot/study.json"))) {
       Study study = StudyReader.read(each, problems).orElseThrow();
       for (String language : List.of("en", "el")) {
-        List<Item> items =
+        List<QuestionItem> items =
             ItemsReader.read(study.questionnaires().get(0), language, problems).orElseThrow();
         assertThat(Screen.areas(items)).hasSize(6);
         for (String area : Screen.areas(items)) {
@@ -76,14 +76,14 @@ class QuestionnaireTest {
     assertThat(problems.list())
         .extracting(Problem::message)
         .anyMatch(
-            line -> line.contains("coat is asked about a second time for hall, as in line 2"));
+            line -> line.contains("coat is listed a second time for hall; line 2 has it already"));
   }
 
   @Test
   void eachParticipantHasAnOrderOfHisOwnThatStays() throws IOException {
     StringBuilder text = new StringBuilder("area,schema,object,en\n");
     IntStream.range(0, 12).forEach(i -> text.append("hall,HallSchema,o" + i + ",O" + i + "\n"));
-    List<Item> items =
+    List<QuestionItem> items =
         items(QuestionKind.EXPECTANCY, text.toString(), new Problems()).orElseThrow();
     Screen one = Screen.of(QuestionKind.EXPECTANCY, "hall", items, 1, "001");
     assertThat(Screen.of(QuestionKind.EXPECTANCY, "hall", items, 1, "001")).isEqualTo(one);
@@ -124,7 +124,7 @@ class QuestionnaireTest {
 
   @Test
   void thePageToPrintAsksTheSameAndIsWhole() throws IOException {
-    List<Item> items =
+    List<QuestionItem> items =
         items(
                 QuestionKind.RECOGNITION,
                 "area,object,consistency,present,en\nhall,coat,consistent,yes,Coat & <hat>\n",

@@ -14,11 +14,11 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyReader;
 import org.selectiverenderer.experiment.study.StudyTemplate;
-import org.selectiverenderer.x3d.Problems;
 
 class ScheduleTest {
   @TempDir Path folder;

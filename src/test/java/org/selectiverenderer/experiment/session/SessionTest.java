@@ -17,15 +17,15 @@ import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Item;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesReader;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 /** Sessions of questionnaires alone, which need no display. */
 class SessionTest {
@@ -84,7 +84,7 @@ class SessionTest {
   private static void answerAll(Session session, String value, int confidence) throws IOException {
     SessionStep.Questions step = (SessionStep.Questions) session.remaining().get(0);
     session.began(step, false);
-    for (Item item : session.screen(step).items()) {
+    for (QuestionItem item : session.screen(step).items()) {
       session.answer(step, item, new Answer(value, confidence));
     }
     session.finished(step, Map.of());
@@ -146,8 +146,8 @@ class SessionTest {
         .asString()
         .contains("ses-01/events.jsonl: ")
         .endsWith(
-            "2 answers of session 1 of the participant 001 are left out, as session 2 counts;"
-                + " --session 1 takes them");
+            "2 answers of session 1 of the participant 001 are left out, because "
+                + "session 2 counts; --session 1 uses them");
     assertThat(collecting(OptionalInt.of(1), 3))
         .singleElement()
         .asString()
@@ -189,7 +189,7 @@ class SessionTest {
       Files.writeString(log, "something");
       assertThatThrownBy(() -> session.headLog(step))
           .isInstanceOf(IOException.class)
-          .hasMessageContaining("nothing is written over");
+          .hasMessageContaining("exists already and is not overwritten");
     }
   }
 
@@ -199,7 +199,7 @@ class SessionTest {
       form(session);
       SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
       session.began(hall, false);
-      Item first = session.screen(hall).items().get(0);
+      QuestionItem first = session.screen(hall).items().get(0);
       session.answer(hall, first, new Answer("yes", 2));
       session.answer(hall, first, new Answer("no", 2));
     }
@@ -211,7 +211,7 @@ class SessionTest {
       assertThat(left(session)).first().isEqualTo("recognition-hall");
       assertThat(session.condition()).isPresent();
       SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
-      Item first = session.screen(hall).items().get(0);
+      QuestionItem first = session.screen(hall).items().get(0);
       assertThat(session.answers(hall))
           .containsOnly(Map.entry(first.object(), new Answer("no", 2)));
       session.began(hall, false);
@@ -227,15 +227,15 @@ class SessionTest {
     begin("001").close();
     assertThatThrownBy(() -> begin("001"))
         .isInstanceOf(IOException.class)
-        .hasMessageContaining("--resume goes on with it, --session 2 begins another");
-    assertThatThrownBy(() -> resume("002")).hasMessageContaining("has no session to go on with");
+        .hasMessageContaining("--resume continues it, --session 2 begins a new one");
+    assertThatThrownBy(() -> resume("002")).hasMessageContaining("has no session to continue");
   }
 
   @Test
   void aSessionThatIsBeingRunIsNotRunASecondTime() throws IOException {
     try (Session session = begin("001")) {
       assertThat(session.condition()).isEmpty();
-      assertThatThrownBy(() -> resume("001")).hasMessageContaining("is already being run");
+      assertThatThrownBy(() -> resume("001")).hasMessageContaining("is already running");
     }
     resume("001").close();
   }
@@ -259,7 +259,7 @@ class SessionTest {
       session.end();
       Path table = folder.resolve("sub-001/ses-01/responses.csv");
       Files.writeString(table, "something else");
-      assertThatThrownBy(session::end).hasMessageContaining("nothing is written over");
+      assertThatThrownBy(session::end).hasMessageContaining("it exists already with other content");
       assertThat(table).hasContent("something else");
     }
   }
@@ -289,7 +289,7 @@ class SessionTest {
         .extracting(Problem::message)
         .singleElement()
         .asString()
-        .startsWith("since this session began r.csv changed;");
+        .startsWith("r.csv changed since this session began;");
     assertThat(folder.resolve("sub-001/ses-01/events.jsonl"))
         .content()
         .contains("\"files-changed\",\"files\":[\"r.csv\"]");
@@ -314,7 +314,7 @@ class SessionTest {
     assertThat(status.groups())
         .extracting(StudyStatus.Group::assigned)
         .containsExactlyInAnyOrder(0, 1);
-    assertThat(status.text()).contains("0 of 4 participants planned have a finished session");
+    assertThat(status.text()).contains("0 of 4 planned participants have finished a session");
     Problems problems = new Problems();
     assertThat(
             CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems)
@@ -343,7 +343,8 @@ class SessionTest {
         .allMatch(
             text ->
                 text.equals(
-                    "participant 001 was assigned to %s and stays there; --condition %s is not used"
+                    ("participant 001 keeps the assigned condition %s; --condition %s "
+                            + "is ignored")
                         .formatted(own.spelling(), other.spelling())));
   }
 
@@ -425,7 +426,7 @@ class SessionTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .contains("typed.csv:4:1: ", "participant 012: no condition is assigned");
+        .contains("typed.csv:4:1: ", "participant 012: participants.tsv assigns no condition");
   }
 
   @Test
@@ -440,7 +441,7 @@ class SessionTest {
     assertThat(problems.list())
         .anyMatch(
             problem ->
-                problem.message().contains("there is a participant 001: did a spreadsheet drop"));
+                problem.message().contains("there is a participant 001: did a spreadsheet remove"));
   }
 
   @Test
@@ -470,10 +471,10 @@ class SessionTest {
         .contains("002,high,hall,coat,consistent,yes,no,3\n");
     assertThat(problems.list().stream().map(Problem::toString).toList())
         .anyMatch(line -> line.contains(":2:1: ") && line.contains("in the program"))
-        .anyMatch(line -> line.contains(":3:1: ") && line.contains("no recognition-attic"))
+        .anyMatch(line -> line.contains(":3:1: ") && line.contains("no screen recognition-attic"))
         .anyMatch(line -> line.contains(":4:20: ") && line.contains("is not yes or no"))
-        .anyMatch(line -> line.contains(":5:23: ") && line.contains("no confidence from 1 to 5"))
-        .anyMatch(line -> line.contains(":6:20: ") && line.contains("a confidence and no answer"))
+        .anyMatch(line -> line.contains(":5:23: ") && line.contains("not a confidence from 1 to 5"))
+        .anyMatch(line -> line.contains(":6:20: ") && line.contains("a confidence but no answer"))
         .anyMatch(line -> line.contains(":8:1: ") && line.contains("both are left out"))
         .anyMatch(line -> line.contains("no longer asks about hat"));
   }
@@ -498,6 +499,6 @@ class SessionTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .contains("typed.csv:4:14: ", "'9' is no rating");
+        .contains("typed.csv:4:14: ", "'9' is not a rating");
   }
 }

@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.experiment.questionnaire.Screen;
 import org.selectiverenderer.experiment.questionnaire.Wording;
@@ -40,7 +41,6 @@ import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.RequiresDisplay;
-import org.selectiverenderer.x3d.Problems;
 
 @RequiresDisplay
 class SessionWindowsTest {
@@ -240,13 +240,13 @@ class SessionWindowsTest {
         hands.click(Hands.named(window, "Go on", JButton.class));
         hands.await("going on", controls::takeGoOn);
         hands.click(Hands.named(window, "Abort ...", JButton.class));
-        OpenWindow.answerDialog(hands, "Go on with it");
+        OpenWindow.answerDialog(hands, "Continue the Session");
         assertThat(controls.aborted()).isFalse();
         OpenWindow.close(window);
-        OpenWindow.answerDialog(hands, "Go on with it");
+        OpenWindow.answerDialog(hands, "Continue the Session");
         assertThat(controls.askAbort()).isTrue();
         assertThat(controls.askAbort()).as("asked once").isTrue();
-        OpenWindow.answerDialog(hands, "End the session");
+        OpenWindow.answerDialog(hands, "End the Session");
         hands.await("the end", controls::aborted);
       } finally {
         opened.close();

@@ -18,11 +18,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 class ModelReaderTest {
   private static final String TRIANGLE =
@@ -322,7 +322,7 @@ class ModelReaderTest {
 
     assertThat(reader.read(file, problems)).isEmpty();
 
-    assertThat(problems.list().toString()).contains("a.obj:5").contains("vertex 9 of 3");
+    assertThat(problems.list().toString()).contains("a.obj:5").contains("vertex 9, but only 3");
   }
 
   @ParameterizedTest

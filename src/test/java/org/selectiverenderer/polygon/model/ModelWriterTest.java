@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.scenes.X3dDocument;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class ModelWriterTest {
   @TempDir Path folder;
@@ -132,18 +132,5 @@ class ModelWriterTest {
     } finally {
       Locale.setDefault(before);
     }
-  }
-
-  @Test
-  void numbersHaveNoMoreDigitsThanTheyNeed() {
-    StringBuilder text = new StringBuilder();
-    for (double value : new double[] {0, -0.0, 1, -0.00001, 0.5, 12.3456, 1e20, -100}) {
-      NumberText.append(text, value, 4);
-      text.append(' ');
-    }
-    assertThat(text.toString()).isEqualTo("0 0 1 0 0.5 12.3456 1E+20 -100 ");
-    assertThat(NumberText.shortest(0.1f)).isEqualTo("0.1");
-    assertThat(NumberText.shortest(1e-30f)).isEqualTo("1E-30");
-    assertThat(NumberText.shortest(16777216f)).isEqualTo("16777216");
   }
 }

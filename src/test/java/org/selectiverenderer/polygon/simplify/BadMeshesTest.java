@@ -9,7 +9,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 class BadMeshesTest {
   private final Simplifier simplifier = new Simplifier();

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.geometry.Mesh;
-import org.selectiverenderer.x3d.geometry.VertexMesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.geometry.tessellate.VertexMeshes;
 
 /** Small meshes and measures of meshes. */
 final class Shapes {
@@ -17,11 +18,11 @@ final class Shapes {
   private Shapes() {}
 
   static Mesh smooth(float[] positions, int[] triangles) {
-    return VertexMesh.of(positions, triangles, null, null, null, Math.PI, true);
+    return VertexMeshes.of(new TriangleMesh(positions, triangles), null, null, null, Math.PI, true);
   }
 
   static Mesh creased(float[] positions, int[] triangles) {
-    return VertexMesh.of(positions, triangles, null, null, null, 0.5, true);
+    return VertexMeshes.of(new TriangleMesh(positions, triangles), null, null, null, 0.5, true);
   }
 
   /** A ball of radius 1 with 2 * rows * columns triangles. */
@@ -126,8 +127,13 @@ final class Shapes {
         }
       }
     }
-    return VertexMesh.of(
-        positions, triangles, null, null, textured ? texCoords : null, Math.PI, true);
+    return VertexMeshes.of(
+        new TriangleMesh(positions, triangles),
+        null,
+        null,
+        textured ? texCoords : null,
+        Math.PI,
+        true);
   }
 
   private static int put(int[] triangles, int at, int a, int b, int c) {

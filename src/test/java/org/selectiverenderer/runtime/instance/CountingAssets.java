@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.instance;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.geometry.Mesh;
 
 /**
  * Meshes with as many triangles as a Box is wide, or as the first coordinate of other geometry

@@ -8,8 +8,8 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.Nodes;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
-import org.selectiverenderer.runtime.nodes.InlineNode;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
@@ -128,7 +128,7 @@ class InstanceTreeTest {
     tree.update();
     assertThat(assets.meshes).isEqualTo(meshes);
     assertThat(tree.shapes()).isEmpty();
-    assertThat(tree.occurrences(sensor)).isEmpty();
+    assertThat(tree.instances(sensor)).isEmpty();
     assertThat(tree.otherNodes()).isEmpty();
     assertThat(tree.shownPolygons()).isZero();
     nodes.send(outer, "addChildren", List.of(inner));

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.Nodes;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 class TouchDispatchTest {

@@ -44,7 +44,7 @@ class ImageDecoderTest {
     ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
     assertThat(ImageDecoder.read(file, budget).width()).isEqualTo(2);
     assertThatThrownBy(() -> ImageDecoder.read(file, budget))
-        .hasMessage("has 4 pixels, for which there is no more memory");
+        .hasMessage("has 4 pixels, for which there is not enough memory");
     assertThat(budget).hasValue(12);
   }
 

@@ -17,18 +17,18 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
-import org.selectiverenderer.runtime.nodes.InlineNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** The test is the stepping thread: what arrives in the background waits in a queue for it. */
 @Timeout(60)
@@ -190,8 +190,8 @@ class LiveFilesTest {
         .extracting(Problem::message)
         .containsExactly(
             "Inline url '../secret.x3d' points outside the scene's folder; the Inline is left out",
-            "Inline url 'http://example.org/a.x3d' is on the network or of a scheme that is not"
-                + " read: only files are; the Inline is left out");
+            "Inline url 'http://example.org/a.x3d' is on the network or has an "
+                + "unknown scheme; only local files are read; the Inline is left out");
   }
 
   @Test

@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.ManySwitchesScene;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
  * Prints how long the scenes of the benchmark take to load in a virtual machine just started, step

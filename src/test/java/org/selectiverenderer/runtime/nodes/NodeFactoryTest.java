@@ -7,10 +7,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.Nodes;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeType;
-import org.selectiverenderer.x3d.geometry.Tessellator;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 
 class NodeFactoryTest {
   private final NodeFactory factory = new NodeFactory();

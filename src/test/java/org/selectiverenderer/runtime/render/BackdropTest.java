@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.joml.Matrix4d;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.testing.RequiresDisplay;
 
@@ -22,17 +22,7 @@ class BackdropTest {
           new float[] {1.0f},
           0);
 
-  private Studio studio;
-
-  @BeforeEach
-  void open() {
-    studio = new Studio();
-  }
-
-  @AfterEach
-  void close() {
-    studio.close();
-  }
+  @AutoClose private final Studio studio = new Studio();
 
   @ParameterizedTest
   @CsvSource({

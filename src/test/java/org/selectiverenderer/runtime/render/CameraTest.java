@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.navigation.Viewer;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.viewer.Viewer;
 
 class CameraTest {
   private static Viewer viewer() {

@@ -8,25 +8,15 @@ import java.util.Locale;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
 class CullingTest {
-  private Studio studio;
-
-  @BeforeEach
-  void open() {
-    studio = new Studio();
-  }
-
-  @AfterEach
-  void close() {
-    studio.close();
-  }
+  @AutoClose private final Studio studio = new Studio();
 
   private static TestScene balls() {
     Random random = new Random(7);

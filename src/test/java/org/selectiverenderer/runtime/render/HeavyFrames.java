@@ -9,10 +9,15 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.HeavyScene;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.DepthRange;
 import org.selectiverenderer.runtime.instance.Backdrop;
-import org.selectiverenderer.runtime.navigation.Viewer;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.draw.SceneRenderer;
+import org.selectiverenderer.runtime.render.draw.Visible;
+import org.selectiverenderer.runtime.render.show.FrameTimes;
+import org.selectiverenderer.runtime.viewer.Viewer;
 
 /** Measures frames of the heavy scene along its path; run by hand, prints one line per round. */
 public final class HeavyFrames {

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.testing.RequiresDisplay;
@@ -21,17 +21,7 @@ class LightingTest {
   private static final double DIFFUSE = 0.6;
   private static final double AMBIENT = 0.5;
 
-  private Studio studio;
-
-  @BeforeEach
-  void open() {
-    studio = new Studio();
-  }
-
-  @AfterEach
-  void close() {
-    studio.close();
-  }
+  @AutoClose private final Studio studio = new Studio();
 
   /** A wall in the plane z = 0 that fills the picture. */
   private static String wall(String more) {

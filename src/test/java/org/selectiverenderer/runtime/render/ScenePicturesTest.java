@@ -2,26 +2,16 @@ package org.selectiverenderer.runtime.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
 class ScenePicturesTest {
-  private Studio studio;
-
-  @BeforeEach
-  void open() {
-    studio = new Studio();
-  }
-
-  @AfterEach
-  void close() {
-    studio.close();
-  }
+  @AutoClose private final Studio studio = new Studio();
 
   /** A square of two by two units in the plane z = 0, its corner at the origin. */
   private static String square(String appearance, String more) {
@@ -121,7 +111,8 @@ class ScenePicturesTest {
                 <Coordinate point='0 0 0 2 0 0 2 2 0 0 2 0'/>
                 <Color color='0 0 1 0 1 0 0 1 0 0 0 1'/>
               </IndexedFaceSet>
-            </Shape>""");
+            </Shape>\
+            """);
     int middle = shot.rgb(40, 40);
     assertThat(middle >> 16).isZero();
     assertThat(middle >> 8 & 0xff).isCloseTo(0x88, org.assertj.core.data.Offset.offset(2));

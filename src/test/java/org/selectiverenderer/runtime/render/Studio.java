@@ -4,10 +4,12 @@ import com.jogamp.opengl.DebugGL3;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import org.joml.Matrix4d;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 
 /**
  * Takes pictures of test scenes: 64 x 64 pixels unless said, seen from (0, 0, 10) along -Z, one

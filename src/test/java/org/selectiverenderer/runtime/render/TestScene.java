@@ -5,16 +5,16 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.nodes.GroupingNode;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** A scene written in a test, or read from a file, with its instance tree. */
 public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) {

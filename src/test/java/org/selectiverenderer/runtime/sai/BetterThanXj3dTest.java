@@ -39,8 +39,8 @@ class BetterThanXj3dTest {
       assertThat(sai.complaints())
           .hasSize(8)
           .startsWith(
-              "a listener of whichChoice failed and was passed over: out of luck",
-              "a listener of whichChoice failed and was passed over: an Error even");
+              "a listener of whichChoice failed and was skipped: out of luck",
+              "a listener of whichChoice failed and was skipped: an Error even");
     }
   }
 

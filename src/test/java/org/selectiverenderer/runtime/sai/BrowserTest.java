@@ -100,7 +100,7 @@ class BrowserTest {
     browser.replaceWorld(sai.scene());
     assertThat(heard).containsExactly(BrowserEvent.INITIALIZED);
     assertThat(sai.complaints())
-        .containsExactly("a browser listener failed and was passed over: out of luck");
+        .containsExactly("a browser listener failed and was skipped: out of luck");
     browser.removeBrowserListener(listener);
     browser.replaceWorld(sai.scene());
     assertThat(heard).hasSize(1);

@@ -14,8 +14,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.x3d.Problem;
 import org.web3d.x3d.sai.BrowserFactory;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.InvalidBrowserException;
@@ -138,7 +138,7 @@ class EmbeddedComponentTest {
       assertThat(after.await(30, TimeUnit.SECONDS)).isTrue();
       assertThat(problems)
           .extracting(Problem::message)
-          .containsExactly("a frame failed and was passed over: out of luck");
+          .containsExactly("a frame failed and was skipped: out of luck");
     } finally {
       component.shutdown();
     }

@@ -15,10 +15,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.selectiverenderer.x3d.FieldAccess;
-import org.selectiverenderer.x3d.FieldDefinition;
-import org.selectiverenderer.x3d.FieldType;
-import org.selectiverenderer.x3d.NodeType;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
 import org.web3d.x3d.sai.InvalidFieldValueException;
 import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.InvalidReadableFieldException;
@@ -223,7 +223,7 @@ class FieldValuesTest {
 
   @Test
   void timesInMillisecondsBecomeSeconds() {
-    Values values = new Values(new Binding(sai.world)); // no node type has an MFTime to write
+    SaiValues values = new SaiValues(new Binding(sai.world)); // no node type has an MFTime to write
     assertThat(values.first(FieldType.MFTime, 1, new long[] {2500, 1}))
         .isEqualTo(new double[] {2.5});
   }

@@ -147,8 +147,7 @@ class ListenersTest {
     sai.step();
     assertThat(heard).containsExactly("b1");
     assertThat(sai.complaints())
-        .containsExactly(
-            "a listener of whichChoice failed and was passed over: StackOverflowError");
+        .containsExactly("a listener of whichChoice failed and was skipped: StackOverflowError");
   }
 
   private void recurse(Object event) {

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.runtime.Nodes;
-import org.selectiverenderer.x3d.Problem;
 
 class CascadeTest {
   private final Nodes nodes = new Nodes();
@@ -177,7 +177,7 @@ class CascadeTest {
     assertThat(nodes.sent()).containsExactly("toggle=true");
     assertThat(nodes.problems.list())
         .extracting(Problem::message)
-        .containsExactly("a listener of toggle failed and was passed over: out of luck");
+        .containsExactly("a listener of toggle failed and was skipped: out of luck");
   }
 
   @Test
@@ -217,7 +217,7 @@ class CascadeTest {
     nodes.send(a, "integerKey", 1);
     assertThat(nodes.problems.list())
         .extracting(Problem::message)
-        .containsExactly("listeners answer each other without end; events were dropped");
+        .containsExactly("listeners trigger each other endlessly; events were dropped");
     nodes.watch(a, "integerKey");
     nodes.cascade.run();
     assertThat(nodes.events).isEmpty();

@@ -7,9 +7,9 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.ObservationsReader.Columns;
-import org.selectiverenderer.x3d.Problems;
 
 class ObservationsReaderTest {
   private static final Columns MIXED =
@@ -48,13 +48,13 @@ class ObservationsReaderTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "a,x,two,\"1,5\"|5:9: participant a: '1,5' is no number (write it with a decimal point",
-        "a,x,two,NaN|5:9: participant a: 'NaN' is no number",
+        "a,x,two,\"1,500\"|5:9: participant a: '1,500' is not a number (write it with a decimal point",
+        "a,x,two,NaN|5:9: participant a: 'NaN' is not a number",
         "a,x,one,2|5:9: participant a: a second value at type one",
         "a,y,two,2|5:3: participant a: is in the group y here and in x before",
         "a,x,two,|2:1: participant a: has no score at two",
         "a,x,,3|5:5: participant a: the type is missing; the row is left out",
-        "a,x,two,3,5|5:1: the row has 5 values where the header names 4 columns",
+        "a,x,two,3,5|5:1: the row has 5 values, but the header has 4 columns",
       })
   void badValuesCostTheParticipantAndAreFlagged(String row, String message) {
     Observations found = parse(GOOD + row + "\n");
@@ -72,7 +72,7 @@ class ObservationsReaderTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .isEqualTo("d.csv:1:4: group has one level only, x; no effect of it is tested");
+        .isEqualTo("d.csv:1:4: group has only one level, x; its effect is not tested");
   }
 
   @Test

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.x3d.Problems;
 
 class ResponsesReaderTest {
   private static final String HEADER =
@@ -38,16 +38,20 @@ class ResponsesReaderTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "p1,high,kitchen,cup,consistent,yes,yes,6|2:40: participant p1: '6' is no confidence from 1",
-        "p1,high,kitchen,cup,consistent,yes,yes,0|2:40: participant p1: '0' is no confidence",
-        "p1,high,kitchen,cup,consistent,yes,yes,\"3,5\"|2:40: participant p1: '3,5' is no confidence"
-            + " from 1 to 5 (write it with a decimal point",
-        "p1,high,kitchen,cup,consistent,yes,yes,3,5|2:1: the row has 9 values where the header names"
-            + " 8 columns (a number is written with a decimal point",
-        "p1,high,kitchen,cup,consistent,yes,,4|2:36: participant p1: no answer to cup; the answer is",
+        "p1,high,kitchen,cup,consistent,yes,yes,6|2:40: participant p1: '6' is not a confidence from"
+            + " 1",
+        "p1,high,kitchen,cup,consistent,yes,yes,0|2:40: participant p1: '0' is not a confidence",
+        "p1,high,kitchen,cup,consistent,yes,yes,\"3,5\"|2:40: participant p1: '3,5' is not a"
+            + " confidence from 1 to 5; the",
+        "p1,high,kitchen,cup,consistent,yes,yes,3,5|2:1: the row has 9 values, but "
+            + "the header has 8 columns (write numbers with a decimal point",
+        "p1,high,kitchen,cup,consistent,yes,,4|2:36: participant p1: no answer to cup; the answer"
+            + " is",
         "p1,high,kitchen,cup,consistent,yes,maybe,4|2:36: participant p1: 'maybe' is not yes or no",
-        "p1,high,kitchen,cup,consistent,,yes,4|2:32: participant p1: yes or no is missing",
-        "p1,high,kitchen,cup,expected,yes,yes,4|2:21: participant p1: 'expected' is no consistency",
+        "p1,high,kitchen,cup,consistent,,yes,4|2:32: participant p1: the answer (yes "
+            + "or no) is missing",
+        "p1,high,kitchen,cup,expected,yes,yes,4|2:21: participant p1: 'expected' is "
+            + "not a consistency",
         ",high,kitchen,cup,consistent,yes,yes,4|2:1: the participant is missing",
         "p1,,kitchen,cup,consistent,yes,yes,4|2:4: participant p1: the condition is missing",
       })
@@ -75,14 +79,15 @@ class ResponsesReaderTest {
         .singleElement()
         .asString()
         .isEqualTo(
-            "r.csv:4:1: participant p1: a second answer to cup, as in line 2; it is left out");
+            "r.csv:4:1: participant p1: a second answer to cup; line 2 has the "
+                + "first; it is left out");
   }
 
   @Test
   void ofTwoAnswersThatDifferNoneIsKept() {
     Responses found = parse(HEADER + CUP + KITE + CUP.replace(",4", ",5"));
     assertThat(found.usable()).extracting(Response::object).containsExactly("kite");
-    assertThat(problems.list().get(0)).asString().contains("but different; both are left out");
+    assertThat(problems.list().get(0)).asString().contains("they differ, so both are left out");
   }
 
   @Test
@@ -105,7 +110,7 @@ class ResponsesReaderTest {
         .singleElement()
         .asString()
         .isEqualTo(
-            "r.csv:4:1: participant p2: of 2 objects of the area kitchen 1 are not in the file"
+            "r.csv:4:1: participant p2: of the 2 objects of the area kitchen, 1 are not in the file"
                 + " (kite); the others count");
   }
 
@@ -149,7 +154,9 @@ class ResponsesReaderTest {
             ResponsesReader.parse(
                 "r.csv", "participant;condition;area\n", Optional.empty(), problems))
         .isEmpty();
-    assertThat(problems.list().get(0)).asString().contains("r.csv:1:1: ", "semicolons");
+    assertThat(problems.list().get(0))
+        .asString()
+        .contains("r.csv:1:1: ", "the header lacks object, ");
     assertThat(ResponsesReader.parse("r.csv", "participant,area\n", Optional.empty(), problems))
         .isEmpty();
     assertThat(problems.list().get(1)).asString().contains("the header lacks condition, object");

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.base.problem.Location;
 
 class DetectionTest {
   private static final Offset<Double> EXACT = within(1e-9);
@@ -15,7 +15,7 @@ class DetectionTest {
   /** z(0.8) = 0.8416212336, z(0.4) = -0.2533471031: tables of the normal distribution. */
   @Test
   void dPrimeLogBetaAndCriterionOfRates() {
-    Detection found = Detection.of(new Counts(8, 2, 4, 6), Correction.NONE);
+    Detection found = Detection.of(new ResponseCounts(8, 2, 4, 6), Correction.NONE);
     assertThat(found.hitRate()).isEqualTo(0.8);
     assertThat(found.falseAlarmRate()).isEqualTo(0.4);
     assertThat(found.dPrime()).isEqualTo(0.8416212336 + 0.2533471031, EXACT);
@@ -27,7 +27,7 @@ class DetectionTest {
 
   @Test
   void aBiasTowardsNoIsPositive() {
-    Detection shy = Detection.of(new Counts(5, 5, 1, 9), Correction.LOG_LINEAR);
+    Detection shy = Detection.of(new ResponseCounts(5, 5, 1, 9), Correction.LOG_LINEAR);
     assertThat(shy.logBeta()).isPositive();
     assertThat(shy.criterion()).isPositive();
   }
@@ -35,35 +35,35 @@ class DetectionTest {
   /** Hautus 1995: (10 + 0.5) / (10 + 1) and (0 + 0.5) / (10 + 1). */
   @Test
   void theLogLinearCorrectionAddsToAllRates() {
-    Detection perfect = Detection.of(new Counts(10, 0, 0, 10), Correction.LOG_LINEAR);
+    Detection perfect = Detection.of(new ResponseCounts(10, 0, 0, 10), Correction.LOG_LINEAR);
     assertThat(perfect.hitRate()).isEqualTo(10.5 / 11, EXACT);
     assertThat(perfect.falseAlarmRate()).isEqualTo(0.5 / 11, EXACT);
     assertThat(perfect.dPrime()).isEqualTo(2 * 1.6906216295848984, EXACT);
-    assertThat(Detection.of(new Counts(8, 2, 4, 6), Correction.LOG_LINEAR).hitRate())
+    assertThat(Detection.of(new ResponseCounts(8, 2, 4, 6), Correction.LOG_LINEAR).hitRate())
         .isEqualTo(8.5 / 11, EXACT);
   }
 
   @Test
   void halfATrialReplacesRatesOfZeroAndOneOnly() {
-    Detection perfect = Detection.of(new Counts(10, 0, 0, 5), Correction.HALF_TRIAL);
+    Detection perfect = Detection.of(new ResponseCounts(10, 0, 0, 5), Correction.HALF_TRIAL);
     assertThat(perfect.hitRate()).isEqualTo(0.95, EXACT);
     assertThat(perfect.falseAlarmRate()).isEqualTo(0.1, EXACT);
-    assertThat(Detection.of(new Counts(8, 2, 4, 6), Correction.HALF_TRIAL).hitRate())
+    assertThat(Detection.of(new ResponseCounts(8, 2, 4, 6), Correction.HALF_TRIAL).hitRate())
         .isEqualTo(0.8);
   }
 
   @Test
   void withoutCorrectionARateOfOneHasNoDPrimeAndSaysWhy() {
-    Detection perfect = Detection.of(new Counts(10, 0, 4, 6), Correction.NONE);
+    Detection perfect = Detection.of(new ResponseCounts(10, 0, 4, 6), Correction.NONE);
     assertThat(perfect.dPrime()).isNaN();
     assertThat(perfect.flaw()).hasValueSatisfying(why -> assertThat(why).contains("infinite"));
   }
 
   @Test
   void noAnswerToAbsentObjectsIsNoDPrimeWhateverTheCorrection() {
-    Detection found = Detection.of(new Counts(3, 1, 0, 0), Correction.LOG_LINEAR);
+    Detection found = Detection.of(new ResponseCounts(3, 1, 0, 0), Correction.LOG_LINEAR);
     assertThat(found.dPrime()).isNaN();
-    assertThat(found.flaw()).contains("no answer to absent objects is left");
+    assertThat(found.flaw()).contains("no answers to absent objects are left");
   }
 
   @Test
@@ -75,17 +75,17 @@ class DetectionTest {
     answers.add(answer(false, true, 4));
     answers.add(answer(false, false, 1));
     answers.add(answer(false, false, 0));
-    assertThat(Counts.of(answers, ConfidenceLevel.ALL, Guessing.DISCARD))
-        .isEqualTo(new Counts(2, 1, 1, 2));
-    assertThat(Counts.of(answers, ConfidenceLevel.MODERATE, Guessing.DISCARD))
-        .isEqualTo(new Counts(1, 1, 1, 0));
-    assertThat(Counts.of(answers, ConfidenceLevel.HIGH, Guessing.DISCARD))
-        .isEqualTo(new Counts(1, 0, 0, 0));
+    assertThat(ResponseCounts.of(answers, ConfidenceLevel.ALL, Guessing.DISCARD))
+        .isEqualTo(new ResponseCounts(2, 1, 1, 2));
+    assertThat(ResponseCounts.of(answers, ConfidenceLevel.MODERATE, Guessing.DISCARD))
+        .isEqualTo(new ResponseCounts(1, 1, 1, 0));
+    assertThat(ResponseCounts.of(answers, ConfidenceLevel.HIGH, Guessing.DISCARD))
+        .isEqualTo(new ResponseCounts(1, 0, 0, 0));
     // As "no": the guess of a present object is a miss; the answer without confidence stays out.
-    assertThat(Counts.of(answers, ConfidenceLevel.MODERATE, Guessing.AS_NO))
-        .isEqualTo(new Counts(1, 2, 1, 1));
-    assertThat(Counts.of(answers, ConfidenceLevel.HIGH, Guessing.AS_NO))
-        .isEqualTo(new Counts(1, 2, 0, 2));
+    assertThat(ResponseCounts.of(answers, ConfidenceLevel.MODERATE, Guessing.AS_NO))
+        .isEqualTo(new ResponseCounts(1, 2, 1, 1));
+    assertThat(ResponseCounts.of(answers, ConfidenceLevel.HIGH, Guessing.AS_NO))
+        .isEqualTo(new ResponseCounts(1, 2, 0, 2));
   }
 
   private static Response answer(boolean present, boolean yes, int confidence) {

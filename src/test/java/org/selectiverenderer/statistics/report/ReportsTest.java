@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
@@ -18,11 +19,10 @@ import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.simulation.Model;
 import org.selectiverenderer.statistics.simulation.ObjectList;
 import org.selectiverenderer.statistics.simulation.SimulatedStudy;
-import org.selectiverenderer.statistics.study.Study;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.statistics.simulation.StudyModel;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
  * Reports against golden files. After a change that is meant, {@code mvn test -Dtest=ReportsTest
@@ -68,7 +68,7 @@ class ReportsTest {
   /** Bad data end in footnotes, never in NaN. */
   @Test
   void noReportShowsANumberThatIsNone() {
-    Study bad =
+    StudyAnalysis bad =
         read(
             "participant,condition,area,object,consistency,present,response,confidence\n"
                 + "a,high,kitchen,cup,consistent,yes,yes,4\n"
@@ -108,8 +108,8 @@ class ReportsTest {
 
   @Test
   void oneConditionOnlyIsAnalysedWithoutItsEffectAndSaidSo() {
-    Study study =
-        Study.of(
+    StudyAnalysis study =
+        StudyAnalysis.of(
             ResponsesReader.parse(
                     "r.csv", answers(List.of("high")), Optional.empty(), new Problems())
                 .orElseThrow(),
@@ -144,7 +144,7 @@ class ReportsTest {
   }
 
   /** Fourteen simulated participants; one answer is missing, one is out of range. */
-  private static Study study() {
+  private static StudyAnalysis study() {
     String text =
         answers(List.of("high", "high-low", "selective"))
             .replaceFirst("(sim-001,.*,)\\d\n", "$19\n")
@@ -152,8 +152,8 @@ class ReportsTest {
     return read(text);
   }
 
-  private static Study read(String text) {
-    return Study.of(
+  private static StudyAnalysis read(String text) {
+    return StudyAnalysis.of(
         ResponsesReader.parse("r.csv", text, Optional.empty(), new Problems()).orElseThrow(),
         Scoring.DEFAULT,
         AnovaOptions.DEFAULT);
@@ -161,8 +161,8 @@ class ReportsTest {
 
   private static String answers(List<String> conditions) {
     List<Double> ones = conditions.stream().map(name -> 1.0).toList();
-    Model model =
-        new Model(
+    StudyModel model =
+        new StudyModel(
             conditions,
             ones,
             ones.stream().map(one -> 0.1).toList(),

@@ -9,15 +9,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.simulation.Model;
 import org.selectiverenderer.statistics.simulation.ObjectList;
 import org.selectiverenderer.statistics.simulation.SimulatedStudy;
-import org.selectiverenderer.statistics.study.Study;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.statistics.simulation.StudyModel;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
  * The report in docs is the one that docs/statistics.md tells how to make. After a change that is
@@ -38,9 +38,9 @@ class StudyReportPageTest {
   }
 
   /** {@code experiment simulate --participants 54 --d-prime 1.1 --seed 2009}. */
-  private static Study study() {
-    Model model =
-        new Model(
+  private static StudyAnalysis study() {
+    StudyModel model =
+        new StudyModel(
             List.of("high", "high-low", "selective"),
             List.of(1.1, 1.1, 1.1),
             List.of(0.0, 0.0, 0.0),
@@ -50,7 +50,7 @@ class StudyReportPageTest {
             0.4,
             ObjectList.THESIS);
     String answers = ResponsesCsv.of(SimulatedStudy.responses(model, 54, 2009));
-    return Study.of(
+    return StudyAnalysis.of(
         ResponsesReader.parse("simulated.csv", answers, Optional.empty(), new Problems())
             .orElseThrow(),
         Scoring.DEFAULT,

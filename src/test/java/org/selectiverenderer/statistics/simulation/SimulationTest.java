@@ -9,28 +9,28 @@ import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Correction;
-import org.selectiverenderer.statistics.detection.Counts;
 import org.selectiverenderer.statistics.detection.Detection;
 import org.selectiverenderer.statistics.detection.Guessing;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.statistics.detection.ResponseCounts;
 import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.study.AreaStudy;
-import org.selectiverenderer.x3d.Problems;
 
 class SimulationTest {
-  private static final Model ALIKE = model(List.of(1.1, 1.1, 1.1));
+  private static final StudyModel ALIKE = model(List.of(1.1, 1.1, 1.1));
 
   @Test
   void theSensitivityAndCriterionPutInComeOut() {
-    Model model =
-        new Model(
+    StudyModel model =
+        new StudyModel(
             List.of("high"),
             List.of(1.4),
             List.of(0.3),
@@ -42,7 +42,8 @@ class SimulationTest {
     List<Response> answers = SimulatedStudy.responses(model, 2000, 7);
     Detection found =
         Detection.of(
-            Counts.of(answers, ConfidenceLevel.ALL, Guessing.DISCARD), Correction.LOG_LINEAR);
+            ResponseCounts.of(answers, ConfidenceLevel.ALL, Guessing.DISCARD),
+            Correction.LOG_LINEAR);
     assertThat(found.dPrime()).isEqualTo(1.4, within(0.03));
     assertThat(found.criterion()).isEqualTo(0.3, within(0.02));
   }
@@ -101,7 +102,7 @@ class SimulationTest {
     assertThat(analysis(ALIKE, 40).needed(AreaStudy.BETWEEN, 0.8, 24)).isEmpty();
   }
 
-  private static PowerAnalysis analysis(Model model, int studies) {
+  private static PowerAnalysis analysis(StudyModel model, int studies) {
     return new PowerAnalysis(
         model,
         "kitchen",
@@ -113,8 +114,8 @@ class SimulationTest {
         line -> {});
   }
 
-  private static Model model(List<Double> sensitivities) {
-    return new Model(
+  private static StudyModel model(List<Double> sensitivities) {
+    return new StudyModel(
         List.of("high", "high-low", "selective"),
         sensitivities,
         List.of(0.0, 0.0, 0.0),

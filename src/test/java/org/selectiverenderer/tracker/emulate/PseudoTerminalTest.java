@@ -49,7 +49,7 @@ class PseudoTerminalTest {
     Path file = Files.writeString(folder.resolve("thesis.txt"), "mine");
     assertThatThrownBy(() -> PseudoTerminal.open(file, Maker.SOCAT).close())
         .isInstanceOf(IOException.class)
-        .hasMessage(file + " exists and is no link; it is not replaced");
+        .hasMessage(file + " exists and is not a link; it is not replaced");
     assertThat(file).hasContent("mine");
   }
 }

@@ -15,8 +15,8 @@ import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
+import org.selectiverenderer.tracker.open.Trackers;
 
 class OpenTrackTest {
   private final Watching watching = new Watching();
@@ -46,7 +46,7 @@ class OpenTrackTest {
       send(socket, port, datagram(48, 0, 0, 0, 0, Double.POSITIVE_INFINITY, 0));
       send(socket, port, datagram(48, 0, 0, 0, 0, 0, 1e9));
       watching.until("all seven", () -> tracker.health().bad() == 7);
-      watching.problem("makes no sense");
+      watching.problem("cannot be understood");
       send(socket, port, datagram(48, 0, 0, 0, 1, 2, 3));
       watching.problem("records come again");
       assertThat(watching.orientations).containsExactly(new Orientation(1, 2, 3));

@@ -15,8 +15,8 @@ import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
+import org.selectiverenderer.tracker.open.Trackers;
 
 class TcpLinesTest {
   private final Watching watching = new Watching();
@@ -57,7 +57,7 @@ class TcpLinesTest {
         HeadTracker tracker = open(server);
         Socket client = server.accept()) {
       say(client, "GET / HTTP/1.1\n");
-      watching.problem("a line is to be three numbers, yaw pitch roll in degrees");
+      watching.problem("a line must be three numbers, yaw pitch roll in degrees");
       assertThat(tracker.health().bad()).isEqualTo(1);
     }
   }
@@ -114,7 +114,7 @@ class TcpLinesTest {
     }
     assertThatThrownBy(() -> open("127.0.0.1", port).close())
         .isInstanceOf(TrackerException.class)
-        .hasMessage("nothing listens on port " + port + " of 127.0.0.1 (is the server started?)");
+        .hasMessage("nothing listens on port " + port + " of 127.0.0.1 (is the server running?)");
   }
 
   @Test

@@ -9,8 +9,8 @@ import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
+import org.selectiverenderer.tracker.open.Trackers;
 
 class VrpnTest {
   private static final String COOKIE = "vrpn: ver. 07.38  0";

@@ -12,6 +12,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.PoseSample;
@@ -20,10 +22,8 @@ import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerOptions.Smoothing;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.tracker.open.Trackers;
 
 class ReplayTest {
   @TempDir Path folder;
@@ -96,7 +96,7 @@ class ReplayTest {
     assertThat(problems.any()).isFalse();
     assertThat(problems.list())
         .extracting(Problem::toString)
-        .containsExactly(file + ":3:1: the last row is not whole; it is passed over");
+        .containsExactly(file + ":3:1: the last row is incomplete; it is ignored");
   }
 
   @Test
@@ -104,12 +104,12 @@ class ReplayTest {
     Path file = file("t,yaw,pitch,roll\n1,1,2,x\n2,NaN,0,0\n1.5,0,0,0\n");
     assertThatThrownBy(() -> open(file).close())
         .isInstanceOf(TrackerException.class)
-        .hasMessage("the log " + file + " has faults");
+        .hasMessage("the log " + file + " has errors");
     assertThat(watching.problems)
         .extracting(Problem::toString)
         .containsExactly(
-            file + ":2:7: 'x' is no number; the log is not played",
-            file + ":3:3: 'NaN' is no number; the log is not played");
+            file + ":2:7: 'x' is not a number; the log is not played",
+            file + ":3:3: 'NaN' is not a number; the log is not played");
   }
 
   @Test

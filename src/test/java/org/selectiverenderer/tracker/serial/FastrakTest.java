@@ -12,8 +12,8 @@ import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
+import org.selectiverenderer.tracker.open.Trackers;
 
 class FastrakTest {
   private static final String RECORD = "01   12.50 -45.25   3.00\r\n";

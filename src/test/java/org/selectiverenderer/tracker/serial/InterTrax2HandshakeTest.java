@@ -13,8 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
+import org.selectiverenderer.tracker.open.Trackers;
 
 /** Devices in all states, and other devices, at the far end of the cable. */
 class InterTrax2HandshakeTest {
@@ -87,8 +87,8 @@ class InterTrax2HandshakeTest {
       assertThat(device.heard()).startsWith("cccc*reset");
       assertThat(watching.messages())
           .containsExactly(
-              "no InterTrax2 answers (is it plugged in and powered?); it is tried again until it"
-                  + " answers");
+              "no InterTrax2 answers (is it plugged in and powered?); the program "
+                  + "keeps trying until it answers");
       assertThat(tracker.health().records()).isZero();
     }
   }
@@ -127,7 +127,7 @@ class InterTrax2HandshakeTest {
       watching.problem("records come again");
       long before = watching.samples();
       device.says(new byte[8 * 20]);
-      watching.problem("makes no sense");
+      watching.problem("cannot be understood");
       assertThat(tracker.health().bad()).isPositive();
       device.says(RECORD);
       device.says(RECORD);

@@ -15,12 +15,12 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
 import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulate.HeadMotion;
 import org.selectiverenderer.tracker.emulate.InterTrax2Emulator.Settings;
 import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
+import org.selectiverenderer.tracker.open.Trackers;
 
 /** The real driver on a real serial device (a pseudo-terminal), the emulator at the far end. */
 class InterTrax2Test {
@@ -84,7 +84,7 @@ class InterTrax2Test {
       assertThat(tracker.health().dropped()).isZero();
       watching.problem("records come again, after");
       assertThat(watching.messages())
-          .filteredOn(message -> message.contains("has gone (cable pulled?)"))
+          .filteredOn(message -> message.contains("has disappeared (was the cable pulled?)"))
           .hasSize(2);
     }
   }

@@ -7,7 +7,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.tracker.pose.RecordedIntake;
+import org.selectiverenderer.tracker.live.RecordedIntake;
 
 class InterTraxRecordsTest {
   private static final String ZERO = "8000000000000080";

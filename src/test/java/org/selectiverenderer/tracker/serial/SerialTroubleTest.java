@@ -13,8 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Trackers;
 import org.selectiverenderer.tracker.Watching;
+import org.selectiverenderer.tracker.open.Trackers;
 
 class SerialTroubleTest {
   @TempDir Path folder;
@@ -32,7 +32,7 @@ class SerialTroubleTest {
     Path file = Files.writeString(folder.resolve("file"), "text");
     assertThatThrownBy(() -> open(file))
         .isInstanceOf(TrackerException.class)
-        .hasMessage(file + " is no serial port");
+        .hasMessage(file + " is not a serial port");
   }
 
   @Test

@@ -20,12 +20,12 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.validation.RuleCatalogue;
-import org.selectiverenderer.validation.SceneFinder;
 import org.selectiverenderer.validation.ValidationSettings;
-import org.selectiverenderer.validation.Validator;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.SceneFinder;
+import org.selectiverenderer.validation.run.Validator;
 
 /**
  * One folder of scenes in every format, byte for byte. With {@code -Dfixtures.write=true} the

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.validation.Rule;
-import org.selectiverenderer.validation.RuleCatalogue;
+import org.selectiverenderer.validation.run.RuleCatalogue;
 
 class RuleBookTest {
   private static final RuleCatalogue RULES = RuleCatalogue.standard();

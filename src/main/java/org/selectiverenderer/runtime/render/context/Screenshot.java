@@ -3,15 +3,11 @@ package org.selectiverenderer.runtime.render.context;
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.selectiverenderer.base.picture.PngFile;
 
 /**
  * A picture that was drawn.
@@ -47,18 +43,12 @@ public record Screenshot(int width, int height, byte[] rgba) {
    * @throws IOException if the file cannot be written
    */
   public void writePng(Path file) throws IOException {
-    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-    for (int y = 0; y < height; y++) {
-      for (int x = 0; x < width; x++) {
-        image.setRGB(x, height - 1 - y, rgb(x, y));
+    byte[] rgb = new byte[3 * width * height];
+    for (int y = height - 1, at = 0; y >= 0; y--) {
+      for (int x = 0; x < width; x++, at += 3) {
+        System.arraycopy(rgba, 4 * (y * width + x), rgb, at, 3);
       }
     }
-    // ImageIO's own cache is a file with a shutdown hook, which is refused after Ctrl-C.
-    try (OutputStream out = Files.newOutputStream(file);
-        ImageOutputStream cached = new MemoryCacheImageOutputStream(out)) {
-      if (!ImageIO.write(image, "png", cached)) {
-        throw new IOException("this Java has no PNG writer");
-      }
-    }
+    Files.write(file, PngFile.of(width, height, rgb));
   }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.runtime.render.mesh;
 
+import org.selectiverenderer.geometry.TriangleMath;
+
 /** Bounding spheres and cones of normals of clusters. */
 final class ClusterBounds {
   /** Half angles beyond this (about 84 degrees) are hardly ever culled. */
@@ -64,7 +66,7 @@ final class ClusterBounds {
         }
       }
     }
-    double length = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    double length = TriangleMath.length(axis);
     double least = length > 0 ? 1 : -1;
     for (int i = from; i < to && length > 0; i += 3) {
       if (normal(i, n)) {
@@ -83,16 +85,8 @@ final class ClusterBounds {
     int a = 3 * indices[i];
     int b = 3 * indices[i + 1];
     int c = 3 * indices[i + 2];
-    double ux = (double) positions[b] - positions[a];
-    double uy = (double) positions[b + 1] - positions[a + 1];
-    double uz = (double) positions[b + 2] - positions[a + 2];
-    double vx = (double) positions[c] - positions[a];
-    double vy = (double) positions[c + 1] - positions[a + 1];
-    double vz = (double) positions[c + 2] - positions[a + 2];
-    out[0] = uy * vz - uz * vy;
-    out[1] = uz * vx - ux * vz;
-    out[2] = ux * vy - uy * vx;
-    double length = Math.sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+    TriangleMath.normal(positions, a, b, c, out);
+    double length = TriangleMath.length(out);
     for (int axis = 0; axis < 3; axis++) {
       out[axis] /= length;
     }

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.render.mesh;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * Packs a mesh: orders triangles by cluster, numbers vertices in the order of their first use,

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.render.mesh;
 
 import java.nio.ByteBuffer;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * A mesh as the bytes of one vertex and one index buffer, both direct and in native order.
@@ -25,10 +25,5 @@ public record PackedMesh(
   /** Bytes per index. */
   public int indexBytes() {
     return wideIndices ? 4 : 2;
-  }
-
-  /** Bytes that the mesh takes on the graphics card. */
-  public long bytes() {
-    return (long) vertices.limit() + indices.limit();
   }
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.render.mesh;
 
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * Where the attributes of a vertex stand in the vertex buffer, in bytes from the vertex's first; -1

@@ -1,9 +1,9 @@
 /**
  * Meshes made ready for the graphics card, on any thread and without GL.
  *
- * <p>In: a {@link org.selectiverenderer.x3d.geometry.Mesh}. Out: a {@link
+ * <p>In: a {@link org.selectiverenderer.geometry.mesh.Mesh}. Out: a {@link
  * org.selectiverenderer.runtime.render.mesh.PackedMesh}, bytes for one vertex and one index buffer,
- * and its clusters for culling. Uses {@code x3d.geometry} only.
+ * and its clusters for culling. Uses {@code geometry} and {@code geometry.mesh}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.mesh;

@@ -8,11 +8,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.font.FontFamily;
+import org.selectiverenderer.geometry.font.FontStyle;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.render.gpu.Program;
-import org.selectiverenderer.x3d.geometry.Mesh;
-import org.selectiverenderer.x3d.geometry.TextMesher;
-import org.selectiverenderer.x3d.geometry.text.FontFamily;
-import org.selectiverenderer.x3d.geometry.text.FontStyle;
 
 /** Draws marks, later ones over earlier ones. Belongs to the thread that owns the context. */
 public final class SketchPainter {

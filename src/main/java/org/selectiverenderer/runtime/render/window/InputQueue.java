@@ -22,10 +22,6 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
     }
   }
 
-  private static InputEvent.Modifiers modifiers(com.jogamp.newt.event.InputEvent event) {
-    return new InputEvent.Modifiers(event.isShiftDown(), event.isControlDown(), event.isAltDown());
-  }
-
   @Override
   public void keyPressed(KeyEvent event) {
     key(event, true);
@@ -40,9 +36,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
   }
 
   private void key(KeyEvent event, boolean pressed) {
-    events.add(
-        new InputEvent.KeyInput(
-            Key.of(event.getKeySymbol()), pressed, event.isAutoRepeat(), modifiers(event)));
+    events.add(new InputEvent.KeyInput(KeyboardKey.of(event.getKeySymbol()), pressed));
   }
 
   @Override
@@ -56,28 +50,22 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
   }
 
   private void button(MouseEvent event, boolean pressed) {
-    events.add(
-        new InputEvent.ButtonInput(
-            event.getButton(), pressed, event.getX(), event.getY(), modifiers(event)));
-  }
-
-  @Override
-  public void mouseMoved(MouseEvent event) {
-    motion(event, 0);
+    events.add(new InputEvent.ButtonInput(event.getButton(), pressed, event.getX(), event.getY()));
   }
 
   @Override
   public void mouseDragged(MouseEvent event) {
-    motion(event, event.getButtonsDown().length == 0 ? 0 : event.getButtonsDown()[0]);
+    mouseMoved(event);
   }
 
-  private void motion(MouseEvent event, int button) {
+  @Override
+  public void mouseMoved(MouseEvent event) {
     int dx = inside ? event.getX() - lastX : 0;
     int dy = inside ? event.getY() - lastY : 0;
     inside = true;
     lastX = event.getX();
     lastY = event.getY();
-    events.add(new InputEvent.MotionInput(lastX, lastY, dx, dy, button, modifiers(event)));
+    events.add(new InputEvent.MotionInput(lastX, lastY, dx, dy));
   }
 
   @Override
@@ -87,9 +75,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
 
   @Override
   public void mouseWheelMoved(MouseEvent event) {
-    events.add(
-        new InputEvent.WheelInput(
-            event.getRotation()[1], event.getX(), event.getY(), modifiers(event)));
+    events.add(new InputEvent.WheelInput(event.getRotation()[1]));
   }
 
   @Override

@@ -36,10 +36,6 @@ public final class RenderWindow {
   private long drawn;
   private volatile boolean stopping;
 
-  public RenderWindow(WindowOptions options, FrameSource source, InputListener listener) {
-    this(options, source, listener, List.of());
-  }
-
   /**
    * A window with others beside it, whose input is heard too.
    *

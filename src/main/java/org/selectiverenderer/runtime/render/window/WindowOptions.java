@@ -27,11 +27,6 @@ public record WindowOptions(
     this(title, width, height, samples, fullScreen, Optional.empty(), false);
   }
 
-  /** A window with four samples per pixel. */
-  public static WindowOptions of(String title, int width, int height) {
-    return new WindowOptions(title, width, height, 4, false);
-  }
-
   /** The whole of a monitor. */
   public static WindowOptions filling(Monitor monitor, String title, int samples) {
     return new WindowOptions(

@@ -4,7 +4,7 @@
  * <p>In: NEWT's events, from NEWT's own threads. Out: calls of a {@link
  * org.selectiverenderer.runtime.render.window.FrameSource} and of an {@link
  * org.selectiverenderer.runtime.render.window.InputListener}, all on the render thread. Uses NEWT
- * and {@code render.context}; no AWT.
+ * and {@code runtime.render.context}; no AWT.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.window;

@@ -7,6 +7,7 @@ import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
@@ -27,7 +28,7 @@ final class DialogQuestions implements Questions {
   private int show(int kind, String sentence, String... choices) {
     return JOptionPane.showOptionDialog(
         owner,
-        "<html><body width=420>" + sentence.replace("&", "&amp;").replace("<", "&lt;"),
+        "<html><body width=420>" + Markup.text(sentence),
         TITLE,
         JOptionPane.DEFAULT_OPTION,
         kind,
@@ -61,7 +62,7 @@ final class DialogQuestions implements Questions {
 
   @Override
   public boolean reload(String sentence) {
-    return choose(sentence, "Keep what is here", "Reload") == 1;
+    return choose(sentence, "Keep My Changes", "Reload") == 1;
   }
 
   @Override

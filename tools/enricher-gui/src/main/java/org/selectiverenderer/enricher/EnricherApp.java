@@ -24,7 +24,8 @@ public final class EnricherApp {
       throws IOException, InterruptedException {
     if (!display()) {
       throw new IOException(
-          "the enricher's window needs a display; without one, enrich takes --apply or --ratings");
+          "the enricher's window needs a display; without a display use enrich with "
+              + "--apply or --ratings");
     }
     CountDownLatch closed = new CountDownLatch(1);
     EventQueue.invokeLater(

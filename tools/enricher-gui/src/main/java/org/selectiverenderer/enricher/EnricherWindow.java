@@ -20,17 +20,17 @@ import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.RecentFiles;
-import org.selectiverenderer.enricher.settings.Settings;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** The window with one document at a time. For the event dispatch thread. */
-public final class EnricherWindow {
+final class EnricherWindow {
   private static final String NAME = "Enricher";
 
-  private final Settings settings;
+  private final EnricherSettings settings;
   private final Recovery recovery;
   private final RecentFiles recent;
   private final WindowPlace place;
@@ -60,11 +60,11 @@ public final class EnricherWindow {
   }
 
   /** Settings, and what is to be said of reading them. */
-  private record Remembered(Settings settings, String complaint) {}
+  private record Remembered(EnricherSettings settings, String complaint) {}
 
   /** Colours come before the first component is made. */
   private static Remembered themed(Path folder) {
-    Settings settings = new Settings(folder);
+    EnricherSettings settings = new EnricherSettings(folder);
     String complaint = "";
     try {
       settings.load();
@@ -128,11 +128,6 @@ public final class EnricherWindow {
     return recent;
   }
 
-  /** What was said last. */
-  String said() {
-    return status.said();
-  }
-
   /** Opens the window. */
   public void show() {
     frame.setVisible(true);
@@ -153,7 +148,7 @@ public final class EnricherWindow {
   /** Asks again what is to become of changes that a crash has left. */
   void askAboutKept() {
     if (kept.offer(this::restore).isEmpty()) {
-      questions.tell("No changes are kept of sessions that ended unexpectedly.");
+      questions.tell("There are no kept changes of sessions that ended unexpectedly.");
     }
   }
 

@@ -53,7 +53,7 @@ final class KeptWork {
         }
       }
     } catch (IOException e) {
-      say.accept("Changes kept for a crash cannot be looked for: " + e.getMessage());
+      say.accept("Cannot look for kept changes: " + e.getMessage());
     }
     return last;
   }
@@ -64,18 +64,19 @@ final class KeptWork {
         .formatted(
             kept.file(),
             when,
-            "Restoring opens it with them; the file stays as it is until you save.",
+            "Restoring opens the file with these changes; the file itself does not "
+                + "change until you save.",
             disk(kept));
   }
 
   private static String disk(Recovery.Kept kept) throws IOException {
     Path file = kept.file();
     if (!Files.isRegularFile(file)) {
-      return "The file itself is gone.";
+      return "The file itself no longer exists.";
     }
     Instant written = Files.getLastModifiedTime(file).toInstant();
     return written.isAfter(kept.when())
-        ? "The file has been written since; its newer text is one undo away then."
-        : "All of them are one step to undo.";
+        ? "The file has been saved since then; one undo after restoring shows its newer text."
+        : "One undo takes all of them back.";
   }
 }

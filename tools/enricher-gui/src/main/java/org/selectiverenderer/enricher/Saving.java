@@ -71,7 +71,9 @@ final class Saving {
     }
     boolean one = left.size() == 1;
     return questions.leaveBehind(
-        "From %s the scene does not find %s that it names by a path from its own folder, such as %s; %s will be missing. Save it beside %s instead, or copy the files, too."
+        ("From %s the scene does not find %s that it names relative to its own "
+                + "folder, such as %s; %s will be missing. Save it beside %s instead, or copy "
+                + "the files too.")
             .formatted(
                 other.getParent(),
                 one ? "a file" : left.size() + " files",
@@ -164,7 +166,7 @@ final class Saving {
     known = now;
     Path path = session.file().path();
     if (now == DiskState.GONE) {
-      session.message(path + " is gone from the disk; saving writes it again");
+      session.message(path + " no longer exists on the disk; saving writes it again");
     } else if (now == DiskState.CHANGED
         && questions.reload(
             path

@@ -5,10 +5,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The dialogs that change the open scene. They see what is typed so far. */
 final class SceneDialogs {

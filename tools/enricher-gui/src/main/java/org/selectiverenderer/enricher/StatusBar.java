@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.enricher.problems.Counts;
+import org.selectiverenderer.enricher.problems.ProblemCounts;
 import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.enricher.task.Tasks;
 
@@ -50,13 +50,9 @@ final class StatusBar {
   }
 
   /** Shows how many problems there are. */
-  void count(Counts counts) {
+  void count(ProblemCounts counts) {
     problems.setText(counts.words());
     problems.getAccessibleContext().setAccessibleName(counts.words());
-  }
-
-  String said() {
-    return message.getText();
   }
 
   private void refresh() {

@@ -12,14 +12,14 @@ import javax.swing.JRadioButtonMenuItem;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.selectiverenderer.document.UndoHistory;
-import org.selectiverenderer.enricher.settings.Settings;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Theme;
 
 /** The menus: all that can be done, with its keys. */
 final class WindowMenus {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
-  private final Settings settings;
+  private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final JMenu recent = new JMenu("Open Recent");
   private final JCheckBoxMenuItem review = new JCheckBoxMenuItem("Show Changes Before Saving");
@@ -29,7 +29,7 @@ final class WindowMenus {
   private final Command undo;
   private final Command redo;
 
-  WindowMenus(EnricherWindow window, SceneDialogs dialogs, Settings settings) {
+  WindowMenus(EnricherWindow window, SceneDialogs dialogs, EnricherSettings settings) {
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
@@ -72,7 +72,7 @@ final class WindowMenus {
     menu.add(new Command("&Search Nodes", "ctrl shift F", with(Workbench::searchTree)));
     menu.add(new Command("&Next Problem", "F8", with(Workbench::nextProblem)));
     menu.add(new Command("&Previous Problem", "shift F8", with(Workbench::previousProblem)));
-    menu.add(new Command("&Mend Problem", "alt ENTER", with(Workbench::fixProblem)));
+    menu.add(new Command("&Fix Problem", "alt ENTER", with(Workbench::fixProblem)));
     return menu;
   }
 
@@ -104,7 +104,7 @@ final class WindowMenus {
 
   private JMenu help() {
     JMenu menu = menu("Help", 'H');
-    menu.add(new Command("&Words and Steps", "F1", with(Workbench::showHelp)));
+    menu.add(new Command("&Terms and Steps", "F1", with(Workbench::showHelp)));
     return menu;
   }
 

@@ -6,7 +6,7 @@ import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import javax.swing.JFrame;
-import org.selectiverenderer.enricher.settings.Settings;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
 
 /** Where a window stands on the desktop, remembered from one start to the next. */
 final class WindowPlace {
@@ -16,9 +16,9 @@ final class WindowPlace {
   /** So much of the window must be on a screen that one can get hold of it, in pixels. */
   private static final int HOLD = 80;
 
-  private final Settings settings;
+  private final EnricherSettings settings;
 
-  WindowPlace(Settings settings) {
+  WindowPlace(EnricherSettings settings) {
     this.settings = settings;
   }
 

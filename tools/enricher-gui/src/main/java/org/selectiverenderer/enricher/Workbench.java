@@ -9,30 +9,30 @@ import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
-import org.selectiverenderer.enricher.problems.Counts;
+import org.selectiverenderer.enricher.problems.ProblemCounts;
 import org.selectiverenderer.enricher.problems.ProblemsPanel;
 import org.selectiverenderer.enricher.problems.ValidatorCheck;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
-import org.selectiverenderer.enricher.settings.Settings;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
-import org.selectiverenderer.validation.RuleCatalogue;
 import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** All views of one session, laid out as the author left them. */
 final class Workbench {
   private static final Set<String> FORMS = Set.of("Switch", "ProximitySensor");
 
   private final EnricherSession session;
-  private final Settings settings;
+  private final EnricherSettings settings;
   private final Autosave autosave;
   private final SceneTreePanel tree;
   private final SourcePanel source;
@@ -54,9 +54,9 @@ final class Workbench {
    */
   Workbench(
       EnricherSession session,
-      Settings settings,
+      EnricherSettings settings,
       Recovery recovery,
-      Consumer<Counts> counts,
+      Consumer<ProblemCounts> counts,
       Consumer<DocumentElement> makeVersions) {
     this.session = session;
     this.settings = settings;
@@ -206,10 +206,6 @@ final class Workbench {
     new WindowParts(
             List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
         .next();
-  }
-
-  SourcePanel source() {
-    return source;
   }
 
   Autosave autosave() {

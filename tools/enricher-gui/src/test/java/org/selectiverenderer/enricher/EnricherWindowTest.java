@@ -33,6 +33,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.file.DocumentFile;
@@ -44,8 +45,7 @@ import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.RequiresDisplay;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** The window under the hands of an author. */
 @RequiresDisplay

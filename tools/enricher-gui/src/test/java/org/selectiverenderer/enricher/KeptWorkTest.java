@@ -100,7 +100,9 @@ class KeptWorkTest {
     offer(Left.LATER);
     assertThat(answers.asked.get(0))
         .containsAnyOf("kitchen.x3d", "office.x3d")
-        .contains("Restoring opens it with them; the file stays as it is until you save.");
+        .contains(
+            "Restoring opens the file with these changes; the file itself does not "
+                + "change until you save.");
   }
 
   @Test
@@ -132,6 +134,6 @@ class KeptWorkTest {
         .map(Recovery.Kept::file)
         .forEach(file -> assertThat(file.toFile().setLastModified(4_000_000_000_000L)).isTrue());
     offer(Left.LATER);
-    assertThat(answers.asked.get(0)).contains("its newer text is one undo away");
+    assertThat(answers.asked.get(0)).contains("one undo after restoring shows its newer text");
   }
 }

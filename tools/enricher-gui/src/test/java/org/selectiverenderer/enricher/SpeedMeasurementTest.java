@@ -23,9 +23,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.bench.ManySwitchesScene;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.SchemaOverview;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
-import org.selectiverenderer.document.enrichment.SwitchNode;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.Degree;
@@ -148,12 +148,12 @@ class SpeedMeasurementTest {
     out.flush();
   }
 
-  private SwitchNode node(int run) {
+  private EnrichedSwitch node(int run) {
     return window.session().orElseThrow().enrichment().switches().get(5 * run);
   }
 
   private void edit(EnricherSession session, int run) {
-    SwitchNode node = node(run);
+    EnrichedSwitch node = node(run);
     session.perform(
         session.edits().choice(node, 0, node.values().get(0).with(List.of("schema" + run % 3))));
   }

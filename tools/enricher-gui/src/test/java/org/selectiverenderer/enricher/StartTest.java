@@ -70,7 +70,7 @@ class StartTest {
     assertThat(process.waitFor()).isNotZero();
     assertThat(said.lines())
         .containsExactly(
-            "selective-renderer enrich: the enricher's window needs a display; without one, enrich"
-                + " takes --apply or --ratings");
+            "selective-renderer enrich: the enricher's window needs a display; "
+                + "without a display use enrich with --apply or --ratings");
   }
 }

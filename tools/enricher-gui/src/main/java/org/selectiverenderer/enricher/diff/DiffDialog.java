@@ -103,7 +103,8 @@ public final class DiffDialog extends JDialog {
             () -> diff(file, snapshot),
             this::show,
             failure ->
-                summary.setText("The file cannot be compared with: " + failure.getMessage()));
+                summary.setText(
+                    "The file cannot be read for the comparison: " + failure.getMessage()));
   }
 
   /** A file that is gone is an empty one. */

@@ -1,8 +1,8 @@
 /**
  * What saving will change in the file, line by line, before it is saved.
  *
- * <p>In: a document and its file. Out: the author's yes or no. Uses {@code document.file} and
- * {@code enricher.session}.
+ * <p>In: a document and its file. Out: the author's yes or no. Uses {@code enricher.session},
+ * {@code enricher.task}, {@code document} and {@code document.file}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.diff;

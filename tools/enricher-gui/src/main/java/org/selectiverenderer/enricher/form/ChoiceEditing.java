@@ -2,12 +2,12 @@ package org.selectiverenderer.enricher.form;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * What is said of one choice of a Switch, as texts that an author edits. Each change is one edit of
@@ -31,7 +31,7 @@ final class ChoiceEditing {
     this.index = index;
   }
 
-  private Optional<SwitchNode> node() {
+  private Optional<EnrichedSwitch> node() {
     return session
         .enrichment()
         .switchNode(element)

@@ -8,8 +8,9 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.enrichment.SwitchNode;
-import org.selectiverenderer.document.enrichment.SwitchNode.ChoiceNode;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionPicture;
 import org.selectiverenderer.enricher.preview.VersionPictures;
@@ -31,7 +32,7 @@ final class ChoiceForm {
   private @Nullable VersionLoading loading;
 
   ChoiceForm(
-      EnricherSession session, VersionPictures pictures, SwitchNode node, ChoiceNode choice) {
+      EnricherSession session, VersionPictures pictures, EnrichedSwitch node, ChoiceNode choice) {
     this.session = session;
     this.pictures = pictures;
     this.choice = choice;
@@ -131,7 +132,7 @@ final class ChoiceForm {
 
   private void taken(VersionPicture picture) {
     thumbnail.show(picture.image());
-    String text = "%,d polygons".formatted(picture.polygons());
+    String text = DecimalText.grouped(picture.polygons()) + " polygons";
     polygons.setText(text);
     polygons.getAccessibleContext().setAccessibleName(text);
   }
@@ -147,7 +148,7 @@ final class ChoiceForm {
     return choice.element() == other.element() && choice.url().equals(other.url());
   }
 
-  void follow(SwitchNode node) {
+  void follow(EnrichedSwitch node) {
     title.setText(
         "Choice %d%s"
             .formatted(

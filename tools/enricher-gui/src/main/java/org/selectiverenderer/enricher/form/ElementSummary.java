@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * What is to be known of an element that has no form.
@@ -45,7 +45,9 @@ record ElementSummary(
       advice =
           "To make versions of it with fewer polygons, first give it a name (DEF) in the source.";
     } else {
-      advice = "Forms are of Switches (objects) and ProximitySensors (areas). Choose one of them.";
+      advice =
+          "Only Switches (objects) and ProximitySensors (areas) have forms. Choose one "
+              + "of them.";
     }
     return new ElementSummary(
         String.join(" \u203a ", names),

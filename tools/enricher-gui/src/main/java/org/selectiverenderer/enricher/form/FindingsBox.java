@@ -5,19 +5,19 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.Finding;
-import org.selectiverenderer.document.enrichment.SensorNode;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.problems.SeverityIcon;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What is wrong with the selected node, each with the button that mends it. */
 final class FindingsBox extends JPanel {
   private static final long serialVersionUID = 1L;
 
   private final transient EnricherSession session;
-  private transient List<Finding> shown = List.of();
+  private transient List<ElementFinding> shown = List.of();
 
   FindingsBox(EnricherSession session) {
     super(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
@@ -27,7 +27,7 @@ final class FindingsBox extends JPanel {
 
   /** Shows what is said of an element. */
   void show(Optional<DocumentElement> element) {
-    List<Finding> now = element.map(this::findings).orElse(List.of());
+    List<ElementFinding> now = element.map(this::findings).orElse(List.of());
     if (same(now)) {
       shown = now;
       return;
@@ -42,20 +42,20 @@ final class FindingsBox extends JPanel {
     repaint();
   }
 
-  private List<Finding> findings(DocumentElement element) {
-    List<Finding> own =
+  private List<ElementFinding> findings(DocumentElement element) {
+    List<ElementFinding> own =
         session
             .enrichment()
             .switchNode(element)
-            .map(SwitchNode::findings)
-            .or(() -> session.enrichment().sensorNode(element).map(SensorNode::findings))
+            .map(EnrichedSwitch::findings)
+            .or(() -> session.enrichment().sensorNode(element).map(EnrichedSensor::findings))
             .orElse(List.of());
     return session.enrichment().findings().stream()
         .filter(finding -> finding.element() == element || own.contains(finding))
         .toList();
   }
 
-  private boolean same(List<Finding> now) {
+  private boolean same(List<ElementFinding> now) {
     boolean same = now.size() == shown.size();
     for (int i = 0; same && i < now.size(); i++) {
       same =
@@ -65,7 +65,7 @@ final class FindingsBox extends JPanel {
     return same;
   }
 
-  private void add(Finding finding, int index) {
+  private void add(ElementFinding finding, int index) {
     add(SeverityIcon.label(finding.severity()), "aligny top");
     add(Labels.sentences(finding.message()), "wmin 0");
     finding

@@ -10,12 +10,12 @@ import javax.swing.JScrollPane;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The form of the selected node (thesis Figs 44, 46): a Switch with a row for each choice, a
@@ -49,7 +49,7 @@ public final class FormPanel extends JPanel {
     this.findings = new FindingsBox(session);
     title.putClientProperty("FlatLaf.styleClass", "h3");
     title.getAccessibleContext().setAccessibleDescription("The selected node");
-    place.getAccessibleContext().setAccessibleDescription("Where the selected node stands");
+    place.getAccessibleContext().setAccessibleDescription("Position of the selected node");
     place.setEnabled(false);
     JScrollPane scroll = new JScrollPane(body);
     scroll.setBorder(null);
@@ -121,7 +121,8 @@ public final class FormPanel extends JPanel {
         .fault()
         .map(
             fault ->
-                "In line %d %s. Mend it in the source.".formatted(fault.line(), fault.message()))
+                "Line %d: %s. Correct it in the source."
+                    .formatted(fault.location().line(), fault.message()))
         .orElse("Choose a Switch (an object) or a ProximitySensor (an area) to describe it here.");
   }
 

@@ -3,10 +3,10 @@ package org.selectiverenderer.enricher.form;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.enrichment.SensorNode;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The schemas of an area, as texts that an author edits; otherwise as {@link ChoiceEditing}. */
 final class SensorEditing {
@@ -25,7 +25,7 @@ final class SensorEditing {
     return session
         .enrichment()
         .sensorNode(element)
-        .map(SensorNode::schemas)
+        .map(EnrichedSensor::schemas)
         .orElse(new SensorSchemas(List.of(), List.of()));
   }
 

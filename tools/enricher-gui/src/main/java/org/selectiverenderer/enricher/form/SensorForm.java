@@ -10,19 +10,19 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.enrichment.SensorNode;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
 /** The form of a ProximitySensor (thesis Fig 47): its schemas. */
 final class SensorForm implements Form {
   private final EnricherSession session;
-  private final SensorNode node;
+  private final EnrichedSensor node;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
   private final List<FormField> fields = new ArrayList<>();
 
-  SensorForm(EnricherSession session, SensorNode node) {
+  SensorForm(EnricherSession session, EnrichedSensor node) {
     this.session = session;
     this.node = node;
     SensorEditing editing = new SensorEditing(session, node.element());

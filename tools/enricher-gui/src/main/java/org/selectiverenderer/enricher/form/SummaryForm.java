@@ -5,8 +5,8 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What is shown of an element without a form: where it stands and what can be done. */
 final class SummaryForm implements Form {

@@ -8,10 +8,10 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The form of a Switch: one choice under the other. */
 final class SwitchForm implements Form {
@@ -35,7 +35,7 @@ final class SwitchForm implements Form {
       };
   private final JButton more = new JButton();
 
-  SwitchForm(EnricherSession session, VersionPictures pictures, SwitchNode node) {
+  SwitchForm(EnricherSession session, VersionPictures pictures, EnrichedSwitch node) {
     this.session = session;
     this.pictures = pictures;
     this.element = node.element();
@@ -43,7 +43,7 @@ final class SwitchForm implements Form {
     if (size == 0) {
       panel.add(
           Labels.sentences(
-              "This Switch has no choices. Put the versions of an object in it, each a child."),
+              "This Switch has no choices. Add each version of the object as a child."),
           "wmin 0");
     }
     more.setMnemonic('M');
@@ -51,11 +51,11 @@ final class SwitchForm implements Form {
     page(node);
   }
 
-  private Optional<SwitchNode> node() {
+  private Optional<EnrichedSwitch> node() {
     return session.enrichment().switchNode(element);
   }
 
-  private void page(SwitchNode node) {
+  private void page(EnrichedSwitch node) {
     panel.remove(more);
     int end = Math.min(size, choices.size() + PAGE);
     for (int i = choices.size(); i < end; i++) {
@@ -88,7 +88,7 @@ final class SwitchForm implements Form {
     return node().filter(this::fits).isPresent();
   }
 
-  private boolean fits(SwitchNode node) {
+  private boolean fits(EnrichedSwitch node) {
     boolean same = node.choices().size() == size;
     for (int i = 0; same && i < choices.size(); i++) {
       same = choices.get(i).fits(node.choices().get(i));

@@ -7,16 +7,16 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.SwitchNode.ChoiceNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.enricher.preview.VersionLook;
 import org.selectiverenderer.enricher.preview.VersionPicture;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.preview.VersionSource;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
-import org.selectiverenderer.x3d.ContentRoot;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * Finds the model of one choice and has its picture taken: the file that an Inline names, or what

@@ -1,7 +1,11 @@
 /**
- * The form of the selected Switch or ProximitySensor (thesis Figs 44, 46).
+ * The form of the selected Switch, ProximitySensor or other element (thesis Figs 44, 46): text in,
+ * edits out.
  *
- * <p>In: a session, pictures of versions. Out: edits of the document.
+ * <p>In: a session, pictures of versions. Out: edits of the document. Uses {@code
+ * enricher.session}, {@code enricher.task}, {@code enricher.help}, {@code enricher.preview} for the
+ * pictures, {@code enricher.problems}, {@code document}, {@code schema}, {@code x3d} and {@code
+ * base}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.form;

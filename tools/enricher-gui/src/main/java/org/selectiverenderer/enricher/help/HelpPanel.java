@@ -12,9 +12,9 @@ import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The help beside the author's work: first what the control with the focus, or else the selected
@@ -86,11 +86,6 @@ public final class HelpPanel extends JPanel {
     shown = topic.orElse(null);
     page.setText(HelpTexts.page(topic));
     page.setCaretPosition(0);
-  }
-
-  /** The page as it is now. */
-  String text() {
-    return page.getText();
   }
 
   /** Follows nothing any more. */

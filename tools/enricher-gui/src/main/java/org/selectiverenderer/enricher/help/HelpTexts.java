@@ -3,13 +3,14 @@ package org.selectiverenderer.enricher.help;
 import java.util.Optional;
 
 /** The vocabulary in the author's words (thesis 4.2.2). */
-public final class HelpTexts {
+final class HelpTexts {
   public static final String TYPE =
-      "consistent: one expects the object in these schemas' places. inconsistent: one does not."
-          + " frame: part of any place, such as a wall";
+      "consistent: people expect the object in places of these schemas. "
+          + "inconsistent: they do not. frame: part of any place, such as a wall";
   public static final String DEGREE =
-      "How strongly the object is expected. high: drawn with few polygons in its schemas. low: with"
-          + " all. A number from 0 (low) to 1 (high) for versions between";
+      "How strongly the object is expected. high: drawn with few polygons in its "
+          + "schemas. low: with all polygons. A number from 0 (low) to 1 (high) for "
+          + "versions in between";
   public static final String SCHEMAS =
       "The schemas (kinds of places, such as kitchen) in which this version is shown, separated by"
           + " commas";
@@ -30,18 +31,18 @@ public final class HelpTexts {
         <html><body style="margin: 8px">
         %s
         <h2>Enriching a scene</h2>
-        <p>An enriched scene tells the renderer which objects one expects in which place. What is
-        expected is hardly looked at, so it can be drawn with fewer polygons.</p>
+        <p>An enriched scene tells the renderer which objects people expect in which place. What is
+        expected gets little attention, so it can be drawn with fewer polygons.</p>
         <ol>
         <li>Choose an object (a <b>Switch</b>) on the left. Each of its choices is a version of it,
         with more or fewer polygons.</li>
-        <li>Say of each version what holds for it: type, degree and schemas.</li>
+        <li>State type, degree and schemas of each version.</li>
         <li>Choose an area (a <b>ProximitySensor</b>) and say which schemas become active when the
         viewer enters or leaves it.</li>
         <li>Look at <b>Preview</b>, then save. You see the changes before they are written.</li>
         </ol>
-        <h3>Words</h3>
-        <p><b>Schema</b>: what one expects of a kind of place: office, kitchen.</p>
+        <h3>Terms</h3>
+        <p><b>Schema</b>: what people expect of a kind of place, such as an office or a kitchen.</p>
         <p><b>Type</b> (consistencyType): %s.</p>
         <p><b>Degree</b> (degreeOfConsistency): %s.</p>
         <p><b>Schemas</b> (schemaBelonginess): %s.</p>
@@ -51,7 +52,7 @@ public final class HelpTexts {
         <p>The tab <b>Schemas</b> has a table of all objects by all schemas: mark cells and type
         <i>low</i> or <i>high</i>. Scene &gt; Import Ratings makes the metadata from questionnaires.</p>
         <h3>Keys</h3>
-        <p>Every menu shows its shortcuts. F8 goes to the next problem, Alt+Enter mends it, F6 goes
+        <p>Every menu shows its shortcuts. F8 goes to the next problem, Alt+Enter fixes it, F6 goes
         to the next part of the window, Ctrl+1 to Ctrl+3 choose a tab.</p>
         </body></html>
         """

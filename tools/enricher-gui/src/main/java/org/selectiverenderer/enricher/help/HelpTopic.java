@@ -9,14 +9,15 @@ import javax.swing.JComponent;
 public enum HelpTopic {
   SWITCH(
       "Switch: an object in versions",
-      "Each choice of a Switch is a version of one object, with more or fewer polygons. Say of each"
-          + " in which schemas it is shown. The renderer shows the version that belongs to the"
-          + " schema the viewer has entered last. Usually the version with all polygons has the"
-          + " degree low, the one with the fewest the degree high"),
+      "Each choice of a Switch is a version of one object, with more or fewer "
+          + "polygons. State for each in which schemas it is shown. The renderer shows the "
+          + "version that belongs to the schema that the viewer entered last. Usually the "
+          + "version with all polygons has the degree low, the one with the fewest the "
+          + "degree high"),
   SENSOR(
       "ProximitySensor: an area",
-      "The box of a ProximitySensor is an area of the scene. Say which schemas become active when"
-          + " the viewer enters it and which when the viewer leaves it"),
+      "The box of a ProximitySensor is an area of the scene. State which schemas "
+          + "become active when the viewer enters it and which when the viewer leaves it"),
   TYPE("Type (consistencyType)", HelpTexts.TYPE),
   DEGREE("Degree (degreeOfConsistency)", HelpTexts.DEGREE),
   SCHEMAS("Schemas (schemaBelonginess)", HelpTexts.SCHEMAS),

@@ -80,7 +80,7 @@ final class CellClipboard {
         CellAt at = new CellAt(top + i, left + j);
         if (at.row() >= model.getRowCount() || at.column() >= model.getColumnCount()) {
           throw new EditRefused(
-              "%d lines of %d cells do not fit here; nothing is pasted"
+              "%d lines of %d cells do not fit at this place; nothing is pasted"
                   .formatted(lines.size(), lines.get(i).size()));
         }
         cells.put(at, input(lines.get(i).get(j)));
@@ -119,7 +119,8 @@ final class CellClipboard {
         .orElseThrow(
             () ->
                 new EditRefused(
-                    "'%s' is no degree: low, high or a number from 0 to 1; nothing is pasted"
+                    ("'%s' is not a degree (low, high or a number from 0 to 1); "
+                            + "nothing is pasted")
                         .formatted(text)));
   }
 }

@@ -105,7 +105,7 @@ final class OverviewActions {
             Object text = clipboard().getData(DataFlavor.stringFlavor);
             model.put(cells.paste(String.valueOf(text), table.selectedCells()));
           } catch (UnsupportedFlavorException | IOException e) {
-            throw new EditRefused("the clipboard holds no text to paste");
+            throw new EditRefused("the clipboard contains no text to paste");
           }
         });
   }

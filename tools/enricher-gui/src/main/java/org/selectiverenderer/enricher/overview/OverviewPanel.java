@@ -10,11 +10,11 @@ import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The schema overview: all objects by all schemas, filled in place. Its rows are the session's
@@ -48,7 +48,7 @@ public final class OverviewPanel extends JPanel {
     add(table.scrolling(), "grow, wrap");
     add(findings, "grow, hidemode 3, wrap");
     add(status);
-    status.getAccessibleContext().setAccessibleName("State of the overview");
+    status.getAccessibleContext().setAccessibleName("Result of the last action");
     table
         .getSelectionModel()
         .addListSelectionListener(
@@ -80,14 +80,14 @@ public final class OverviewPanel extends JPanel {
     name.putClientProperty("JTextField.showClearButton", true);
     name.getAccessibleContext().setAccessibleName("Show objects whose name contains");
     name.getDocument().addDocumentListener(new Typed());
-    which.getAccessibleContext().setAccessibleName("Which objects are shown");
+    which.getAccessibleContext().setAccessibleName("Objects that are shown");
     which.addActionListener(e -> filter());
     tools.add(filter);
     tools.add(name, "growx, wmin 60");
     tools.add(which, "wrap");
     SchemaNaming naming = new SchemaNaming(this);
     tools.add(new JLabel("Schema:"), "span, split 4");
-    tools.add(button("Add\u2026", 'A', "A column for another schema", () -> addSchema(naming)));
+    tools.add(button("Add\u2026", 'A', "Add a column for another schema", () -> addSchema(naming)));
     tools.add(button("Rename\u2026", 'R', "Rename wherever named", () -> rename(naming)));
     tools.add(button("Remove", 'M', "Take out of all objects and areas", this::remove));
     return tools;

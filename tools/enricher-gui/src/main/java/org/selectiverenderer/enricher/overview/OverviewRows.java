@@ -6,10 +6,10 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.enrichment.SwitchNode;
 import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The rows of the table: the objects that its filter shows, in its order. They keep their places
@@ -18,13 +18,13 @@ import org.selectiverenderer.schema.Degree;
 final class OverviewRows {
   /** Reads a cell. */
   interface Degrees {
-    Optional<Degree> of(SwitchNode node, String schema);
+    Optional<Degree> of(EnrichedSwitch node, String schema);
   }
 
   private final Enrichment enrichment;
   private final Degrees degrees;
   private final Map<DocumentElement, Integer> places = new IdentityHashMap<>();
-  private List<SwitchNode> rows = List.of();
+  private List<EnrichedSwitch> rows = List.of();
 
   OverviewRows(Enrichment enrichment, Degrees degrees) {
     this.enrichment = enrichment;
@@ -32,12 +32,13 @@ final class OverviewRows {
   }
 
   /** Filters and sorts anew. */
-  void arrange(List<SwitchNode> objects, List<String> columns, RowFilter filter, RowOrder order) {
-    List<SwitchNode> shown = new ArrayList<>();
+  void arrange(
+      List<EnrichedSwitch> objects, List<String> columns, RowFilter filter, RowOrder order) {
+    List<EnrichedSwitch> shown = new ArrayList<>();
     objects.stream().filter(filter::shows).forEach(shown::add);
     if (order.column() == 0) {
-      Comparator<SwitchNode> byName =
-          Comparator.comparing(SwitchNode::object, String.CASE_INSENSITIVE_ORDER);
+      Comparator<EnrichedSwitch> byName =
+          Comparator.comparing(EnrichedSwitch::object, String.CASE_INSENSITIVE_ORDER);
       shown.sort(order.descending() ? byName.reversed() : byName);
     } else if (order.column() > 0 && order.column() <= columns.size()) {
       String schema = columns.get(order.column() - 1);
@@ -58,9 +59,9 @@ final class OverviewRows {
 
   /** Takes the new values into the rows as they stand; false, and no change, if a row is gone. */
   boolean stay() {
-    List<SwitchNode> fresh = new ArrayList<>(rows.size());
-    for (SwitchNode row : rows) {
-      Optional<SwitchNode> node = enrichment.switchNode(row.element());
+    List<EnrichedSwitch> fresh = new ArrayList<>(rows.size());
+    for (EnrichedSwitch row : rows) {
+      Optional<EnrichedSwitch> node = enrichment.switchNode(row.element());
       if (node.isEmpty() || node.get().choices().isEmpty()) {
         return false;
       }
@@ -74,7 +75,7 @@ final class OverviewRows {
     return rows.size();
   }
 
-  SwitchNode node(int row) {
+  EnrichedSwitch node(int row) {
     return rows.get(row);
   }
 

@@ -12,17 +12,17 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.table.AbstractTableModel;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.SchemaOverview;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
-import org.selectiverenderer.document.enrichment.SwitchNode;
 import org.selectiverenderer.document.enrichment.VersionLadder;
 import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * Objects by schemas as a table: column 0 has the objects' names, the others a schema each, their
@@ -38,7 +38,7 @@ final class OverviewTableModel extends AbstractTableModel {
   private List<String> columns = List.of();
   private final OverviewRows rows;
   private SchemaOverview overview;
-  private Map<String, Finding> marks = Map.of();
+  private Map<String, ElementFinding> marks = Map.of();
   private RowFilter filter = RowFilter.NONE;
   private RowOrder order = RowOrder.DOCUMENT;
 
@@ -108,7 +108,7 @@ final class OverviewTableModel extends AbstractTableModel {
     return overview.objects().size();
   }
 
-  SwitchNode node(int row) {
+  EnrichedSwitch node(int row) {
     return rows.node(row);
   }
 
@@ -127,12 +127,12 @@ final class OverviewTableModel extends AbstractTableModel {
   }
 
   /** What is wrong with the schema of a column. */
-  Optional<Finding> mark(int column) {
+  Optional<ElementFinding> mark(int column) {
     return column == 0 ? Optional.empty() : Optional.ofNullable(marks.get(schema(column)));
   }
 
   /** All that is wrong with schemas. */
-  List<Finding> marks() {
+  List<ElementFinding> marks() {
     return List.copyOf(marks.values());
   }
 
@@ -147,7 +147,7 @@ final class OverviewTableModel extends AbstractTableModel {
       throw new EditRefused("a schema needs a name of at least one letter");
     }
     if (columns.contains(schema)) {
-      throw new EditRefused("there is a column for " + schema + " already");
+      throw new EditRefused("there is already a column for " + schema);
     }
     added.add(schema);
     refresh();
@@ -189,17 +189,17 @@ final class OverviewTableModel extends AbstractTableModel {
   }
 
   /** The degree that a cell stands for, given or by its version's place; empty for none. */
-  private Optional<Degree> degree(SwitchNode node, String schema) {
+  private Optional<Degree> degree(EnrichedSwitch node, String schema) {
     return overview.cell(node, schema).map(cell -> degree(node, cell));
   }
 
-  private static Degree degree(SwitchNode node, Cell cell) {
+  private static Degree degree(EnrichedSwitch node, Cell cell) {
     return cell.degree().orElse(VersionLadder.degree(cell.choice(), node.choices().size()));
   }
 
   /** What a cell's tooltip says. */
   String explanation(int row, int column) {
-    SwitchNode node = rows.node(row);
+    EnrichedSwitch node = rows.node(row);
     if (column == 0) {
       return "%s: %d versions".formatted(node.name(), node.choices().size());
     }
@@ -241,7 +241,7 @@ final class OverviewTableModel extends AbstractTableModel {
   /** The degree as in the metadata; in parentheses where only the version says it. */
   @Override
   public Object getValueAt(int row, int column) {
-    SwitchNode node = rows.node(row);
+    EnrichedSwitch node = rows.node(row);
     if (column == 0) {
       return node.object();
     }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.overview;
 
 import java.util.Locale;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 
 /**
  * Which objects the table shows.
@@ -31,7 +31,7 @@ record RowFilter(String name, Which which) {
     }
   }
 
-  boolean shows(SwitchNode node) {
+  boolean shows(EnrichedSwitch node) {
     String wanted = name.strip().toLowerCase(Locale.ROOT);
     boolean named = node.name().toLowerCase(Locale.ROOT).contains(wanted);
     return named

@@ -12,17 +12,17 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Schemas that no area activates or no object has, with a way to each and its fix. */
 @SuppressWarnings("serial") // never written
 final class SchemaFindings extends JPanel {
   private static final long serialVersionUID = 1L;
 
-  private final DefaultListModel<Finding> found = new DefaultListModel<>();
-  private final JList<Finding> list = new JList<>(found);
+  private final DefaultListModel<ElementFinding> found = new DefaultListModel<>();
+  private final JList<ElementFinding> list = new JList<>(found);
   private final JButton fix = new JButton("Fix");
   private final JButton show = new JButton("Show");
 
@@ -38,7 +38,8 @@ final class SchemaFindings extends JPanel {
           @Override
           public java.awt.Component getListCellRendererComponent(
               JList<?> of, Object value, int index, boolean selected, boolean focused) {
-            String text = value instanceof Finding finding ? "\u26a0 " + finding.message() : "";
+            String text =
+                value instanceof ElementFinding finding ? "\u26a0 " + finding.message() : "";
             return super.getListCellRendererComponent(of, text, index, selected, focused);
           }
         });
@@ -57,7 +58,7 @@ final class SchemaFindings extends JPanel {
     enableButtons();
   }
 
-  void show(List<Finding> findings) {
+  void show(List<ElementFinding> findings) {
     int selected = Math.max(0, list.getSelectedIndex());
     found.clear();
     found.addAll(findings);
@@ -67,10 +68,12 @@ final class SchemaFindings extends JPanel {
   }
 
   private void enableButtons() {
-    Finding finding = list.getSelectedValue();
+    ElementFinding finding = list.getSelectedValue();
     show.setEnabled(finding != null);
     fix.setEnabled(finding != null && finding.fix().isPresent());
     fix.setText(
-        finding == null ? "Fix" : finding.fix().map(Finding.Fix::name).orElse("No obvious fix"));
+        finding == null
+            ? "Fix"
+            : finding.fix().map(ElementFinding.Fix::name).orElse("No obvious fix"));
   }
 }

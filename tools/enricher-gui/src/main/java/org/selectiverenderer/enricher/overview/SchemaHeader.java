@@ -9,7 +9,7 @@ import javax.swing.LookAndFeel;
 import javax.swing.UIManager;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.ElementFinding;
 
 /** The head of a column: its name, which way it is sorted, and a mark where its schema is amiss. */
 final class SchemaHeader implements TableCellRenderer {
@@ -31,7 +31,7 @@ final class SchemaHeader implements TableCellRenderer {
     Component component =
         plain.getTableCellRendererComponent(table, value, selected, focused, row, viewColumn);
     int column = table.convertColumnIndexToModel(viewColumn);
-    Optional<Finding> mark =
+    Optional<ElementFinding> mark =
         column < model.getColumnCount() ? model.mark(column) : Optional.empty();
     RowOrder order = model.order();
     String arrow = order.column() != column ? "" : order.descending() ? " \u2193" : " \u2191";
@@ -40,7 +40,8 @@ final class SchemaHeader implements TableCellRenderer {
     }
     if (component instanceof JComponent head) {
       head.setToolTipText(
-          mark.map(Finding::message).orElse("Click to sort by " + model.getColumnName(column)));
+          mark.map(ElementFinding::message)
+              .orElse("Click to sort by " + model.getColumnName(column)));
     }
     return component;
   }

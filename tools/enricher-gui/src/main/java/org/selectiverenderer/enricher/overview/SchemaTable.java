@@ -14,7 +14,7 @@ import javax.swing.event.TableModelEvent;
 import javax.swing.table.DefaultTableColumnModel;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The cells of the overview and, in a table of its own that does not scroll sideways, the objects'

@@ -9,11 +9,12 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.nodes.ProximitySensorNode;
-import org.selectiverenderer.runtime.render.BoxMark;
-import org.selectiverenderer.runtime.render.Camera;
+import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
+import org.selectiverenderer.runtime.render.mark.BoxMark;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
@@ -124,8 +125,8 @@ final class AreaBoxes {
   }
 
   /** The labels of the boxes that are in the picture, in its pixels. */
-  List<Frame.Label> labels(Camera camera, @Nullable Node selected) {
-    List<Frame.Label> labels = new ArrayList<>();
+  List<PreviewFrame.Label> labels(Camera camera, @Nullable Node selected) {
+    List<PreviewFrame.Label> labels = new ArrayList<>();
     for (int i = 0; i < areas.size(); i++) {
       Area area = areas.get(i);
       Optional<Long> count = i < polygons.length ? Optional.of(polygons[i]) : Optional.empty();
@@ -133,7 +134,7 @@ final class AreaBoxes {
         Optional<Vector2d> at = inPicture(place, camera);
         if (at.isPresent()) {
           labels.add(
-              new Frame.Label(
+              new PreviewFrame.Label(
                   (int) Math.round(at.get().x * camera.width()),
                   (int) Math.round(at.get().y * camera.height()),
                   Optional.ofNullable(area.node().name()).orElse("ProximitySensor"),
@@ -162,20 +163,11 @@ final class AreaBoxes {
     return Optional.empty();
   }
 
-  /** The box around all boxes of a sensor: min x, y, z, max x, y, z; empty if it has none. */
-  Optional<double[]> bounds(Node sensor) {
+  /** The box around all boxes of a sensor; empty if it has none. */
+  Optional<Bounds> bounds(Node sensor) {
+    Bounds cube = new Bounds(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5);
     List<Matrix4d> places =
         sensor instanceof ProximitySensorNode ? places(sensor) : List.<Matrix4d>of();
-    if (places.isEmpty()) {
-      return Optional.empty();
-    }
-    Vector3d min = new Vector3d();
-    Vector3d max = new Vector3d();
-    Bounds all = new Bounds();
-    for (Matrix4d place : places) {
-      place.transformAab(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5, min, max);
-      all.add(new double[] {min.x, min.y, min.z, max.x, max.y, max.z});
-    }
-    return all.box();
+    return places.stream().map(cube::transformed).reduce(Bounds::union);
   }
 }

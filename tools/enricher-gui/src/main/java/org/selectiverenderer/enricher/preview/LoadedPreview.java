@@ -3,14 +3,14 @@ package org.selectiverenderer.enricher.preview;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.ReadLimits;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
  * A world ready to be looked at. Whoever takes it over closes it.

@@ -3,7 +3,8 @@ package org.selectiverenderer.enricher.preview;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.runtime.navigation.Pose;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
  * An author's eye: turns about a point, shifts and comes nearer. World coordinates, Y up; the eye
@@ -81,14 +82,10 @@ final class Orbit {
     position.sub(pivot).mul(Math.pow(NEARER_PER_NOTCH, notches)).add(pivot);
   }
 
-  /**
-   * Looks at a box as a whole in the present direction.
-   *
-   * @param box min x, y, z, max x, y, z
-   */
-  void frame(double[] box) {
-    Vector3d half = new Vector3d(box[3] - box[0], box[4] - box[1], box[5] - box[2]).mul(0.5);
-    pivot.set(box[0], box[1], box[2]).add(half);
+  /** Looks at a box as a whole in the present direction. */
+  void frame(Bounds box) {
+    Vector3d half = box.max().sub(box.min()).mul(0.5);
+    pivot.set(box.min()).add(half);
     double slope = Math.tan(fieldOfView / 2);
     double distance = NEAREST;
     Quaterniond toEye = orientation.conjugate(new Quaterniond());

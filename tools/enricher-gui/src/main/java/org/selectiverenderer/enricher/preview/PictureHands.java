@@ -9,8 +9,8 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import org.selectiverenderer.runtime.navigation.Controls;
-import org.selectiverenderer.runtime.navigation.MouseButton;
+import org.selectiverenderer.runtime.walk.Controls;
+import org.selectiverenderer.runtime.walk.MouseButton;
 
 /**
  * The author's mouse and keys over the picture. Looking: dragging turns about what is under the
@@ -35,7 +35,7 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   /** What a click means. */
   interface Clicks {
-    void label(Frame.Label label);
+    void label(PreviewFrame.Label label);
 
     /**
      * @param innermost whether Ctrl or Alt was down
@@ -67,7 +67,7 @@ final class PictureHands extends MouseAdapter implements KeyListener {
   }
 
   private boolean walking() {
-    return view.frame().map(Frame::walking).orElse(false);
+    return view.frame().map(PreviewFrame::walking).orElse(false);
   }
 
   private void controls(Consumer<Controls> what) {

@@ -30,9 +30,9 @@ final class PictureView extends JComponent implements Accessible {
   private static final Color PAPER_SELECTED = new Color(150, 80, 0, 200);
   private static final int PAD = 4;
 
-  private record Shown(Rectangle place, Frame.Label label) {}
+  private record Shown(Rectangle place, PreviewFrame.Label label) {}
 
-  private transient @Nullable Frame frame;
+  private transient @Nullable PreviewFrame frame;
   private transient List<Shown> shown = List.of();
 
   PictureView() {
@@ -43,13 +43,13 @@ final class PictureView extends JComponent implements Accessible {
     getAccessibleContext().setAccessibleName("3D preview");
   }
 
-  void show(Frame newFrame) {
+  void show(PreviewFrame newFrame) {
     frame = newFrame;
     getAccessibleContext().setAccessibleDescription(String.join(". ", lines(newFrame)));
     repaint();
   }
 
-  Optional<Frame> frame() {
+  Optional<PreviewFrame> frame() {
     return Optional.ofNullable(frame);
   }
 
@@ -65,7 +65,7 @@ final class PictureView extends JComponent implements Accessible {
   }
 
   /** The label at a position. */
-  Optional<Frame.Label> labelAt(int x, int y) {
+  Optional<PreviewFrame.Label> labelAt(int x, int y) {
     return shown.stream()
         .filter(label -> label.place().contains(x, y))
         .map(Shown::label)
@@ -73,7 +73,7 @@ final class PictureView extends JComponent implements Accessible {
   }
 
   /** What stands in the lower left corner. */
-  static List<String> lines(Frame frame) {
+  static List<String> lines(PreviewFrame frame) {
     List<String> lines = new ArrayList<>();
     if (frame.walking()) {
       lines.add("Walking. Areas entered: " + list(frame.areas()));
@@ -90,7 +90,7 @@ final class PictureView extends JComponent implements Accessible {
     return names.isEmpty() ? "none" : String.join(", ", names);
   }
 
-  static String text(Frame.Label label) {
+  static String text(PreviewFrame.Label label) {
     StringBuilder text = new StringBuilder(label.name());
     if (!label.schemas().enter().isEmpty()) {
       text.append("  \u2192 ").append(String.join(", ", label.schemas().enter()));
@@ -128,10 +128,10 @@ final class PictureView extends JComponent implements Accessible {
   }
 
   /** The selected label last, over the others. */
-  private void paintLabels(Graphics2D g, Frame of, double scale) {
+  private void paintLabels(Graphics2D g, PreviewFrame of, double scale) {
     FontMetrics metrics = g.getFontMetrics();
     List<Shown> all = new ArrayList<>();
-    for (Frame.Label label : of.labels()) {
+    for (PreviewFrame.Label label : of.labels()) {
       int width = metrics.stringWidth(text(label)) + 2 * PAD;
       int height = metrics.getHeight() + PAD;
       Rectangle place =

@@ -22,11 +22,11 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
-import org.selectiverenderer.x3d.Location;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The 3D preview of an open document: its unsaved state, a moment after each edit, as our own
@@ -46,8 +46,8 @@ public final class PreviewPanel extends JPanel {
   private final transient SceneFeed feed;
   private final transient AsIfChooser asIf;
   private final transient SelectionListener onSelection = this::selected;
-  private final transient AtomicReference<@Nullable Frame> arrived = new AtomicReference<>();
-  private transient Consumer<Frame> onFrame = frame -> {};
+  private final transient AtomicReference<@Nullable PreviewFrame> arrived = new AtomicReference<>();
+  private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private final PictureView view = new PictureView();
   private final JLabel message = new JLabel(" ");
   private final JProgressBar progress = new JProgressBar();
@@ -64,7 +64,7 @@ public final class PreviewPanel extends JPanel {
         new PreviewThread(
             new PreviewThread.Listener() {
               @Override
-              public void drawn(Frame frame) {
+              public void drawn(PreviewFrame frame) {
                 if (arrived.getAndSet(frame) == null) {
                   SwingUtilities.invokeLater(PreviewPanel.this::showArrived);
                 }
@@ -81,10 +81,10 @@ public final class PreviewPanel extends JPanel {
         thread,
         new PictureHands.Clicks() {
           @Override
-          public void label(Frame.Label label) {
+          public void label(PreviewFrame.Label label) {
             picked(
                 new PreviewStage.Picked(
-                    label.anchor(), view.frame().map(Frame::revision).orElse(-1L)));
+                    label.anchor(), view.frame().map(PreviewFrame::revision).orElse(-1L)));
           }
 
           @Override
@@ -233,7 +233,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void showArrived() {
-    Frame frame = arrived.getAndSet(null);
+    PreviewFrame frame = arrived.getAndSet(null);
     if (frame != null && !disposed) {
       view.show(frame);
       if (walk.isSelected() != frame.walking()) {
@@ -366,7 +366,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   /** Hears every frame that is shown. */
-  void onFrame(Consumer<Frame> listener) {
+  void onFrame(Consumer<PreviewFrame> listener) {
     onFrame = listener;
   }
 

@@ -7,15 +7,16 @@ import java.util.Set;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.Walking;
+import org.selectiverenderer.app.walk.Walking;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.navigation.Controls;
-import org.selectiverenderer.runtime.navigation.Pose;
-import org.selectiverenderer.runtime.navigation.RayCaster;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.runtime.walk.Controls;
 
 /**
  * One loaded state of the document, running: looked at as if in some schemas, or walked in under
@@ -24,7 +25,7 @@ import org.selectiverenderer.runtime.scene.Node;
 final class PreviewScene implements AutoCloseable {
   private final LoadedPreview loaded;
   private final World world;
-  private final SceneNodes nodes;
+  private final PreviewNodes nodes;
   private final AreaBoxes areas;
   private final AsIf asIf;
   private final RayCaster rays;
@@ -39,7 +40,7 @@ final class PreviewScene implements AutoCloseable {
     this.loaded = loaded;
     world = loaded.world();
     world.step(0, (viewer, now, dt) -> {}); // The viewer is at the start from here on.
-    nodes = new SceneNodes(world);
+    nodes = new PreviewNodes(world);
     List<Node> all = nodes.all();
     areas = new AreaBoxes(world, all);
     asIf = new AsIf(all, world.cascade());
@@ -51,7 +52,7 @@ final class PreviewScene implements AutoCloseable {
     return world;
   }
 
-  SceneNodes nodes() {
+  PreviewNodes nodes() {
     return nodes;
   }
 
@@ -61,11 +62,6 @@ final class PreviewScene implements AutoCloseable {
 
   long revision() {
     return loaded.revision();
-  }
-
-  /** Where the scene wants its viewer at the start; empty when it has no viewpoint. */
-  Optional<Pose> start() {
-    return world.viewpoints().isEmpty() ? Optional.empty() : Optional.of(Pose.of(world.viewer()));
   }
 
   /** Shows the scene under schemas, from now on and after each walk. */
@@ -139,13 +135,13 @@ final class PreviewScene implements AutoCloseable {
   }
 
   /** The box around a node's shapes that are shown, or around a sensor's boxes. */
-  Optional<double[]> bounds(Node node) {
-    return areas.bounds(node).or(() -> Bounds.of(nodes.shapes(node)));
+  Optional<Bounds> bounds(Node node) {
+    return areas.bounds(node).or(() -> ShownBounds.of(nodes.shapes(node)));
   }
 
   /** The box around all that is shown, or if that is nothing around all there is. */
-  Optional<double[]> bounds() {
-    return Bounds.of(world.instances().shapes());
+  Optional<Bounds> bounds() {
+    return ShownBounds.of(world.instances().shapes());
   }
 
   /** Where the viewer is. */

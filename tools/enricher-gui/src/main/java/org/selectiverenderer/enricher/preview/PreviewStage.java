@@ -6,17 +6,17 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.navigation.Controls;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
-import org.selectiverenderer.runtime.navigation.NavigationCommand;
-import org.selectiverenderer.runtime.navigation.Pose;
-import org.selectiverenderer.runtime.navigation.RayCaster;
 import org.selectiverenderer.runtime.render.AntiAliasing;
-import org.selectiverenderer.runtime.render.MarkedPicture;
-import org.selectiverenderer.runtime.render.MarkedView;
-import org.selectiverenderer.runtime.render.Marking;
+import org.selectiverenderer.runtime.render.mark.MarkedPicture;
+import org.selectiverenderer.runtime.render.mark.MarkedView;
+import org.selectiverenderer.runtime.render.mark.Marking;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.runtime.walk.Controls;
+import org.selectiverenderer.runtime.walk.MouseMapping;
+import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
  * What the preview shows and how: outlives the states of the document that it shows one after the
@@ -226,7 +226,7 @@ final class PreviewStage implements AutoCloseable {
    * @param hurried whether others are likely to follow at once
    * @return empty when nothing has changed or there is nothing to show
    */
-  Optional<Frame> frame(double seconds, boolean hurried) {
+  Optional<PreviewFrame> frame(double seconds, boolean hurried) {
     boolean draw = changed || moving() || rough;
     changed = false;
     if (scene == null || width <= 0 || height <= 0 || !draw) {
@@ -245,7 +245,7 @@ final class PreviewStage implements AutoCloseable {
     return Optional.of(draw(scene, samples));
   }
 
-  private Frame draw(PreviewScene shown, int samples) {
+  private PreviewFrame draw(PreviewScene shown, int samples) {
     Optional<Node> selected = shown.nodes().find(selection);
     Set<ShapeInstance> outlined = selected.map(shown::shapes).orElse(Set.of());
     MarkedPicture picture =
@@ -259,10 +259,10 @@ final class PreviewStage implements AutoCloseable {
             width,
             height,
             samples);
-    return new Frame(
+    return new PreviewFrame(
         outlined.isEmpty()
-            ? Images.of(picture.pixels())
-            : Images.outlined(picture.pixels(), OUTLINE),
+            ? PreviewImages.of(picture.pixels())
+            : PreviewImages.outlined(picture.pixels(), OUTLINE),
         sensorsShown ? shown.areas().labels(picture.camera(), selected.orElse(null)) : List.of(),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.render.MarkedView;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.runtime.render.mark.MarkedView;
 
 /**
  * The thread {@code enricher-preview}: owns the GL context and the running scene, does what it is
@@ -16,7 +16,7 @@ import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 final class PreviewThread implements AutoCloseable {
   /** Hears what comes of it, on the preview's thread. */
   interface Listener {
-    void drawn(Frame frame);
+    void drawn(PreviewFrame frame);
 
     /**
      * The preview cannot show something.
@@ -124,10 +124,5 @@ final class PreviewThread implements AutoCloseable {
   public void close() {
     ended = true;
     tell(stage -> {});
-  }
-
-  /** Waits for its end. */
-  void join() throws InterruptedException {
-    thread.join();
   }
 }

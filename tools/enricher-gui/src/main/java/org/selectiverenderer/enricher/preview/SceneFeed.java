@@ -75,8 +75,8 @@ final class SceneFeed implements AutoCloseable {
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
       listener.stale(
-          "Line %d is not well formed: until it is, the preview stays as it is"
-              .formatted(fault.line()));
+          "Line %d is not well formed; the preview does not change until you correct it"
+              .formatted(fault.location().line()));
       return;
     }
     listener.loading();

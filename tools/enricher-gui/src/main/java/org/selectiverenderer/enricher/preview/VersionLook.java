@@ -22,9 +22,4 @@ public record VersionLook(int width, int height, double yaw, double pitch, boole
   public static VersionLook wireframe(int width, int height) {
     return new VersionLook(width, height, YAW, PITCH, true);
   }
-
-  /** The same from another side. */
-  public VersionLook from(double newYaw, double newPitch) {
-    return new VersionLook(width, height, newYaw, newPitch, wireframe);
-  }
 }

@@ -12,10 +12,10 @@ import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.AntiAliasing;
-import org.selectiverenderer.runtime.render.MarkedPicture;
-import org.selectiverenderer.runtime.render.MarkedView;
-import org.selectiverenderer.runtime.render.Marking;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.runtime.render.mark.MarkedPicture;
+import org.selectiverenderer.runtime.render.mark.MarkedView;
+import org.selectiverenderer.runtime.render.mark.Marking;
 
 /**
  * Takes small pictures of versions for forms and dialogs, one after the other on the thread {@code
@@ -190,7 +190,7 @@ public final class VersionPictures implements AutoCloseable {
   private VersionPicture take(MarkedView view, LoadedPreview model, VersionLook look) {
     var world = model.world();
     orbit.face(look.yaw(), look.pitch());
-    Bounds.of(world.instances().shapes()).ifPresent(orbit::frame);
+    ShownBounds.of(world.instances().shapes()).ifPresent(orbit::frame);
     world.step(0, (viewer, now, dt) -> orbit.pose().applyTo(viewer));
     MarkedPicture picture =
         view.draw(
@@ -199,7 +199,8 @@ public final class VersionPictures implements AutoCloseable {
             look.width(),
             look.height(),
             AntiAliasing.SMOOTH);
-    return new VersionPicture(Images.of(picture.pixels()), world.instances().shownPolygons());
+    return new VersionPicture(
+        PreviewImages.of(picture.pixels()), world.instances().shownPolygons());
   }
 
   /** Ends its thread; no answer comes any more. */

@@ -6,13 +6,13 @@ import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.task.Progress;
 import org.selectiverenderer.enricher.task.Task;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.enricher.task.TaskProgress;
 
 /**
  * Keeps a list of problems up to date: what is known at once a blink after a change, what checks
@@ -85,7 +85,7 @@ final class ProblemsFeed {
                 this::failed);
   }
 
-  private List<Problem> run(Snapshot snapshot, Progress progress) {
+  private List<Problem> run(Snapshot snapshot, TaskProgress progress) {
     List<Problem> problems = new ArrayList<>();
     for (int i = 0; i < checks.size(); i++) {
       progress.check();

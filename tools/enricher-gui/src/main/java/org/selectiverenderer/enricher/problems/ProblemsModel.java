@@ -9,12 +9,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.Fault;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.enricher.problems.Entry.Place;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.enricher.problems.ProblemEntry.Place;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentFault;
 
 /**
  * What is wrong with a document: what is known at once (not well formed, findings of the metadata)
@@ -24,8 +25,8 @@ import org.selectiverenderer.x3d.Problem;
 final class ProblemsModel {
   private final SceneDocument document;
   private final Enrichment enrichment;
-  private List<Entry> checked = List.of();
-  private List<Entry> all = List.of();
+  private List<ProblemEntry> checked = List.of();
+  private List<ProblemEntry> all = List.of();
   private Set<DocumentElement> faulty = Set.of();
 
   ProblemsModel(SceneDocument document, Enrichment enrichment) {
@@ -44,10 +45,10 @@ final class ProblemsModel {
     }
   }
 
-  private Entry entry(Problem problem) {
+  private ProblemEntry entry(Problem problem) {
     boolean here = problem.location().file().equals(document.name());
     Place place = here ? place(problem) : new Place.Elsewhere(problem.location());
-    return new Entry(problem.severity(), problem.message(), place, Optional.empty());
+    return new ProblemEntry(problem.severity(), problem.message(), place, Optional.empty());
   }
 
   private Place place(Problem problem) {
@@ -67,18 +68,18 @@ final class ProblemsModel {
 
   /** Puts the list together as of now. */
   void refresh() {
-    List<Entry> now = new ArrayList<>();
+    List<ProblemEntry> now = new ArrayList<>();
     document.fault().map(this::entry).ifPresent(now::add);
     boolean wellFormed = document.tree().isPresent();
     if (wellFormed) {
       Map<Object, List<Integer>> known = new HashMap<>();
-      enrichment.findings().forEach(finding -> add(Entry.of(finding), known, now));
-      checked.stream().filter(Entry::current).forEach(entry -> add(entry, known, now));
+      enrichment.findings().forEach(finding -> add(ProblemEntry.of(finding), known, now));
+      checked.stream().filter(ProblemEntry::current).forEach(entry -> add(entry, known, now));
     }
     now.sort(
-        Comparator.comparingInt((Entry entry) -> entry.offset().orElse(Integer.MAX_VALUE))
-            .thenComparing(Entry::severity)
-            .thenComparing(Entry::message));
+        Comparator.comparingInt((ProblemEntry entry) -> entry.offset().orElse(Integer.MAX_VALUE))
+            .thenComparing(ProblemEntry::severity)
+            .thenComparing(ProblemEntry::message));
     all = List.copyOf(now);
     faulty = Collections.newSetFromMap(new IdentityHashMap<>());
     all.stream()
@@ -93,10 +94,11 @@ final class ProblemsModel {
   }
 
   /** Of two that say the same the first stays, which may have a fix, as severe as the worse. */
-  private static void add(Entry entry, Map<Object, List<Integer>> known, List<Entry> now) {
+  private static void add(
+      ProblemEntry entry, Map<Object, List<Integer>> known, List<ProblemEntry> now) {
     List<Integer> others = known.computeIfAbsent(key(entry), k -> new ArrayList<>());
     for (int index : others) {
-      Entry other = now.get(index);
+      ProblemEntry other = now.get(index);
       if (entry.repeats(other)) {
         now.set(index, other.atLeast(entry.severity()));
         return;
@@ -106,13 +108,14 @@ final class ProblemsModel {
     now.add(entry);
   }
 
-  private Entry entry(Fault fault) {
-    int offset = document.offset(fault.line(), Math.max(1, fault.column()));
-    return new Entry(
+  private ProblemEntry entry(DocumentFault fault) {
+    Location at = fault.location();
+    int offset = document.offset(at.line(), Math.max(1, at.column()));
+    return new ProblemEntry(
         Problem.Severity.ERROR, fault.message(), new Place.InText(offset), Optional.empty());
   }
 
-  private static Object key(Entry entry) {
+  private static Object key(ProblemEntry entry) {
     return entry.element().<Object>map(element -> element).orElse(entry.place());
   }
 
@@ -136,15 +139,11 @@ final class ProblemsModel {
     return faulty.contains(element);
   }
 
-  List<Entry> entries() {
+  List<ProblemEntry> entries() {
     return all;
   }
 
-  Counts counts() {
-    return Counts.of(all);
-  }
-
-  SceneDocument document() {
-    return document;
+  ProblemCounts counts() {
+    return ProblemCounts.of(all);
   }
 }

@@ -23,11 +23,11 @@ import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.DocumentCheck;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.Finding;
+import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * What is wrong with the scene, live. A click or Enter goes to the place; Alt+Enter or the button
@@ -48,7 +48,7 @@ public final class ProblemsPanel extends JPanel {
   private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
   private final transient Action goTo = action("Go to place", this::go);
   private final transient Action mend = action("Fix", this::fix);
-  private transient Consumer<Counts> onCounts = counts -> {};
+  private transient Consumer<ProblemCounts> onCounts = counts -> {};
   private transient IntConsumer onPlace = offset -> {};
 
   /**
@@ -150,7 +150,7 @@ public final class ProblemsPanel extends JPanel {
   }
 
   /** Hears the counts, now and whenever they may have changed. */
-  public void onCounts(Consumer<Counts> listener) {
+  public void onCounts(Consumer<ProblemCounts> listener) {
     onCounts = listener;
     listener.accept(model.counts());
   }
@@ -165,23 +165,23 @@ public final class ProblemsPanel extends JPanel {
     return model.faulty(element);
   }
 
-  private Optional<Entry> chosenEntry() {
+  private Optional<ProblemEntry> chosenEntry() {
     int row = table.getSelectedRow();
-    return row < 0 || row >= rows.getRowCount() ? Optional.empty() : Optional.of(rows.entry(row));
+    return row < 0 || row >= rows.getRowCount() ? Optional.empty() : Optional.of(rows.row(row));
   }
 
   private void chosen() {
-    Optional<Finding.Fix> found = chosenEntry().flatMap(Entry::fix);
-    fix.setText(found.map(Finding.Fix::name).orElse("Fix"));
+    Optional<ElementFinding.Fix> found = chosenEntry().flatMap(ProblemEntry::fix);
+    fix.setText(found.map(ElementFinding.Fix::name).orElse("Fix"));
     fix.setEnabled(found.isPresent());
     mend.setEnabled(found.isPresent());
-    goTo.setEnabled(chosenEntry().flatMap(Entry::offset).isPresent());
+    goTo.setEnabled(chosenEntry().flatMap(ProblemEntry::offset).isPresent());
   }
 
   /** Goes to the place of the chosen problem. */
   public void go() {
     chosenEntry()
-        .filter(Entry::current)
+        .filter(ProblemEntry::current)
         .ifPresent(
             entry -> {
               entry.element().ifPresent(element -> session.select(element, this));
@@ -192,7 +192,7 @@ public final class ProblemsPanel extends JPanel {
   /** Mends the chosen problem, if there is an obvious way. */
   public void fix() {
     chosenEntry()
-        .flatMap(Entry::fix)
+        .flatMap(ProblemEntry::fix)
         .ifPresent(found -> session.attempt(() -> session.perform(found.edit().get())));
   }
 
@@ -230,15 +230,15 @@ public final class ProblemsPanel extends JPanel {
   }
 
   private void refreshed() {
-    Optional<Entry> before = chosenEntry();
+    Optional<ProblemEntry> before = chosenEntry();
     rows.entries(model.entries());
     for (int row = 0; before.isPresent() && row < rows.getRowCount(); row++) {
-      if (rows.entry(row).repeats(before.get())) {
+      if (rows.row(row).repeats(before.get())) {
         table.setRowSelectionInterval(row, row);
         break;
       }
     }
-    Counts counts = model.counts();
+    ProblemCounts counts = model.counts();
     filters.forEach(
         (severity, button) -> {
           button.setText(counts.words(severity));
@@ -246,11 +246,6 @@ public final class ProblemsPanel extends JPanel {
         });
     chosen();
     onCounts.accept(counts);
-  }
-
-  /** The list of the problems. */
-  public JTable table() {
-    return table;
   }
 
   /** Ends its checks. */

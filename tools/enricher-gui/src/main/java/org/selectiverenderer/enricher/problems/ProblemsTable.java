@@ -7,7 +7,7 @@ import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Problem.Severity;
 
 /** The table of problems; asks its model only for rows in view. */
 final class ProblemsTable extends JTable {

@@ -10,7 +10,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.swing.JLabel;
 import javax.swing.UIManager;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
  * How severe something is, told by shape as well as by colour: a cross in a disc, a triangle, a

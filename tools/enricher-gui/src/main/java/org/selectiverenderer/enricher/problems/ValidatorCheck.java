@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.validation.Finding;
-import org.selectiverenderer.validation.RuleCatalogue;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationSettings;
-import org.selectiverenderer.validation.Validator;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
 
 /**
  * What {@code validate} says of the scene with all that it inlines, as it would be if it were saved

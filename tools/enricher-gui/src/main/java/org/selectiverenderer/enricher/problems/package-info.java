@@ -1,7 +1,10 @@
 /**
- * What is wrong with the scene, live, each a click away from its place.
+ * What is wrong with the scene, live, each a click away from its place: findings at once, checks of
+ * whole documents in the background.
  *
- * <p>In: a session, checks of whole documents. Out: selections and fixes.
+ * <p>In: a session, checks of whole documents. Out: selections and fixes. Uses {@code
+ * enricher.session}, {@code enricher.table}, {@code enricher.task}, {@code document}, {@code
+ * validation}, {@code x3d.source} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.problems;

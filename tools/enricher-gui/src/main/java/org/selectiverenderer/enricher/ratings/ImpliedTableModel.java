@@ -3,23 +3,20 @@ package org.selectiverenderer.enricher.ratings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import javax.swing.table.AbstractTableModel;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.RatingPlan.Implied;
+import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
 
 /** What the ratings imply: their means, the bands of thesis 5.1, and the metadata that follows. */
 @SuppressWarnings("serial") // never written
-final class ImpliedTableModel extends AbstractTableModel {
+final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
   private static final long serialVersionUID = 1L;
-  private static final List<String> HEADS =
-      List.of("Switch", "Schema", "Mean", "Ratings", "Band", "Implied metadata");
 
-  private record Row(
-      String object, String schema, String mean, String count, String band, String implied) {
+  record Row(String object, String schema, String mean, String count, String band, String implied) {
     String cell(int column) {
       return switch (column) {
         case 0 -> object;
@@ -33,9 +30,9 @@ final class ImpliedTableModel extends AbstractTableModel {
   }
 
   private final RatingsModel model;
-  private List<Row> rows = List.of();
 
   ImpliedTableModel(RatingsModel model) {
+    super("Switch", "Schema", "Mean", "Ratings", "Band", "Implied metadata");
     this.model = model;
     model.addListener(this::refresh);
     refresh();
@@ -44,8 +41,7 @@ final class ImpliedTableModel extends AbstractTableModel {
   private void refresh() {
     List<Row> fresh = new ArrayList<>();
     model.plan().ifPresent(plan -> add(plan, fresh));
-    rows = fresh;
-    fireTableDataChanged();
+    show(fresh);
   }
 
   private static void add(RatingPlan plan, List<Row> rows) {
@@ -110,22 +106,7 @@ final class ImpliedTableModel extends AbstractTableModel {
   }
 
   @Override
-  public int getRowCount() {
-    return rows.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return HEADS.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return HEADS.get(column);
-  }
-
-  @Override
-  public Object getValueAt(int row, int column) {
-    return rows.get(row).cell(column);
+  protected Object cell(Row row, int column) {
+    return row.cell(column);
   }
 }

@@ -1,58 +1,30 @@
 package org.selectiverenderer.enricher.ratings;
 
-import java.util.List;
 import java.util.Optional;
-import javax.swing.table.AbstractTableModel;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.enricher.table.RowTableModel;
 
 /** Which Switch each object of the table is; the Switch can be corrected. */
 @SuppressWarnings("serial") // never written
-final class MatchTableModel extends AbstractTableModel {
+final class MatchTableModel extends RowTableModel<Match> {
   private static final long serialVersionUID = 1L;
 
   /** What stands for an object that is no Switch. */
   static final String NONE = "(leave out)";
 
   static final int SWITCH = 1;
-  private static final List<String> HEADS = List.of("Object in the table", "Switch", "Why");
 
   private final RatingsModel model;
-  private List<Match> rows;
 
   MatchTableModel(RatingsModel model) {
+    super("Object in the table", "Switch", "Why");
     this.model = model;
-    this.rows = model.matches();
-    model.addListener(this::refresh);
-  }
-
-  private void refresh() {
-    List<Match> before = rows;
-    rows = model.matches();
-    if (before.size() == rows.size() && !rows.isEmpty()) {
-      fireTableRowsUpdated(0, rows.size() - 1);
-    } else {
-      fireTableDataChanged();
-    }
+    model.addListener(() -> update(model.matches()));
+    show(model.matches());
   }
 
   @Override
-  public int getRowCount() {
-    return rows.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return HEADS.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return HEADS.get(column);
-  }
-
-  @Override
-  public Object getValueAt(int row, int column) {
-    Match match = rows.get(row);
+  protected Object cell(Match match, int column) {
     return switch (column) {
       case 0 -> match.object();
       case SWITCH -> match.switchName().orElse(NONE);
@@ -75,7 +47,7 @@ final class MatchTableModel extends AbstractTableModel {
   public void setValueAt(Object value, int row, int column) {
     String name = String.valueOf(value);
     if (value != null) {
-      model.match(rows.get(row).object(), name.equals(NONE) ? Optional.empty() : Optional.of(name));
+      model.match(row(row).object(), name.equals(NONE) ? Optional.empty() : Optional.of(name));
     }
   }
 }

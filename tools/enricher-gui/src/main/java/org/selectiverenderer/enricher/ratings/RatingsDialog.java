@@ -23,10 +23,10 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.Problem;
 
 /**
  * Imports a table of expectancy ratings: choose it, see which Switch each object is and correct
@@ -40,7 +40,7 @@ public final class RatingsDialog extends JDialog {
   private final RatingsModel model;
   private final JTextField file = new JTextField(30);
   private final JCheckBox follow =
-      new JCheckBox("Objects without ratings are as expected as those around them", true);
+      new JCheckBox("Treat objects without ratings as expected in their room", true);
   private final JLabel summary = new JLabel();
   private final JTabbedPane messages = new JTabbedPane();
   private final JList<String> leftOut = new JList<>();
@@ -61,7 +61,7 @@ public final class RatingsDialog extends JDialog {
     content.add(options(), "wrap");
     content.add(messages(), "grow, wrap");
     content.add(buttons());
-    summary.getAccessibleContext().setAccessibleName("What the import comes to");
+    summary.getAccessibleContext().setAccessibleName("Result of the import");
     setContentPane(content);
     getRootPane().setDefaultButton(apply);
     getRootPane()
@@ -106,7 +106,7 @@ public final class RatingsDialog extends JDialog {
   private JPanel options() {
     JPanel panel = new JPanel(new MigLayout("insets 0", "[]unrel[]"));
     proposals.setMnemonic('P');
-    proposals.setToolTipText("Take the Switches whose names are only similar");
+    proposals.setToolTipText("Use the Switches whose names are only similar");
     proposals.addActionListener(e -> model.acceptProposals());
     follow.setMnemonic('e');
     follow.addActionListener(e -> model.unratedFollow(follow.isSelected()));
@@ -166,7 +166,7 @@ public final class RatingsDialog extends JDialog {
         new Problem(
             Problem.Severity.ERROR,
             Location.of(table.toString()),
-            why + "; choose another file, or see to this one's permissions");
+            why + "; choose another file, or check the permissions of this one");
     return new RatingsModel.Table(table.toString(), Optional.empty(), List.of(problem));
   }
 

@@ -6,15 +6,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.enrichment.SwitchNode;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.Ratings;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
 
 /**
  * An import of ratings under review: the table that was read, which Switch each of its objects is,
@@ -65,10 +65,6 @@ final class RatingsModel {
     work();
   }
 
-  boolean unratedFollow() {
-    return unratedFollow;
-  }
-
   /** Says which Switch an object of the table is; empty for none. */
   void match(String object, Optional<String> switchName) {
     ObjectMatching current = matching;
@@ -107,14 +103,10 @@ final class RatingsModel {
   List<String> candidates() {
     return enrichment.switches().stream()
         .filter(node -> node.choices().size() > 1)
-        .map(SwitchNode::name)
+        .map(EnrichedSwitch::name)
         .distinct()
         .sorted(String.CASE_INSENSITIVE_ORDER)
         .toList();
-  }
-
-  Optional<Ratings> ratings() {
-    return Optional.ofNullable(ratings);
   }
 
   Optional<RatingPlan> plan() {
@@ -136,7 +128,7 @@ final class RatingsModel {
     for (Match match : plan.unused()) {
       sentences.add("Not used: " + reason(match, taken));
     }
-    for (SwitchNode node : plan.unrated()) {
+    for (EnrichedSwitch node : plan.unrated()) {
       sentences.add("Not rated: %s stays as it is".formatted(node.name()));
     }
     return sentences;
@@ -150,9 +142,10 @@ final class RatingsModel {
           "%s may be %s; choose it to use its ratings".formatted(match.object(), switchName);
       case SAME_NAME, CHOSEN ->
           taken.containsKey(switchName)
-              ? "%s is %s, which %s is already"
+              ? "%s matches %s, which %s matches already"
                   .formatted(match.object(), switchName, taken.get(switchName))
-              : "%s is %s, which has fewer than two versions".formatted(match.object(), switchName);
+              : "%s matches %s, which has fewer than two versions"
+                  .formatted(match.object(), switchName);
     };
   }
 

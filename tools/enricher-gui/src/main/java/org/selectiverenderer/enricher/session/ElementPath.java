@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.ElementTree;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
  * Where an element stands, to find it again in a tree that was read anew: by its name if it has

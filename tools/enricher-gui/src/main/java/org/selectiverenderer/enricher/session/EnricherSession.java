@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
@@ -14,7 +13,8 @@ import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * One open document and what is selected in it. For the event dispatch thread only.

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.session;
 
 import java.util.Optional;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Hears what is selected. */
 @FunctionalInterface

@@ -2,7 +2,8 @@
  * One open document and what is selected in it: what all views of the enricher's window share.
  *
  * <p>In: selections and edits from the views. Out: the same to all others. For the event dispatch
- * thread only. Uses {@code document} and {@code enricher.task}; no widgets.
+ * thread only. Uses {@code enricher.task}, {@code document}, {@code x3d.catalogue} and {@code
+ * x3d.source}; no widgets.
  */
 @NullMarked
 package org.selectiverenderer.enricher.session;

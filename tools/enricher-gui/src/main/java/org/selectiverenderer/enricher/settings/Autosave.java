@@ -44,7 +44,9 @@ public final class Autosave {
             },
             done -> {},
             failed ->
-                session.message("Unsaved changes cannot be kept for a crash: " + message(failed)));
+                session.message(
+                    "Unsaved changes cannot be copied to protect them from a crash: "
+                        + message(failed)));
   }
 
   private void write(Path path, Snapshot snapshot) throws IOException {

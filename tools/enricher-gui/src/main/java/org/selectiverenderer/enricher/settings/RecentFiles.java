@@ -8,9 +8,9 @@ import java.util.List;
 public final class RecentFiles {
   private static final int MOST = 10;
 
-  private final Settings settings;
+  private final EnricherSettings settings;
 
-  public RecentFiles(Settings settings) {
+  public RecentFiles(EnricherSettings settings) {
     this.settings = settings;
   }
 

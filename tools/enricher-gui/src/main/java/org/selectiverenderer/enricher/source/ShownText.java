@@ -1,6 +1,6 @@
 package org.selectiverenderer.enricher.source;
 
-import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /**
  * A page of text as a text component holds it: line ends are single line feeds there, whatever they

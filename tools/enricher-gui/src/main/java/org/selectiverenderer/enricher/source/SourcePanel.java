@@ -20,12 +20,14 @@ import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.fife.ui.rtextarea.SmartHighlightPainter;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.Fault;
+import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.TextChange;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /**
  * The text of the scene. What is typed reaches the document after a short pause, or at once by
@@ -69,7 +71,7 @@ public final class SourcePanel {
     area.getAccessibleContext().setAccessibleName("Source of the scene");
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
-    notice.getAccessibleContext().setAccessibleName("What is to be known about the source");
+    notice.getAccessibleContext().setAccessibleName("State of the source");
     strip.add(notice, "growx, wmin 0");
     strip.add(place);
     place.addActionListener(event -> showFault());
@@ -178,7 +180,7 @@ public final class SourcePanel {
     int all = document().text().length();
     pages.setVisible(page.length() < all);
     pageText.setText(
-        "The scene is big: characters %,d to %,d of %,d are shown"
+        "The scene is large: characters %,d to %,d of %,d are shown"
             .formatted(page.from(), page.to(), all));
   }
 
@@ -257,7 +259,7 @@ public final class SourcePanel {
   }
 
   private void showNotice() {
-    Optional<Fault> fault = document().fault();
+    Optional<DocumentFault> fault = document().fault();
     Optional<String> locked = document().locked();
     strip.setVisible(fault.isPresent() || locked.isPresent());
     place.setVisible(fault.isPresent());
@@ -267,10 +269,10 @@ public final class SourcePanel {
     }
     notice.setIcon(UIManager.getIcon("OptionPane.warningIcon"));
     if (fault.isPresent()) {
-      Fault at = fault.get();
+      Location at = fault.get().location();
       notice.setText(
-          "<html><b>Line %d:</b> %s. Forms wait until it is mended here."
-              .formatted(at.line(), escaped(at.message())));
+          "<html><b>Line %d:</b> %s. Forms wait until you correct it here."
+              .formatted(at.line(), escaped(fault.get().message())));
       markLine(document().offset(Math.max(1, at.line()), Math.max(1, at.column())));
     } else {
       locked.ifPresent(why -> notice.setText("<html><b>Read only:</b> " + escaped(why)));
@@ -278,7 +280,7 @@ public final class SourcePanel {
   }
 
   private static String escaped(String message) {
-    return message.replace("&", "&amp;").replace("<", "&lt;");
+    return Markup.text(message);
   }
 
   private void markLine(int offset) {
@@ -297,8 +299,10 @@ public final class SourcePanel {
     document()
         .fault()
         .ifPresent(
-            fault ->
-                reveal(document().offset(Math.max(1, fault.line()), Math.max(1, fault.column()))));
+            fault -> {
+              Location at = fault.location();
+              reveal(document().offset(Math.max(1, at.line()), Math.max(1, at.column())));
+            });
   }
 
   /** Brings a character into view and puts the caret there. */

@@ -4,7 +4,7 @@ import java.util.concurrent.Future;
 import org.jspecify.annotations.Nullable;
 
 /** Work in the background, as its bar shows it. Safe for use by several threads. */
-public final class Task implements Progress {
+public final class Task implements TaskProgress {
   private final String name;
   private final long begun;
   private final boolean stoppable;

@@ -26,7 +26,7 @@ public final class Tasks implements AutoCloseable {
   /** Work that tells how far it is. */
   @FunctionalInterface
   public interface Work<T> {
-    T run(Progress progress) throws Exception;
+    T run(TaskProgress progress) throws Exception;
   }
 
   /**

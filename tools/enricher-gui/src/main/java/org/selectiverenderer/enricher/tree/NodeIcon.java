@@ -13,7 +13,7 @@ import javax.swing.Icon;
 import javax.swing.UIManager;
 
 /** A drawn picture of a kind of node, sharp at any scale. */
-public record NodeIcon(Kind kind, Mark mark) implements Icon {
+record NodeIcon(Kind kind, Mark mark) implements Icon {
   /** What a node is to an author. */
   public enum Kind {
     SWITCH,

@@ -4,10 +4,10 @@ import java.awt.Component;
 import java.util.function.Predicate;
 import javax.swing.JTree;
 import javax.swing.tree.DefaultTreeCellRenderer;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.enrichment.SensorNode;
-import org.selectiverenderer.document.enrichment.SwitchNode;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** A row of the tree: icon with a mark, type and name. */
 final class NodeRenderer extends DefaultTreeCellRenderer {
@@ -63,9 +63,9 @@ final class NodeRenderer extends DefaultTreeCellRenderer {
     boolean wrong = faulty.test(element);
     boolean enriched = false;
     if (element.name().equals("Switch")) {
-      enriched = enrichment.switchNode(element).filter(SwitchNode::enriched).isPresent();
+      enriched = enrichment.switchNode(element).filter(EnrichedSwitch::enriched).isPresent();
     } else if (element.name().equals("ProximitySensor")) {
-      enriched = enrichment.sensorNode(element).filter(SensorNode::enriched).isPresent();
+      enriched = enrichment.sensorNode(element).filter(EnrichedSensor::enriched).isPresent();
     }
     return wrong ? NodeIcon.Mark.FAULTY : enriched ? NodeIcon.Mark.ENRICHED : NodeIcon.Mark.NONE;
   }

@@ -11,15 +11,15 @@ import javax.swing.event.TreeModelListener;
 import javax.swing.tree.TreeModel;
 import javax.swing.tree.TreePath;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentElement;
-import org.selectiverenderer.document.ElementTree;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
  * The elements of a document for a tree, which asks for those that it shows only. With a search, or
  * when only Switches and ProximitySensors are wanted, they are one list under the root.
  */
-public final class SceneTreeModel implements TreeModel {
+final class SceneTreeModel implements TreeModel {
   private static final String EMPTY = "";
 
   private final SceneDocument document;
@@ -31,11 +31,6 @@ public final class SceneTreeModel implements TreeModel {
   public SceneTreeModel(SceneDocument document) {
     this.document = document;
     refresh();
-  }
-
-  /** Whether only Switches and ProximitySensors are shown. */
-  public boolean nodesOnly() {
-    return nodesOnly;
   }
 
   public void showNodesOnly(boolean only) {

@@ -17,10 +17,10 @@ import javax.swing.event.DocumentListener;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.enricher.session.ElementPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The left side of the window: search, what to show, and the tree. */
 public final class SceneTreePanel {
@@ -61,7 +61,7 @@ public final class SceneTreePanel {
     pause.setRepeats(false);
     search.getDocument().addDocumentListener(new Typed(pause::restart));
     search.addActionListener(event -> tree.requestFocusInWindow());
-    extent.getAccessibleContext().setAccessibleName("What the tree shows");
+    extent.getAccessibleContext().setAccessibleName("Nodes that the tree shows");
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
     panel.add(extent, "growx, wmin 0, wrap");

@@ -1,7 +1,8 @@
 /**
  * The scene as a tree, whole or its Switches and ProximitySensors only; virtual, for big scenes.
  *
- * <p>In: a session. Out: selections. Uses {@code document} and {@code enricher.session}.
+ * <p>In: a session. Out: selections. Uses {@code enricher.session}, {@code document}, {@code
+ * document.enrichment} and {@code x3d.source}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.tree;

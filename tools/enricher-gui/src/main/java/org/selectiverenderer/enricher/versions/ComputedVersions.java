@@ -6,17 +6,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.versions.ObjectVersion;
+import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.polygon.model.ModelReader;
-import org.selectiverenderer.polygon.versions.Version;
-import org.selectiverenderer.polygon.versions.VersionPlan.PlannedFile;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problems;
-import org.selectiverenderer.x3d.X3dFile;
-import org.selectiverenderer.x3d.X3dReader;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
  * What making versions comes to, before anything is written.
@@ -34,7 +34,7 @@ record ComputedVersions(
     Optional<VersionsEdit> edit = VersionsEdit.plan(snapshot, request, catalogue, problems);
     List<Optional<ObjectShape>> shapes = new ArrayList<>();
     if (edit.isPresent()) {
-      for (Version version : edit.get().versions()) {
+      for (ObjectVersion version : edit.get().versions()) {
         shapes.add(shape(version.file(), edit.get(), catalogue));
       }
     }
@@ -61,7 +61,7 @@ record ComputedVersions(
         .map(ObjectShape::of);
   }
 
-  List<Version> versions() {
+  List<ObjectVersion> versions() {
     return edit.map(VersionsEdit::versions).orElse(List.of());
   }
 

@@ -1,10 +1,10 @@
 package org.selectiverenderer.enricher.versions;
 
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.polygon.model.Model;
 import org.selectiverenderer.polygon.model.ModelPart;
-import org.selectiverenderer.x3d.NodeView;
-import org.selectiverenderer.x3d.geometry.Mesh;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
  * A version as triangles of plain colours, to be looked at from all sides. Immutable by convention.

@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.versions;
 
 import java.util.Arrays;
+import org.selectiverenderer.geometry.TriangleMath;
 
 /**
  * Draws a shape into pixels by itself: no graphics card is needed, and a picture of some ten
@@ -60,18 +61,12 @@ final class ShapePainter {
 
   /** Faces turned to the viewer are bright; back faces are lit like front ones. */
   private int shade(int color) {
-    double ux = p[3] - p[0];
-    double uy = p[4] - p[1];
-    double uz = p[5] - p[2];
-    double vx = p[6] - p[0];
-    double vy = p[7] - p[1];
-    double vz = p[8] - p[2];
-    double nx = uy * vz - uz * vy;
-    double ny = uz * vx - ux * vz;
-    double nz = ux * vy - uy * vx;
-    double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    double[] n = new double[3];
+    TriangleMath.cross(
+        p[3] - p[0], p[4] - p[1], p[5] - p[2], p[6] - p[0], p[7] - p[1], p[8] - p[2], n);
+    double length = TriangleMath.length(n);
     // A light a little to the left of the viewer and above, so that no two faces look the same.
-    double facing = length == 0 ? 0 : Math.abs(-0.35 * nx - 0.45 * ny + 0.82 * nz) / length;
+    double facing = length == 0 ? 0 : Math.abs(-0.35 * n[0] - 0.45 * n[1] + 0.82 * n[2]) / length;
     double light = 0.3 + 0.7 * facing;
     int red = (int) ((color >> 16 & 0xFF) * light);
     int green = (int) ((color >> 8 & 0xFF) * light);

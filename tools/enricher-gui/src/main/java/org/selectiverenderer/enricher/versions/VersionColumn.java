@@ -9,7 +9,8 @@ import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.polygon.versions.Version;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.versions.ObjectVersion;
 
 /** One version: its goal, its figures, its picture as a solid and as wires. */
 @SuppressWarnings("serial") // never written
@@ -106,7 +107,7 @@ final class VersionColumn extends JPanel {
     }
     following = false;
     Optional<ComputedVersions> result = model.result();
-    Optional<Version> version =
+    Optional<ObjectVersion> version =
         result.filter(r -> r.versions().size() > index).map(r -> r.versions().get(index));
     ShapeFrame frame =
         result
@@ -118,18 +119,14 @@ final class VersionColumn extends JPanel {
     solid.show(shape, frame);
     wires.show(shape, frame);
     boolean stale = !model.current() && index > 0;
-    polygons.setText(text(version.map(v -> grouped(v.polygons())), stale));
-    vertices.setText(text(version.map(v -> grouped(v.vertices())), stale));
+    polygons.setText(text(version.map(v -> DecimalText.grouped(v.polygons())), stale));
+    vertices.setText(text(version.map(v -> DecimalText.grouped(v.vertices())), stale));
     error.setText(text(version.map(this::error), stale));
   }
 
-  private String error(Version version) {
+  private String error(ObjectVersion version) {
     String share = String.format(Locale.ROOT, "%.2f %% of its size", 100 * version.error());
-    return version.met() ? share : share + "; as near as its form allows";
-  }
-
-  private static String grouped(int count) {
-    return String.format(Locale.ROOT, "%,d", count);
+    return version.met() ? share : share + "; the nearest that its form allows";
   }
 
   private static String text(Optional<String> value, boolean stale) {

@@ -19,14 +19,14 @@ import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.polygon.versions.FileActions;
-import org.selectiverenderer.polygon.versions.VersionPlan.PlannedFile;
-import org.selectiverenderer.x3d.Problem;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * Makes versions of an object: how many vertices each is to have, what that looks like and costs,
@@ -72,7 +72,7 @@ public final class VersionsDialog extends JDialog {
     content.add(summary, "wrap");
     content.add(problemPane, "wrap");
     content.add(buttons());
-    summary.getAccessibleContext().setAccessibleName("What the versions come to");
+    summary.getAccessibleContext().setAccessibleName("Result for the versions");
     problems.setVisibleRowCount(3);
     problems.getAccessibleContext().setAccessibleName("Problems of the versions");
     setContentPane(content);
@@ -114,13 +114,13 @@ public final class VersionsDialog extends JDialog {
   private JPanel buttons() {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx, hidemode 2", "[][]push[][]"));
     progress.setIndeterminate(true);
-    progress.getAccessibleContext().setAccessibleName("Working out the versions");
+    progress.getAccessibleContext().setAccessibleName("Computing the versions");
     stop.setMnemonic('S');
     stop.addActionListener(
         e -> {
           work.cancel();
           refresh();
-          summary.setText("Stopped. Change a value to work the versions out again.");
+          summary.setText("Stopped. Change a value to compute the versions again.");
         });
     JButton cancel = new JButton("Cancel");
     cancel.addActionListener(e -> dispose());
@@ -157,7 +157,7 @@ public final class VersionsDialog extends JDialog {
     List<Problem> found = model.result().map(ComputedVersions::problems).orElse(List.of());
     problems.setListData(found.stream().map(Problem::toString).toArray(String[]::new));
     problemPane.setVisible(!found.isEmpty());
-    summary.setText(busy ? "Working out the versions\u2026" : summary());
+    summary.setText(busy ? "Computing the versions\u2026" : summary());
     revalidate();
   }
 
@@ -177,7 +177,7 @@ public final class VersionsDialog extends JDialog {
     Optional<VersionsEdit> edit = model.result().flatMap(ComputedVersions::edit);
     if (edit.isEmpty()) {
       return model.object().isEmpty()
-          ? "Choose an object; one without a DEF name has to get one first."
+          ? "Choose an object. An object without a DEF name needs a name first."
           : "There are no versions of %s to make; see the problems.".formatted(model.object());
     }
     List<String> files =
@@ -189,7 +189,7 @@ public final class VersionsDialog extends JDialog {
                         + (file.state() == PlannedFile.State.CHANGED ? " (replaced)" : ""))
             .toList();
     return files.isEmpty()
-        ? "All files of the versions are there already."
+        ? "All files of the versions exist already."
         : "Writes " + String.join(", ", files) + ".";
   }
 
@@ -226,7 +226,7 @@ public final class VersionsDialog extends JDialog {
     return there.isEmpty()
         || JOptionPane.showConfirmDialog(
                 this,
-                "%s will be replaced; undoing does not bring back what is in there now."
+                "%s will be replaced; undo does not restore the present content."
                     .formatted(String.join(", ", there)),
                 "Replace Files?",
                 JOptionPane.OK_CANCEL_OPTION,

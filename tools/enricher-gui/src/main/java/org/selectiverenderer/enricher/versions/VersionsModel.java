@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The versions that an author asks for, and what they come to. A result is of the goals that it was

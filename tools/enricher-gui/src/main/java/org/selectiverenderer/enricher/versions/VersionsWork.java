@@ -61,7 +61,7 @@ final class VersionsWork {
         session
             .tasks()
             .run(
-                "Working out versions of " + model.object(),
+                "Computing versions of " + model.object(),
                 () -> ComputedVersions.of(snapshot, request, session.catalogue()),
                 computed -> done(number, () -> model.take(number, computed)),
                 failure -> done(number, () -> failed.accept(sentence(failure))));
@@ -69,7 +69,7 @@ final class VersionsWork {
 
   private static String sentence(Exception failure) {
     String message = failure.getMessage();
-    return message == null ? "the versions cannot be worked out: " + failure : message;
+    return message == null ? "the versions cannot be computed: " + failure : message;
   }
 
   private void done(long number, Runnable report) {

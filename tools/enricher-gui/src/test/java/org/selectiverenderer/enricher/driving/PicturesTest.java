@@ -15,6 +15,7 @@ import javax.swing.JTable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.Ratings;
@@ -24,7 +25,6 @@ import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.testing.RequiresDisplay;
-import org.selectiverenderer.x3d.Problems;
 
 /** Pictures of the dialogs with the apartment, for looking at: {@code target/pictures}. */
 @RequiresDisplay

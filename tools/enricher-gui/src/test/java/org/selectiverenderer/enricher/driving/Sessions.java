@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** Documents open in a session. */
 public final class Sessions {

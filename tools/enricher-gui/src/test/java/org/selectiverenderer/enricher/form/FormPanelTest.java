@@ -20,6 +20,7 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.Swing;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
@@ -54,7 +55,7 @@ class FormPanelTest {
   }
 
   private static String shown(Component control) {
-    return FormWindow.get(
+    return Swing.get(
         () ->
             control instanceof JComboBox<?> box
                 ? String.valueOf(
@@ -67,7 +68,7 @@ class FormPanelTest {
   }
 
   private static Object outline(Component control) {
-    return FormWindow.get(() -> ((JComponent) control).getClientProperty("JComponent.outline"));
+    return Swing.get(() -> ((JComponent) control).getClientProperty("JComponent.outline"));
   }
 
   @Test
@@ -75,7 +76,7 @@ class FormPanelTest {
     try (FormWindow window = open(false)) {
       window.select("Switch_Bin");
       JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
-      FormWindow.edt(() -> type.setSelectedItem("consistent"));
+      Swing.edt(() -> type.setSelectedItem("consistent"));
       assertThat(window.text("Switch_Bin")).contains("consistencyType", "\"consistent\"");
 
       Component degree = window.named("Degree of choice 0");
@@ -90,16 +91,15 @@ class FormPanelTest {
       assertThat(shown(schemas)).isEqualTo("DeskSchema");
       window.press(KeyEvent.VK_TAB);
       assertThat(window.text("Switch_Bin")).contains("schemaBelonginess", "\"DeskSchema\"");
-      assertThat(FormWindow.get(() -> window.session.document().history().names())).hasSize(3);
+      assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
 
-      FormWindow.edt(() -> window.session.document().history().undo());
+      Swing.edt(() -> window.session.document().history().undo());
       assertThat(shown(schemas)).isEmpty();
-      FormWindow.edt(() -> window.session.document().history().undo());
+      Swing.edt(() -> window.session.document().history().undo());
       assertThat(shown(degree)).isEqualTo("none");
-      FormWindow.edt(() -> window.session.document().history().undo());
+      Swing.edt(() -> window.session.document().history().undo());
       assertThat(shown(type)).isEqualTo("none");
-      assertThat(FormWindow.get(() -> window.session.document().text().toString()))
-          .isEqualTo(SCENE);
+      assertThat(Swing.get(() -> window.session.document().text().toString())).isEqualTo(SCENE);
 
       window.select("Desk");
       assertThat(shown(window.named("On entering"))).isEqualTo("DeskSchema");
@@ -114,15 +114,14 @@ class FormPanelTest {
   void fromTheFirstSchemaOfAnAreaTabGoesOnToWhatLeavingActivates() throws Exception {
     try (FormWindow window = open(false)) {
       int end = SCENE.indexOf("</Scene>");
-      FormWindow.edt(
-          () -> window.session.document().type(end, end, "<ProximitySensor DEF='Sofa'/>"));
+      Swing.edt(() -> window.session.document().type(end, end, "<ProximitySensor DEF='Sofa'/>"));
       window.select("Sofa");
       Component leaving = window.named("On leaving");
       window.fill(window.named("On entering"), "sofa");
       window.press(KeyEvent.VK_TAB);
       assertThat(window.text("Sofa")).contains("enterTimeSchema", "\"sofa\"");
       assertThat(window.named("On leaving")).isSameAs(leaving);
-      assertThat(FormWindow.get(leaving::isFocusOwner)).isTrue();
+      assertThat(Swing.get(leaving::isFocusOwner)).isTrue();
     }
   }
 
@@ -134,9 +133,9 @@ class FormPanelTest {
       window.fill(editor(degree), "2");
       window.press(KeyEvent.VK_TAB);
       assertThat(outline(degree)).isEqualTo("error");
-      assertThat(FormWindow.get(() -> window.session.document().modified())).isFalse();
+      assertThat(Swing.get(() -> window.session.document().modified())).isFalse();
       assertThat(
-              FormWindow.get(
+              Swing.get(
                   () ->
                       FormWindow.all(window.form)
                           .filter(c -> c instanceof JLabel && c.isShowing())
@@ -155,10 +154,10 @@ class FormPanelTest {
   void otherElementsSayWhatCanBeDone() throws Exception {
     try (FormWindow window = open(false)) {
       List<String> wanted = new CopyOnWriteArrayList<>();
-      FormWindow.edt(() -> window.form.onMakeVersions(e -> wanted.add(e.toString())));
+      Swing.edt(() -> window.form.onMakeVersions(e -> wanted.add(e.toString())));
       window.select("Table");
       AbstractButton make =
-          FormWindow.get(
+          Swing.get(
               () ->
                   (AbstractButton)
                       FormWindow.all(window.form)
@@ -170,7 +169,7 @@ class FormPanelTest {
       assertThat(wanted).containsExactly("Transform Table");
       window.select("High");
       assertThat(
-              FormWindow.get(
+              Swing.get(
                   () ->
                       ElementSummary.of(
                               window.session.document(),
@@ -186,7 +185,7 @@ class FormPanelTest {
     try (FormWindow window = open(true)) {
       for (String def : List.of("Switch_Bin", "Desk", "Table")) {
         window.select(def);
-        FormWindow.edt(
+        Swing.edt(
             () ->
                 assertThat(
                         Stream.of(window.form, window.problems, window.help)
@@ -220,16 +219,16 @@ class FormPanelTest {
     for (boolean dark : new boolean[] {false, true}) {
       try (FormWindow window = new FormWindow(Path.of("scenes", "apartment.x3d"), dark)) {
         String name =
-            FormWindow.get(
+            Swing.get(
                 () -> window.session.enrichment().switches().get(0).element().def().orElseThrow());
         window.select(name);
         JLabel polygons = (JLabel) window.named("Polygons of choice 1");
-        while (!FormWindow.get(polygons::getText).endsWith("polygons")) {
+        while (!Swing.get(polygons::getText).endsWith("polygons")) {
           window.settle();
         }
         window.screenshot("form-switch-" + (dark ? "dark" : "light"), dark ? 2 : 1);
         String area =
-            FormWindow.get(
+            Swing.get(
                 () -> window.session.enrichment().sensors().get(0).element().def().orElseThrow());
         window.select(area);
         window.click(window.named("On entering"));

@@ -1,5 +1,8 @@
 package org.selectiverenderer.enricher.form;
 
+import static org.selectiverenderer.enricher.Swing.edt;
+import static org.selectiverenderer.enricher.Swing.get;
+
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.AWTException;
@@ -16,17 +19,13 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JTabbedPane;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.DocumentElement;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
@@ -34,9 +33,10 @@ import org.selectiverenderer.enricher.problems.ProblemsPanel;
 import org.selectiverenderer.enricher.problems.ValidatorCheck;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.validation.RuleCatalogue;
 import org.selectiverenderer.validation.ValidationSettings;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** A window with the form, the help and the problems of a scene, driven by a robot. */
 final class FormWindow implements AutoCloseable {
@@ -86,23 +86,6 @@ final class FormWindow implements AutoCloseable {
     made.setBounds(20, 20, 1000, 800);
     made.setVisible(true);
     return made;
-  }
-
-  static void edt(Runnable task) {
-    try {
-      SwingUtilities.invokeAndWait(task);
-    } catch (ReflectiveOperationException e) {
-      throw new AssertionError(e);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new AssertionError(e);
-    }
-  }
-
-  static <T> T get(Supplier<T> what) {
-    AtomicReference<T> result = new AtomicReference<>();
-    edt(() -> result.set(what.get()));
-    return result.get();
   }
 
   void select(String def) {

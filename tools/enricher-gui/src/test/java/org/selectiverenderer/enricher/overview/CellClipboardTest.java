@@ -55,7 +55,7 @@ class CellClipboardTest {
         .hasMessageContaining("do not fit");
     assertThatThrownBy(() -> clipboard.paste("h\tperhaps", List.of(new CellAt(0, 1))))
         .isInstanceOf(EditRefused.class)
-        .hasMessageContaining("'perhaps' is no degree");
+        .hasMessageContaining("'perhaps' is not a degree");
     assertThatThrownBy(() -> clipboard.paste("object\tA\nTub\th", List.of()))
         .isInstanceOf(EditRefused.class)
         .hasMessageContaining("'Tub'");

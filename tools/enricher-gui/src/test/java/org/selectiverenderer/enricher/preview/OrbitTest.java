@@ -6,7 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.navigation.Pose;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.runtime.viewer.Pose;
 
 class OrbitTest {
   private final Orbit orbit = new Orbit();
@@ -56,7 +57,7 @@ class OrbitTest {
 
   @Test
   void aFramedBoxFillsThePictureAndLiesWithinIt() {
-    orbit.frame(new double[] {4, 4, 4, 6, 6, 6});
+    orbit.frame(new Bounds(4, 4, 4, 6, 6, 6));
     Vector3d nearCorner = new Vector3d(6, 6, 6).sub(position());
     assertThat(nearCorner.x / -nearCorner.z)
         .isBetween(0.8 * Math.tan(Math.PI / 8), Math.tan(Math.PI / 8));

@@ -17,9 +17,10 @@ import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.enricher.Swing;
 import org.selectiverenderer.enricher.driving.ControlNames;
 import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 @RequiresDisplay
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
@@ -74,7 +75,7 @@ class PreviewPanelTest {
     return window;
   }
 
-  private static int middle(Frame frame) {
+  private static int middle(PreviewFrame frame) {
     return rgb(frame.image(), 0.5, 0.5);
   }
 
@@ -82,7 +83,7 @@ class PreviewPanelTest {
     return image.getRGB((int) (x * image.getWidth()), (int) (y * image.getHeight())) & 0xffffff;
   }
 
-  private static long count(Frame frame, int color) {
+  private static long count(PreviewFrame frame, int color) {
     BufferedImage image = frame.image();
     return Arrays.stream(
             image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
@@ -91,18 +92,18 @@ class PreviewPanelTest {
   }
 
   private static void boxes(PreviewWindow window, boolean shown) {
-    PreviewWindow.edt(() -> window.panel.sensorsShown(shown));
+    Swing.edt(() -> window.panel.sensorsShown(shown));
   }
 
   @Test
   void aClickSelectsTheSwitchAroundAShapeAndOutlinesIt() throws Exception {
     try (PreviewWindow window = open()) {
       boxes(window, false);
-      Frame before = window.await(frame -> middle(frame) == GREEN);
+      PreviewFrame before = window.await(frame -> middle(frame) == GREEN);
       assertThat(count(before, OUTLINE)).isZero();
       window.click(before.image().getWidth() / 2, before.image().getHeight() / 2);
-      Frame after = window.await(frame -> frame.selected().isPresent());
-      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+      PreviewFrame after = window.await(frame -> frame.selected().isPresent());
+      assertThat(Swing.get(() -> window.session.selection()).flatMap(DocumentElement::def))
           .contains("TrashCan");
       assertThat(count(after, OUTLINE)).isGreaterThan(100);
       assertThat(middle(after)).as("the object itself").isEqualTo(GREEN);
@@ -113,7 +114,7 @@ class PreviewPanelTest {
   void aClickOnAShapeWithoutNamesSelectsItsElement() throws Exception {
     try (PreviewWindow window = open()) {
       boxes(window, false);
-      Frame shown = window.await(frame -> count(frame, BLUE) > 100);
+      PreviewFrame shown = window.await(frame -> count(frame, BLUE) > 100);
       BufferedImage image = shown.image();
       int y = image.getHeight() / 2;
       int x = image.getWidth() / 2;
@@ -122,7 +123,7 @@ class PreviewPanelTest {
       }
       window.click(x + 10, y);
       window.await(frame -> frame.selected().isPresent());
-      assertThat(PreviewWindow.get(() -> window.session.selection()).map(DocumentElement::name))
+      assertThat(Swing.get(() -> window.session.selection()).map(DocumentElement::name))
           .contains("Shape");
     }
   }
@@ -131,13 +132,13 @@ class PreviewPanelTest {
   void asIfInASchemaShowsItsVersionsAndTheirPolygons() throws Exception {
     try (PreviewWindow window = open()) {
       boxes(window, false);
-      Frame start = window.await(frame -> middle(frame) == GREEN);
+      PreviewFrame start = window.await(frame -> middle(frame) == GREEN);
       assertThat(start.polygons()).isEqualTo(24);
-      PreviewWindow.edt(() -> window.panel.asIf(List.of("OfficeSchema", "DeskSchema")));
-      Frame desk = window.await(frame -> middle(frame) == RED);
+      Swing.edt(() -> window.panel.asIf(List.of("OfficeSchema", "DeskSchema")));
+      PreviewFrame desk = window.await(frame -> middle(frame) == RED);
       assertThat(desk.polygons()).isGreaterThan(24);
       assertThat(desk.schemas()).containsExactly("OfficeSchema", "DeskSchema");
-      PreviewWindow.edt(() -> window.panel.asIf(List.of("DeskSchema", "OfficeSchema")));
+      Swing.edt(() -> window.panel.asIf(List.of("DeskSchema", "OfficeSchema")));
       assertThat(window.await(frame -> middle(frame) == GREEN).polygons()).isEqualTo(24);
     }
   }
@@ -146,10 +147,10 @@ class PreviewPanelTest {
   void sensorBoxesAreDrawnAndLabelledAndALabelSelectsItsSensor() throws Exception {
     try (PreviewWindow window = open()) {
       boxes(window, false);
-      Frame without = window.await(frame -> frame.labels().isEmpty());
+      PreviewFrame without = window.await(frame -> frame.labels().isEmpty());
       boxes(window, true);
-      Frame with = window.await(frame -> !frame.labels().isEmpty());
-      Frame.Label label = with.labels().get(0);
+      PreviewFrame with = window.await(frame -> !frame.labels().isEmpty());
+      PreviewFrame.Label label = with.labels().get(0);
       assertThat(PictureView.text(label))
           .contains("Desk", "DeskSchema", "OfficeSchema", "12 polygons");
       int changed = 0;
@@ -161,9 +162,9 @@ class PreviewPanelTest {
       assertThat(changed).as("pixels of the box").isGreaterThan(5000);
       window.screenshot("preview-boxes");
       window.click(label.x(), label.y() - 6);
-      Frame selected = window.await(frame -> frame.selected().isPresent());
+      PreviewFrame selected = window.await(frame -> frame.selected().isPresent());
       assertThat(selected.labels().get(0).selected()).isTrue();
-      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+      assertThat(Swing.get(() -> window.session.selection()).flatMap(DocumentElement::def))
           .contains("Desk");
     }
   }
@@ -177,12 +178,12 @@ class PreviewPanelTest {
       // Farther away: the object gets smaller, and stays so after the edit.
       long near = count(window.await(frameAfter(window, "MINUS")), GREEN);
       replace(window, "emissiveColor='0 1 0'", "emissiveColor='1 1 0'");
-      Frame edited = window.await(frame -> middle(frame) == 0xffff00);
+      PreviewFrame edited = window.await(frame -> middle(frame) == 0xffff00);
       assertThat(count(edited, 0xffff00)).isBetween(near - 50, near + 50);
       replace(window, "</Switch>", "</Swich>");
       window.panel.reload();
-      assertThat(PreviewWindow.get(window.panel::message)).contains("not well formed");
-      assertThat(PreviewWindow.get(() -> window.panel.view().frame()))
+      assertThat(Swing.get(window.panel::message)).contains("not well formed");
+      assertThat(Swing.get(() -> window.panel.view().frame()))
           .get()
           .satisfies(kept -> assertThat(middle(kept)).isEqualTo(0xffff00));
     }
@@ -199,20 +200,20 @@ class PreviewPanelTest {
           "<Switch DEF='TrashCan'",
           "<Transform translation='0 0 3'><Inline DEF='More' url='\"more.x3d\"'/></Transform>"
               + "<Switch DEF='TrashCan'");
-      Frame both = window.await(frame -> middle(frame) == 0x00ffff);
+      PreviewFrame both = window.await(frame -> middle(frame) == 0x00ffff);
       assertThat(both.polygons()).isEqualTo(48);
       window.click(both.image().getWidth() / 2, both.image().getHeight() / 2);
       window.await(frame -> frame.selected().isPresent());
-      assertThat(PreviewWindow.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+      assertThat(Swing.get(() -> window.session.selection()).flatMap(DocumentElement::def))
           .contains("More");
     }
   }
 
   /** Presses a key of the picture by its action and says which frame is wanted. */
-  private static Predicate<Frame> frameAfter(PreviewWindow window, String key) {
+  private static Predicate<PreviewFrame> frameAfter(PreviewWindow window, String key) {
     PictureView view = window.panel.view();
-    long before = PreviewWindow.get(() -> count(view.frame().orElseThrow(), GREEN));
-    PreviewWindow.edt(
+    long before = Swing.get(() -> count(view.frame().orElseThrow(), GREEN));
+    Swing.edt(
         () -> {
           Object name = view.getInputMap().get(KeyStroke.getKeyStroke(key));
           view.getActionMap().get(name).actionPerformed(new ActionEvent(view, 0, key));
@@ -221,7 +222,7 @@ class PreviewPanelTest {
   }
 
   private static void replace(PreviewWindow window, String what, String by) {
-    PreviewWindow.edt(
+    Swing.edt(
         () -> {
           int at = window.session.document().text().toString().indexOf(what);
           window.session.document().type(at, at + what.length(), by);
@@ -232,18 +233,18 @@ class PreviewPanelTest {
   void walkingEntersAreasUnderTheController() throws Exception {
     try (PreviewWindow window = open()) {
       boxes(window, false);
-      Frame start = window.await(frame -> middle(frame) == GREEN);
+      PreviewFrame start = window.await(frame -> middle(frame) == GREEN);
       window.takeKeyboard(start.image().getWidth() - 20, 20);
-      PreviewWindow.edt(() -> window.panel.walk(true));
-      assertThat(window.await(Frame::walking).areas()).isEmpty();
+      Swing.edt(() -> window.panel.walk(true));
+      assertThat(window.await(PreviewFrame::walking).areas()).isEmpty();
       window.robot.keyPress(KeyEvent.VK_W);
-      Frame inside = window.await(frame -> frame.areas().contains("Desk"));
+      PreviewFrame inside = window.await(frame -> frame.areas().contains("Desk"));
       window.robot.keyRelease(KeyEvent.VK_W);
       assertThat(inside.schemas()).containsExactly("DeskSchema");
       assertThat(inside.polygons()).isGreaterThan(24);
       window.robot.keyPress(KeyEvent.VK_ESCAPE);
       window.robot.keyRelease(KeyEvent.VK_ESCAPE);
-      Frame after = window.await(frame -> !frame.walking());
+      PreviewFrame after = window.await(frame -> !frame.walking());
       assertThat(after.polygons()).isEqualTo(24);
     }
   }
@@ -251,7 +252,7 @@ class PreviewPanelTest {
   @Test
   void everyControlHasAnAccessibleName() throws Exception {
     try (PreviewWindow window = open()) {
-      PreviewWindow.edt(() -> assertThat(ControlNames.missing(window.panel)).isEmpty());
+      Swing.edt(() -> assertThat(ControlNames.missing(window.panel)).isEmpty());
     }
   }
 

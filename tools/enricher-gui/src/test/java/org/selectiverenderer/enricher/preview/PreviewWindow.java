@@ -1,6 +1,8 @@
 package org.selectiverenderer.enricher.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.selectiverenderer.enricher.Swing.edt;
+import static org.selectiverenderer.enricher.Swing.get;
 
 import java.awt.AWTException;
 import java.awt.EventQueue;
@@ -12,16 +14,13 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
-import javax.swing.SwingUtilities;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** A window with a preview in it, driven by a robot; waits for frames, not for time. */
 final class PreviewWindow implements AutoCloseable {
@@ -35,7 +34,7 @@ final class PreviewWindow implements AutoCloseable {
   final Robot robot;
   private final Tasks tasks = new Tasks(EventQueue::invokeLater);
   private final JFrame window;
-  private final LinkedBlockingQueue<Frame> frames = new LinkedBlockingQueue<>();
+  private final LinkedBlockingQueue<PreviewFrame> frames = new LinkedBlockingQueue<>();
 
   PreviewWindow(Path scene) throws IOException, AWTException {
     DocumentFile file = DocumentFile.open(scene);
@@ -60,28 +59,11 @@ final class PreviewWindow implements AutoCloseable {
     robot.setAutoDelay(15);
   }
 
-  static void edt(Runnable task) {
-    try {
-      SwingUtilities.invokeAndWait(task);
-    } catch (ReflectiveOperationException e) {
-      throw new AssertionError(e);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new AssertionError(e);
-    }
-  }
-
-  static <T> T get(Supplier<T> what) {
-    AtomicReference<T> result = new AtomicReference<>();
-    edt(() -> result.set(what.get()));
-    return result.get();
-  }
-
   /** The next frame that is as wanted. */
-  Frame await(Predicate<Frame> wanted) throws InterruptedException {
-    Frame last = null;
+  PreviewFrame await(Predicate<PreviewFrame> wanted) throws InterruptedException {
+    PreviewFrame last = null;
     while (true) {
-      Frame frame = frames.poll(PATIENCE, TimeUnit.SECONDS);
+      PreviewFrame frame = frames.poll(PATIENCE, TimeUnit.SECONDS);
       assertThat(frame).as("a frame after %s", last).isNotNull();
       if (wanted.test(frame)) {
         return frame;
@@ -91,7 +73,7 @@ final class PreviewWindow implements AutoCloseable {
   }
 
   /** A frame of the whole picture's size. */
-  Frame awaitPicture() throws InterruptedException {
+  PreviewFrame awaitPicture() throws InterruptedException {
     return await(
         frame -> {
           int width = get(() -> panel.view().getWidth());

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.Swing;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
@@ -30,7 +31,7 @@ class VersionPicturesTest {
 
   private Object ask(VersionPictures pictures, VersionSource source, VersionLook look)
       throws InterruptedException {
-    PreviewWindow.edt(() -> pictures.request(source, look, answers::add, answers::add));
+    Swing.edt(() -> pictures.request(source, look, answers::add, answers::add));
     Object answer = answers.poll(60, TimeUnit.SECONDS);
     assertThat(answer).isNotNull();
     return answer;
@@ -94,7 +95,7 @@ class VersionPicturesTest {
     try (VersionPictures pictures = new VersionPictures()) {
       VersionSource gone = new VersionSource.OfFile(folder.resolve("cancelled.x3d"));
       VersionSource other = new VersionSource.OfFile(folder.resolve("asked.x3d"));
-      PreviewWindow.edt(
+      Swing.edt(
           () ->
               pictures
                   .request(gone, VersionLook.solid(96, 72), answers::add, answers::add)

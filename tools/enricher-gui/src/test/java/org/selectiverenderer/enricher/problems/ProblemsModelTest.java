@@ -8,15 +8,15 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.DocumentElement;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.validation.RuleCatalogue;
 import org.selectiverenderer.validation.ValidationSettings;
-import org.selectiverenderer.x3d.Location;
-import org.selectiverenderer.x3d.NodeCatalogue;
-import org.selectiverenderer.x3d.Problem;
-import org.selectiverenderer.x3d.Problem.Severity;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 class ProblemsModelTest {
   private static final String SCENE =
@@ -56,7 +56,7 @@ class ProblemsModelTest {
     return new Problem(Severity.WARNING, place, message);
   }
 
-  private Entry only(String message) {
+  private ProblemEntry only(String message) {
     return model.entries().stream()
         .filter(entry -> entry.message().equals(message))
         .findFirst()
@@ -66,7 +66,7 @@ class ProblemsModelTest {
   @Test
   void aMisspelledSchemaIsMendedByItsFix() {
     model.refresh();
-    Entry entry =
+    ProblemEntry entry =
         model.entries().stream()
             .filter(e -> e.message().contains("is DeskSchema meant"))
             .findFirst()

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.source;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.TextChange;
+import org.selectiverenderer.x3d.source.TextChange;
 
 class ShownTextTest {
   @Test

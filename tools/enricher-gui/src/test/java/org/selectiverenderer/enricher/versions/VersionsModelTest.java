@@ -12,7 +12,7 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class VersionsModelTest {
   private static final String SCENE =

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
-import org.selectiverenderer.x3d.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** The test hands over results itself, in place of the event dispatch thread. */
 class VersionsWorkTest {

@@ -1,9 +1,0 @@
-/**
- * Recipes of the objects in the kitchen: each class makes one object, a function of nothing to a
- * {@link org.selectiverenderer.modelling.Model} in metres that stands on y = 0, is centred on x and
- * z, and shows its front to +z. Uses {@code modelling} only.
- */
-@NullMarked
-package org.selectiverenderer.apartment.kitchen;
-
-import org.jspecify.annotations.NullMarked;

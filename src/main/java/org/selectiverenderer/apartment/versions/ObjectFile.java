@@ -1,9 +1,0 @@
-package org.selectiverenderer.apartment.versions;
-
-/**
- * A file in {@code inlineNodes/}.
- *
- * @param name the file's name, {@code trashCan_v1.x3d}
- * @param polygons triangles that it holds
- */
-public record ObjectFile(String name, int polygons, String text) {}

@@ -1,0 +1,59 @@
+package org.selectiverenderer.app.figures;
+
+import java.lang.management.ManagementFactory;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.show.FrameTimes;
+import org.selectiverenderer.tracker.LatencyMeter;
+
+/** Collects the figures of a run, frame by frame. */
+public final class FigureKeeper {
+  /** Frames whose times are kept for the percentiles: an hour at 60 per second. */
+  private static final int KEPT = 216_000;
+
+  private final long begun = System.nanoTime();
+  private final FrameTimes times = new FrameTimes(KEPT);
+  private PolygonCount polygons = PolygonCount.NONE;
+  private PolygonCount drawn = PolygonCount.NONE;
+  private double loadMs;
+  private double firstFrameMs;
+  private double processToFirstFrameMs;
+  private long lastFrame;
+
+  /** The scene is ready to be stepped. */
+  public void loaded() {
+    loadMs = since(begun);
+  }
+
+  /** A frame is drawn; the first one completely. */
+  public void frame(long scenePolygons, Drawn frame) {
+    if (polygons.frames() == 0) {
+      firstFrameMs = since(begun);
+      processToFirstFrameMs =
+          System.currentTimeMillis() - ManagementFactory.getRuntimeMXBean().getStartTime();
+    } else {
+      times.add(since(lastFrame));
+    }
+    lastFrame = System.nanoTime();
+    polygons = polygons.with(scenePolygons);
+    drawn = drawn.with(frame.triangles());
+  }
+
+  private static double since(long nanos) {
+    return (System.nanoTime() - nanos) * 1e-6;
+  }
+
+  /** The figures so far. */
+  public RunFigures figures(GlInfo gl, LatencyMeter latency) {
+    return new RunFigures(
+        loadMs,
+        firstFrameMs,
+        processToFirstFrameMs,
+        times.summary(),
+        polygons,
+        drawn,
+        ProcessMemory.peakMegabytes(),
+        gl,
+        latency);
+  }
+}

@@ -1,0 +1,27 @@
+package org.selectiverenderer.app.figures;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import org.selectiverenderer.base.decimal.Rounded;
+
+/**
+ * Polygons per frame over a run.
+ *
+ * @param frames counted
+ */
+record PolygonCount(long frames, long min, double mean, long max) {
+  /** No frame yet. */
+  public static final PolygonCount NONE = new PolygonCount(0, 0, 0, 0);
+
+  /** With one more frame. */
+  PolygonCount with(long polygons) {
+    return new PolygonCount(
+        frames + 1,
+        frames == 0 ? polygons : Math.min(min, polygons),
+        mean + (polygons - mean) / (frames + 1),
+        Math.max(max, polygons));
+  }
+
+  void put(ObjectNode node) {
+    node.put("min", min).put("mean", Rounded.to(1, mean)).put("max", max);
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.app.figures;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.show.FrameTimes;
+import org.selectiverenderer.tracker.LatencyMeter;
+
+/**
+ * The figures of a run.
+ *
+ * @param loadMs from the beginning of reading until the scene is ready to be stepped
+ * @param firstFrameMs from the beginning of reading until the first frame is completely drawn
+ * @param processToFirstFrameMs from the start of the process until then
+ * @param times of the frames after the first, from one to the next
+ * @param polygons of the whole scene in its versions, seen or not, per frame
+ * @param drawn triangles sent to the graphics card after culling, per frame and for all eyes
+ * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
+ */
+public record RunFigures(
+    double loadMs,
+    double firstFrameMs,
+    double processToFirstFrameMs,
+    FrameTimes.Summary times,
+    PolygonCount polygons,
+    PolygonCount drawn,
+    double peakMegabytes,
+    GlInfo gl,
+    LatencyMeter latency) {
+
+  /** The JSON object that the command line promises, the last line ended. */
+  public String json() {
+    ObjectNode node = JsonTree.object();
+    node.put("frames", polygons.frames());
+    node.put("fps", Rounded.to(1, times.framesPerSecond()));
+    node.put("load_ms", Rounded.to(1, loadMs));
+    node.put("first_frame_ms", Rounded.to(1, firstFrameMs));
+    node.put("process_to_first_frame_ms", Rounded.to(1, processToFirstFrameMs));
+    node.putObject("frame_ms")
+        .put("p50", Rounded.to(2, times.p50()))
+        .put("p95", Rounded.to(2, times.p95()))
+        .put("p99", Rounded.to(2, times.p99()))
+        .put("max", Rounded.to(2, times.max()));
+    polygons.put(node.putObject("polygons"));
+    drawn.put(node.putObject("polygons_drawn"));
+    if (latency.count() > 0) {
+      node.putObject("latency_ms")
+          .put("p50", Rounded.to(2, latency.percentileMs(0.5)))
+          .put("p99", Rounded.to(2, latency.percentileMs(0.99)))
+          .put("max", Rounded.to(2, latency.maxMs()))
+          .put("records", latency.count());
+    }
+    node.put("peak_rss_mb", Rounded.to(1, peakMegabytes));
+    node.putObject("gl")
+        .put("vendor", gl.vendor())
+        .put("renderer", gl.renderer())
+        .put("version", gl.version());
+    return JsonText.of(node);
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.app.head;
+
+import java.io.IOException;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.settings.TrackerSettings;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerHealth;
+import org.selectiverenderer.tracker.TrackerListener;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.open.Trackers;
+
+/**
+ * The head tracker of several runs, opened by the first and kept: the heading that was reset in one
+ * holds in the next, and no device starts anew between two areas. Whoever runs hears its problems.
+ * Belongs to the thread that opens runs; problems come from the tracker's.
+ */
+public final class ChainTracker implements AutoCloseable {
+  private @Nullable HeadTracker tracker;
+  private volatile Consumer<Problem> listener = problem -> {};
+
+  /**
+   * The tracker for a run, which may close what it gets: the device stays open.
+   *
+   * @param settings the same for all runs
+   * @param hears what is wrong with the tracker until the next run asks
+   * @throws IOException when it cannot be used
+   */
+  public HeadTracker lend(TrackerSettings settings, Consumer<Problem> hears) throws IOException {
+    listener = hears;
+    HeadTracker open = tracker;
+    if (open == null) {
+      open = Trackers.open(settings.spec(), settings.options(), new Told());
+      tracker = open;
+    }
+    return new Lent(open);
+  }
+
+  @Override
+  public void close() {
+    if (tracker != null) {
+      tracker.close();
+    }
+  }
+
+  private final class Told implements TrackerListener {
+    @Override
+    public void problem(Problem problem) {
+      listener.accept(problem);
+    }
+  }
+
+  private record Lent(HeadTracker open) implements HeadTracker {
+    @Override
+    public TrackerSpec spec() {
+      return open.spec();
+    }
+
+    @Override
+    public boolean read(PoseSample into) {
+      return open.read(into);
+    }
+
+    @Override
+    public void resetHeading() {
+      open.resetHeading();
+    }
+
+    @Override
+    public TrackerHealth health() {
+      return open.health();
+    }
+
+    @Override
+    public void close() {
+      // The chain's to close.
+    }
+  }
+}

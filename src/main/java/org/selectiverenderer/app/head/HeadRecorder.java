@@ -1,0 +1,123 @@
+package org.selectiverenderer.app.head;
+
+import java.io.IOException;
+import java.time.OffsetDateTime;
+import java.time.temporal.ChronoUnit;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.headlog.Gaze;
+import org.selectiverenderer.experiment.headlog.HeadLogDescription;
+import org.selectiverenderer.experiment.headlog.HeadLogFiles;
+import org.selectiverenderer.experiment.headlog.HeadLogWriter;
+import org.selectiverenderer.experiment.headlog.HeadSample;
+import org.selectiverenderer.experiment.headlog.SceneSurvey;
+import org.selectiverenderer.hmd.FieldOfView;
+import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.tracker.PoseSample;
+
+/** Samples the viewer of a walk for its head log, once per frame. */
+final class HeadRecorder implements AutoCloseable {
+  /** Radians and scene units below which the head counts as idle. */
+  private static final double STILL_ANGLE = Math.toRadians(0.05);
+
+  private static final double STILL_WAY = 1e-3;
+
+  private final Walkthrough walk;
+  private final HeadLogWriter writer;
+  private final Gaze gaze;
+  private final PoseSample angles = new PoseSample();
+  private final Vector3d lastPosition = new Vector3d(Double.NaN);
+  private final Quaterniond lastOrientation = new Quaterniond();
+  private long lastFrame;
+
+  private HeadRecorder(Walkthrough walk, HeadLogWriter writer, double coneDegrees) {
+    this.walk = walk;
+    this.writer = writer;
+    gaze = new Gaze(walk.world(), coneDegrees);
+  }
+
+  /**
+   * Begins a log.
+   *
+   * @param files of the log; closed with it
+   * @param coneDegrees width of the cone in which objects are named
+   * @throws IOException if it cannot be written
+   */
+  static HeadRecorder open(
+      HeadLogFiles files,
+      double coneDegrees,
+      RunSettings settings,
+      Walkthrough walk,
+      Consumer<Problem> problem)
+      throws IOException {
+    HeadLogDescription description = description(settings, coneDegrees, walk);
+    return new HeadRecorder(walk, HeadLogWriter.open(files, description, problem), coneDegrees);
+  }
+
+  private static HeadLogDescription description(
+      RunSettings settings, double coneDegrees, Walkthrough walk) {
+    int width = settings.display().width();
+    int height = settings.display().height();
+    Presentation shown = settings.display().presentation();
+    FieldOfView field = shown.seen(walk.world().viewer().fieldOfView(), width, height);
+    SelectiveController.Settings rendering = settings.scene().rendering();
+    return new HeadLogDescription(
+        OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString(),
+        String.valueOf(settings.scene().file().getFileName()),
+        rendering.condition().name().toLowerCase(Locale.ROOT).replace('_', '-'),
+        rendering.seed(),
+        shown.stereo() ? shown.describe(width, height) : "window of %dx%d".formatted(width, height),
+        settings.tracker().spec().toString(),
+        field.x(),
+        field.y(),
+        walk.world().scene().unitLength(),
+        coneDegrees,
+        SceneSurvey.of(walk.world().instances()));
+  }
+
+  /** A frame was stepped. */
+  void frame(double time) {
+    long now = System.nanoTime();
+    Viewer viewer = walk.world().viewer();
+    Vector3dc at = viewer.position();
+    Quaterniondc turn = viewer.orientation();
+    angles.turn(turn.x(), turn.y(), turn.z(), turn.w());
+    boolean moved =
+        at.distance(lastPosition) >= STILL_WAY
+            || turn.difference(lastOrientation, new Quaterniond()).angle() >= STILL_ANGLE;
+    Gaze.Found found = gaze.find();
+    writer.add(
+        new HeadSample(
+            time,
+            at.x(),
+            at.y(),
+            at.z(),
+            angles.yaw(),
+            angles.pitch(),
+            angles.roll(),
+            moved,
+            found.object(),
+            found.distance(),
+            found.version(),
+            found.cone(),
+            walk.activeSchemas(),
+            lastFrame == 0 ? 0 : (now - lastFrame) * 1e-6));
+    lastPosition.set(at);
+    lastOrientation.set(turn);
+    lastFrame = now;
+  }
+
+  @Override
+  public void close() throws IOException {
+    writer.close();
+  }
+}

@@ -1,0 +1,204 @@
+package org.selectiverenderer.app.head;
+
+import java.io.IOException;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.settings.HeadLogSettings;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.settings.TrackerSettings;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.headlog.HeadLogFiles;
+import org.selectiverenderer.hmd.TrackedMotion;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.LatencyMeter;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.TrackerHealth;
+import org.selectiverenderer.tracker.TrackerListener;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.replay.ReplayLog;
+import org.selectiverenderer.tracker.replay.SteppedReplay;
+
+/**
+ * The head during a run: its tracker, its log, and how long a record takes to become a picture.
+ * Opened before the scene, so that a tracker that cannot be used ends the run at once. Belongs to
+ * the thread that steps the world.
+ */
+public final class HeadSession implements AutoCloseable {
+  private final RunSettings settings;
+  private final Consumer<Problem> problem;
+  private final HeadTracker tracker;
+  private final @Nullable ReplayLog replay;
+  private final @Nullable HeadLogFiles files;
+  private final LatencyMeter latency = new LatencyMeter();
+  private @Nullable TrackedMotion motion;
+  private @Nullable HeadRecorder recorder;
+  private double unlogged = Double.NaN;
+
+  private HeadSession(
+      RunSettings settings,
+      Consumer<Problem> problem,
+      HeadTracker tracker,
+      @Nullable ReplayLog replay,
+      @Nullable HeadLogFiles files) {
+    this.settings = settings;
+    this.problem = problem;
+    this.tracker = tracker;
+    this.replay = replay;
+    this.files = files;
+  }
+
+  /**
+   * Takes the log's files, then opens the tracker.
+   *
+   * @param problem hears what is wrong with the tracker or the log
+   * @throws TrackerException when it cannot be used
+   * @throws IOException when the log cannot be written or is there already
+   */
+  public static HeadSession open(RunSettings settings, Consumer<Problem> problem)
+      throws IOException {
+    HeadLogFiles files = claimed(settings);
+    try {
+      return open(settings, problem, files);
+    } catch (IOException | RuntimeException e) {
+      if (files != null) {
+        files.close();
+      }
+      throw e;
+    }
+  }
+
+  private static HeadSession open(
+      RunSettings settings, Consumer<Problem> problem, @Nullable HeadLogFiles files)
+      throws IOException {
+    TrackerSettings tracking = settings.tracker();
+    if (!(tracking.spec() instanceof TrackerSpec.Replay spec)) {
+      TrackerListener heard =
+          new TrackerListener() {
+            @Override
+            public void problem(Problem told) {
+              problem.accept(told);
+            }
+          };
+      HeadTracker live = Trackers.open(tracking.spec(), tracking.options(), heard);
+      return new HeadSession(settings, problem, live, null, files);
+    }
+    // A log is replayed by the frames' clock, so that each run of it shows the same.
+    ReplayLog log =
+        ReplayLog.read(spec.file(), new Problems(problem))
+            .orElseThrow(() -> new TrackerException("the log " + spec.file() + " has faults"));
+    HeadTracker stepped = new SteppedReplay(spec, log, tracking.options());
+    return new HeadSession(settings, problem, stepped, log, files);
+  }
+
+  /**
+   * With a live tracker that is open already.
+   *
+   * @throws IOException when the log cannot be written or is there already
+   */
+  public static HeadSession with(
+      HeadTracker tracker, RunSettings settings, Consumer<Problem> problem) throws IOException {
+    return new HeadSession(settings, problem, tracker, null, claimed(settings));
+  }
+
+  private static @Nullable HeadLogFiles claimed(RunSettings settings) throws IOException {
+    HeadLogSettings log = settings.log().orElse(null);
+    return log == null ? null : HeadLogFiles.claim(log.file(), log.replace());
+  }
+
+  /** How many seconds a replay lasts; empty for a live tracker. */
+  public OptionalDouble replayed() {
+    return replay == null ? OptionalDouble.empty() : OptionalDouble.of(replay.duration());
+  }
+
+  /**
+   * Begins with a scene.
+   *
+   * @param walking what moves the viewer besides the tracker
+   * @return what moves the viewer
+   * @throws IOException if the log cannot be written
+   */
+  public ViewerMotion begin(Walkthrough walk, ViewerMotion walking) throws IOException {
+    if (files != null) {
+      double cone = settings.log().orElseThrow().coneDegrees();
+      recorder = HeadRecorder.open(files, cone, settings, walk, problem);
+    }
+    if (!settings.tracker().tracked()) {
+      return walking;
+    }
+    TrackedMotion tracked =
+        new TrackedMotion(walk.world(), tracker, walking, settings.tracker().whenLost());
+    motion = tracked;
+    ReplayLog played = replay;
+    if (played == null || !(tracker instanceof SteppedReplay stepped)) {
+      return tracked;
+    }
+    return (viewer, time, dt) -> {
+      stepped.advanceTo(played.time(0) + time);
+      tracked.move(viewer, time, dt);
+    };
+  }
+
+  /** A frame was stepped; it is logged by {@link #log}. */
+  public void stepped(double time) {
+    unlogged = time;
+  }
+
+  /**
+   * Logs the frame last stepped, unless that is done: when it is submitted, which looking for what
+   * is in the middle of the view would delay, or before the next is stepped.
+   */
+  public void log() {
+    if (recorder != null && !Double.isNaN(unlogged)) {
+      recorder.frame(unlogged);
+    }
+    unlogged = Double.NaN;
+  }
+
+  /** The frame was handed to the display. */
+  public void submitted() {
+    TrackedMotion tracked = motion;
+    if (tracked != null && tracked.fresh() && replay == null) {
+      latency.record(System.nanoTime() - tracked.sample().arrival());
+    }
+  }
+
+  /** Whether the tracker turns the view. */
+  public boolean steering() {
+    return motion != null && motion.steering();
+  }
+
+  /** Where the head looks now is straight ahead from now on. */
+  public void resetHeading() {
+    tracker.resetHeading();
+  }
+
+  public TrackerHealth health() {
+    return tracker.health();
+  }
+
+  /** The head's pose as the tracker told it last; number 0 before the first. */
+  public PoseSample pose() {
+    TrackedMotion tracked = motion;
+    return tracked == null ? new PoseSample() : tracked.sample();
+  }
+
+  public LatencyMeter latency() {
+    return latency;
+  }
+
+  @Override
+  public void close() throws IOException {
+    tracker.close();
+    if (recorder != null) {
+      recorder.close();
+    } else if (files != null) {
+      files.close();
+    }
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * The head during a run: its tracker and its log.
+ *
+ * <p>In: the settings of the head, a walk and its frames. Out: the motion of the viewer, the log's
+ * files, the time from a record to its picture. Uses {@code app.settings}, {@code app.walk}, {@code
+ * tracker}, {@code hmd}, {@code experiment.headlog}, {@code control}, {@code runtime} and {@code
+ * base}.
+ */
+@NullMarked
+package org.selectiverenderer.app.head;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,66 @@
+package org.selectiverenderer.app.operator;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.runtime.camera.Mark;
+
+/**
+ * The names on a map: each on a dark ground of its own, above all that is drawn before, inside the
+ * map, and beside no other name's place but below it.
+ *
+ * @param right edge of the map in pixels
+ * @param bottom edge of the map in pixels
+ */
+record MapLabels(double right, double bottom, List<Label> placed) {
+  private static final double SIZE = 12;
+  private static final double LINE = 15;
+
+  /** Of a letter, on average and rather too much, as a part of its size. */
+  private static final double WIDTH = 0.62;
+
+  /**
+   * A name and the box that it takes.
+   *
+   * @param x left of the box
+   * @param y top of the box
+   */
+  record Label(String text, double x, double y, double width, int color) {
+    boolean meets(Label other) {
+      return x < other.x + other.width
+          && other.x < x + width
+          && y < other.y + LINE
+          && other.y < y + LINE;
+    }
+
+    Label at(double otherX, double otherY) {
+      return new Label(text, otherX, otherY, width, color);
+    }
+  }
+
+  MapLabels(double right, double bottom) {
+    this(right, bottom, new ArrayList<>());
+  }
+
+  /** Places a name as near to a point, its box's upper left corner, as there is room. */
+  void add(String text, double x, double y, int color) {
+    double width = WIDTH * SIZE * text.length() + 4;
+    Label label =
+        new Label(text, Math.min(x, right - width), Math.min(y, bottom - LINE), width, color);
+    double step = y > bottom - 2 * LINE ? -LINE : LINE;
+    for (int tries = 0; tries <= placed.size(); tries++) {
+      Label wanted = label;
+      if (placed.stream().noneMatch(wanted::meets)) {
+        break;
+      }
+      label = label.at(label.x, label.y + step);
+    }
+    placed.add(label);
+  }
+
+  void draw(List<Mark> marks) {
+    for (Label label : placed) {
+      marks.add(Mark.rectangle(label.x, label.y, label.width, LINE, 0xc01c1f23));
+      marks.add(new Mark.Text(label.text, label.x + 2, label.y + LINE - 3.5, SIZE, label.color));
+    }
+  }
+}

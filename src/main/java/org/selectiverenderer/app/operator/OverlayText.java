@@ -1,0 +1,80 @@
+package org.selectiverenderer.app.operator;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.viewer.Viewer;
+
+/** The lines of the overlay, which the user shows and hides (F1). */
+public final class OverlayText {
+  private static final double SMOOTHING = 0.1;
+
+  private boolean shown;
+  private double interval;
+  private long lastFrame;
+  private Drawn drawn = new Drawn(0, 0);
+
+  /** Shows it if it is hidden, else hides it. */
+  public void toggle() {
+    shown = !shown;
+  }
+
+  /** A frame was drawn. */
+  public void frame(Drawn frame) {
+    long now = System.nanoTime();
+    if (lastFrame != 0) {
+      double seconds = (now - lastFrame) * 1e-9;
+      interval = interval == 0 ? seconds : interval + SMOOTHING * (seconds - interval);
+    }
+    lastFrame = now;
+    drawn = frame;
+  }
+
+  /** Seconds from frame to frame, smoothed; 0 before the second frame. */
+  public double interval() {
+    return interval;
+  }
+
+  /**
+   * What is to be read over a picture; none when the overlay is hidden.
+   *
+   * @param navigation how the user moves; empty when he does not
+   */
+  public List<String> lines(Walkthrough walk, String navigation) {
+    List<String> lines = new ArrayList<>();
+    if (!shown) {
+      return lines;
+    }
+    lines.add(text("%.0f frames/s  (%.1f ms)", interval == 0 ? 0 : 1 / interval, interval * 1000));
+    lines.add(text("%,d polygons in the scene, %,d drawn", walk.polygons(), drawn.triangles()));
+    Viewer viewer = walk.world().viewer();
+    Vector3dc eye = viewer.position();
+    Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));
+    lines.add(
+        text(
+            "position %.2f  %.2f  %.2f   yaw %.0f\u00b0  pitch %.0f\u00b0",
+            eye.x(),
+            eye.y(),
+            eye.z(),
+            Math.toDegrees(Math.atan2(-ahead.x, -ahead.z)),
+            Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, ahead.y))))));
+    lines.add("areas entered: " + list(walk.enteredAreas()));
+    lines.add("schemas active: " + list(walk.activeSchemas()));
+    if (!navigation.isEmpty()) {
+      lines.add(navigation);
+    }
+    return lines;
+  }
+
+  private static String list(List<String> names) {
+    return names.isEmpty() ? "none" : String.join(", ", names);
+  }
+
+  private static String text(String format, Object... arguments) {
+    return String.format(Locale.ROOT, format, arguments);
+  }
+}

@@ -1,0 +1,13 @@
+/**
+ * What is written over a picture and beside it: the overlay of whoever walks, and the window of the
+ * operator of a session.
+ *
+ * <p>In: a walk, its head and its figures. Out: lines and {@link
+ * org.selectiverenderer.runtime.camera.Mark}s to be drawn. Uses {@code app.head}, {@code
+ * app.settings}, {@code app.walk}, {@code experiment.headlog} for the map, {@code hmd}, {@code
+ * tracker} and {@code runtime}.
+ */
+@NullMarked
+package org.selectiverenderer.app.operator;
+
+import org.jspecify.annotations.NullMarked;

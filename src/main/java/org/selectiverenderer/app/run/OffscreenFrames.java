@@ -1,0 +1,60 @@
+package org.selectiverenderer.app.run;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.selectiverenderer.app.settings.DisplaySettings;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.show.OffscreenView;
+
+/** Draws frames without a window, as fast as that goes. The calling thread steps and draws. */
+final class OffscreenFrames implements FrameTarget {
+  private final RunSettings settings;
+
+  OffscreenFrames(RunSettings settings) {
+    this.settings = settings;
+  }
+
+  @Override
+  public LastPictures show(SceneRun run) throws IOException {
+    DisplaySettings display = settings.display();
+    // The context comes up while the scene is being read.
+    try (OffscreenView view =
+        OffscreenView.open(
+            display.width(), display.height(), samples(), display.presentation().layout())) {
+      run.awaitScene();
+      run.started();
+      for (int frame = 0; !run.finished(); frame++) {
+        if (settings.tracker().tracked()) {
+          view.awaitReady(); // The pose is read in the step: the later, the newer.
+        }
+        Optional<World> world = run.step();
+        if (world.isEmpty()) {
+          return LastPictures.NONE;
+        }
+        Drawn drawn = view.draw(world.get());
+        run.submitted();
+        if (frame == 0) {
+          view.finish();
+        }
+        run.drawn(drawn);
+      }
+      view.finish();
+      return new LastPictures(view.info(), Optional.of(view.screenshot()), Optional.empty());
+    }
+  }
+
+  /** A single picture is worth smooth edges; many are not where they take too long. */
+  private int samples() {
+    boolean still =
+        settings.motion().path().isEmpty()
+            && settings.duration().isEmpty()
+            && !settings.tracker().tracked();
+    return settings
+        .display()
+        .samples()
+        .orElseGet(() -> still ? AntiAliasing.SMOOTH : AntiAliasing.forMotion());
+  }
+}

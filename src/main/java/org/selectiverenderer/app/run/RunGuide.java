@@ -1,0 +1,71 @@
+package org.selectiverenderer.app.run;
+
+import java.util.List;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.runtime.walk.NavigationCommand;
+
+/**
+ * Leads a run: decides when it ends, how dark its picture is, which of the user's commands are
+ * heard. All calls come from the thread that steps the world.
+ */
+public interface RunGuide {
+  /** Nobody but the user, who sees all and may do everything. */
+  RunGuide USER =
+      new RunGuide() {
+        @Override
+        public boolean hears(NavigationCommand command) {
+          return true;
+        }
+      };
+
+  /** Whether a command of the user counts. A participant's only resets the head's heading. */
+  default boolean hears(NavigationCommand command) {
+    return command == NavigationCommand.RESET_HEADING;
+  }
+
+  /** The scene is there, before its first frame. */
+  default void opened(Walkthrough walk) {}
+
+  /**
+   * What moves the viewer.
+   *
+   * @param users what the user's mouse, keys and tracker do
+   */
+  default ViewerMotion motion(ViewerMotion users) {
+    return users;
+  }
+
+  /** Whether time stands still. */
+  default boolean paused() {
+    return false;
+  }
+
+  /**
+   * Whether the run is over.
+   *
+   * @param seconds since its first frame, pauses not counted
+   */
+  default boolean over(double seconds) {
+    return false;
+  }
+
+  /** How dark the picture is made: 0 not at all, 1 black. */
+  default double darkness(double seconds) {
+    return 0;
+  }
+
+  /**
+   * Somebody closes a window of the run. Called by the window system's thread, unlike the others.
+   *
+   * @return whether it closes; else it stays until the run is {@link #over}
+   */
+  default boolean closing() {
+    return true;
+  }
+
+  /** What the operator is told besides; the participant is not. */
+  default List<String> operatorLines(double seconds) {
+    return List.of();
+  }
+}

@@ -1,0 +1,16 @@
+package org.selectiverenderer.app.run;
+
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.problem.Problem;
+
+/** Hears what a run has to say. Called on the stepping thread, or while loading, in order. */
+public interface RunListener {
+  /** Something is wrong with the scene. */
+  void problem(Problem problem);
+
+  /** A line of the time line. */
+  void happened(TimelineEvent event);
+
+  /** An application or a scene printed something through the SAI. */
+  void printed(String text);
+}

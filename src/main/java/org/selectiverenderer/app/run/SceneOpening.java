@@ -1,0 +1,72 @@
+package org.selectiverenderer.app.run;
+
+import java.io.IOException;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import org.selectiverenderer.app.settings.SceneSettings;
+import org.selectiverenderer.app.walk.Walkthrough;
+
+/**
+ * Loads a scene on a thread of its own, {@code scene-opener}, so that the caller can bring up its
+ * display meanwhile.
+ */
+final class SceneOpening implements AutoCloseable {
+  private final FutureTask<Walkthrough> task;
+
+  SceneOpening(SceneSettings scene, RunListener listener) {
+    task =
+        new FutureTask<>(
+            () ->
+                Walkthrough.open(
+                    scene.file(),
+                    scene.rendering(),
+                    listener::problem,
+                    listener::happened,
+                    listener::printed));
+    Thread thread = new Thread(task, "scene-opener");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** Whether {@link #await()} returns at once. */
+  boolean done() {
+    return task.isDone();
+  }
+
+  /**
+   * Waits for the scene and hands it over to the calling thread.
+   *
+   * @throws IOException when it cannot be read
+   */
+  Walkthrough await() throws IOException {
+    try {
+      return task.get();
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof IOException failure) {
+        throw failure;
+      }
+      if (e.getCause() instanceof RuntimeException failure) {
+        throw failure;
+      }
+      if (e.getCause() instanceof Error failure) {
+        throw failure;
+      }
+      throw new IllegalStateException(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted while reading the scene", e);
+    }
+  }
+
+  /** Waits for the scene and closes it; of a scene that cannot be read nothing is left. */
+  @Override
+  public void close() {
+    try {
+      task.get().close();
+    } catch (ExecutionException e) {
+      // Whoever waited for the scene has heard of it; if nobody did, the run was given up before.
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,261 @@
+package org.selectiverenderer.app.run;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.clock.Pace;
+import org.selectiverenderer.app.clock.Stopwatch;
+import org.selectiverenderer.app.figures.FigureKeeper;
+import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.operator.OperatorConsole;
+import org.selectiverenderer.app.operator.OverlayText;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.walk.Walking;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.show.OperatorPage;
+import org.selectiverenderer.runtime.render.show.WorldHost;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.walk.Controls;
+import org.selectiverenderer.runtime.walk.NavigationCommand;
+
+/**
+ * A run of a scene: what happens between one frame and the next, wherever frames go. Whoever takes
+ * the frames calls {@link #input}, {@link #step}, {@link #drawn} and {@link #submitted} for each,
+ * on one thread, until the run is {@link #finished}.
+ */
+final class SceneRun implements WorldHost, AutoCloseable {
+  private final RunSettings settings;
+  private final HeadSession head;
+  private final RunGuide guide;
+  private final Pace pace;
+  private final RunStop stop;
+  private final Controls controls;
+  private final WindowInput windowInput;
+  private final OverlayText overlay = new OverlayText();
+  private final OperatorConsole console;
+  private final FigureKeeper keeper = new FigureKeeper();
+  private final Stopwatch time;
+  private final SceneOpening opening;
+  private RunState state = RunState.LOADING;
+  private @Nullable LiveScene scene;
+  private @Nullable IOException failure;
+
+  /**
+   * Begins to read the scene.
+   *
+   * @param head closed with the run
+   * @param stop by which somebody else ends it
+   */
+  SceneRun(
+      RunSettings settings,
+      RunListener listener,
+      HeadSession head,
+      RunGuide guide,
+      Pace pace,
+      RunStop stop) {
+    this(settings, listener, head, guide, pace, stop, new Stopwatch());
+  }
+
+  /** The same by another clock. */
+  SceneRun(
+      RunSettings settings,
+      RunListener listener,
+      HeadSession head,
+      RunGuide guide,
+      Pace pace,
+      RunStop stop,
+      Stopwatch time) {
+    this.settings = settings;
+    this.head = head;
+    this.guide = guide;
+    this.pace = pace;
+    this.stop = stop;
+    this.time = time;
+    controls = new Controls(settings.motion().mouse());
+    windowInput = new WindowInput(controls);
+    console = new OperatorConsole(settings, head);
+    opening = new SceneOpening(settings.scene(), listener);
+  }
+
+  /**
+   * Waits until there is something to step.
+   *
+   * @throws IOException when the scene cannot be read
+   */
+  void awaitScene() throws IOException {
+    opening.await();
+  }
+
+  @Override
+  public void started() {
+    stop.drawing();
+  }
+
+  @Override
+  public void input(InputEvent event) {
+    windowInput.accept(event);
+  }
+
+  @Override
+  public Optional<World> step() {
+    List<NavigationCommand> commands =
+        controls.takeCommands().stream().filter(guide::hears).toList();
+    if (state == RunState.LOADING && opening.done()) {
+      open();
+    }
+    if (stop.asked() || commands.contains(NavigationCommand.LEAVE)) {
+      state = state.then(RunState.OVER);
+    }
+    LiveScene live = scene;
+    if (live == null) {
+      return Optional.empty();
+    }
+    commands.forEach(command -> obey(command, live.walking()));
+    controls.looking(!head.steering());
+    time.tick(guide.paused());
+    advance(live, time.seconds());
+    return Optional.of(live.walk().world());
+  }
+
+  /** Takes the scene over. */
+  private void open() {
+    try {
+      Walkthrough walk = opening.await();
+      World world = walk.world();
+      Walking walking = new Walking(world, controls);
+      guide.opened(walk);
+      scene =
+          new LiveScene(
+              walk,
+              walking,
+              guide.motion(head.begin(walk, pace.motion(settings, walking))),
+              pace.clock(settings, head.replayed()));
+      pace.begin(world, settings);
+      keeper.loaded();
+      state = state.then(RunState.READY);
+    } catch (IOException e) {
+      failure = e;
+      state = state.then(RunState.OVER);
+    }
+  }
+
+  private void obey(NavigationCommand command, Walking walking) {
+    switch (command) {
+      case RESET_HEADING -> head.resetHeading();
+      case TOGGLE_OVERLAY -> overlay.toggle();
+      default -> walking.command(command);
+    }
+  }
+
+  private void advance(LiveScene live, double elapsed) {
+    boolean over = guide.over(elapsed);
+    if (!guide.paused() || live.walk().frames() == 0) {
+      for (double frame : live.clock().due(elapsed)) {
+        head.log(); // A frame that was stepped but, in a hidden window, not drawn.
+        live.walk().step(frame, live.motion());
+        head.stepped(frame);
+      }
+      over |= live.clock().over(elapsed);
+    }
+    if (over) {
+      state = state.then(RunState.OVER);
+    }
+  }
+
+  @Override
+  public boolean finished() {
+    return state == RunState.OVER;
+  }
+
+  @Override
+  public boolean closing() {
+    return guide.closing();
+  }
+
+  @Override
+  public void drawn(Drawn drawn) {
+    if (state == RunState.READY) {
+      state = state.then(RunState.SHOWN);
+      if (pace.countsFromFirstPicture()) {
+        time.restart(); // What the first picture took to come to the graphics card.
+      }
+    }
+    overlay.frame(drawn);
+    keeper.frame(walk().polygons(), drawn);
+  }
+
+  @Override
+  public void submitted() {
+    head.submitted();
+    head.log();
+  }
+
+  @Override
+  public double darkness() {
+    return guide.darkness(time.seconds());
+  }
+
+  @Override
+  public List<String> overlay() {
+    List<String> lines = new ArrayList<>();
+    // In a display the participant would see it: there the operator's window says so.
+    if (!settings.display().presentation().stereo() && head.health().stale()) {
+      lines.add(OperatorConsole.alarm(settings.tracker(), head.health()));
+    }
+    boolean walked = settings.motion().path().isEmpty();
+    lines.addAll(overlay.lines(walk(), walked ? scene.walking().describe() : ""));
+    return lines;
+  }
+
+  @Override
+  public OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
+    List<String> told = guide.operatorLines(time.seconds());
+    return scene == null
+        ? OperatorConsole.waiting(told)
+        : console.page(
+            walk(), overlay.interval(), told, width, height, pictureWidth, pictureHeight);
+  }
+
+  private Walkthrough walk() {
+    return scene.walk();
+  }
+
+  /**
+   * How it went so far.
+   *
+   * @throws IOException what ended it, if something did
+   */
+  RunFigures figures(GlInfo gl) throws IOException {
+    if (failure != null) {
+      throw failure;
+    }
+    return keeper.figures(gl, head.latency());
+  }
+
+  /**
+   * Tells the end of the walk.
+   *
+   * @throws IOException what ended it, if something did
+   */
+  RunResult end(FrameTarget.LastPictures pictures) throws IOException {
+    RunFigures figures = figures(pictures.gl());
+    // The user may have closed the window before the scene was there.
+    Walkthrough walk = opening.await();
+    walk.end();
+    return new RunResult(figures, walk.problems().any(), pictures.scene(), pictures.operator());
+  }
+
+  @Override
+  public void close() throws IOException {
+    try (head;
+        opening) {
+      head.log();
+    }
+  }
+}

@@ -1,0 +1,72 @@
+package org.selectiverenderer.app.run;
+
+import java.io.IOException;
+import org.selectiverenderer.app.clock.Pace;
+import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.settings.DisplaySettings;
+import org.selectiverenderer.app.settings.RunSettings;
+
+/** Runs a scene from its beginning to its end. */
+public final class SceneRunner {
+  private SceneRunner() {}
+
+  /**
+   * In a window, until the user, the settings or somebody else ends it. The window's thread steps
+   * the world: by the clock on the wall while the user walks, by the frames of the path when one is
+   * followed, so that its time line is that of a simulation.
+   *
+   * @param stop by which somebody else ends it
+   * @throws IOException with a one-line message when the scene cannot be read
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static RunResult inWindow(RunSettings settings, RunListener listener, RunStop stop)
+      throws IOException, InterruptedException {
+    RunSettings fitted = WindowStage.fitted(settings, listener::printed);
+    describe(fitted.display(), listener);
+    FrameTarget target = new WindowFrames(WindowStage.of(fitted, listener::printed));
+    return run(fitted, listener, stop, Pace.WATCHED, target);
+  }
+
+  /**
+   * Without a window, as fast as it can be drawn. With a path its frames are those of a simulation;
+   * without one the viewer stays at the start, for the duration or for a single frame.
+   *
+   * @param stop by which somebody ends it before
+   * @throws IOException with a one-line message when the scene cannot be read
+   * @throws InterruptedException never
+   */
+  public static RunResult offscreen(RunSettings settings, RunListener listener, RunStop stop)
+      throws IOException, InterruptedException {
+    describe(settings.display(), listener);
+    return run(settings, listener, stop, Pace.UNWATCHED, new OffscreenFrames(settings));
+  }
+
+  /**
+   * Without a picture: steps every frame of the path.
+   *
+   * @throws IOException with a one-line message when the scene cannot be read
+   */
+  public static RunResult simulated(RunSettings settings, RunListener listener)
+      throws IOException, InterruptedException {
+    return run(settings, listener, new RunStop(), Pace.UNWATCHED, new NoFrames());
+  }
+
+  private static RunResult run(
+      RunSettings settings, RunListener listener, RunStop stop, Pace pace, FrameTarget target)
+      throws IOException, InterruptedException {
+    // From here on the tracker is open and the log's files are taken.
+    HeadSession head = HeadSession.open(settings, listener::problem);
+    try (SceneRun run = new SceneRun(settings, listener, head, RunGuide.USER, pace, stop)) {
+      return run.end(target.show(run));
+    } finally {
+      stop.ended();
+    }
+  }
+
+  /** Says what the pictures of two eyes are. */
+  private static void describe(DisplaySettings display, RunListener listener) {
+    if (display.presentation().stereo()) {
+      listener.printed(display.presentation().describe(display.width(), display.height()));
+    }
+  }
+}

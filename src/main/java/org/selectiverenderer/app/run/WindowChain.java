@@ -1,0 +1,185 @@
+package org.selectiverenderer.app.run;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.clock.Pace;
+import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.head.ChainTracker;
+import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.operator.OperatorConsole;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.show.OperatorPage;
+import org.selectiverenderer.runtime.render.show.WorldHost;
+import org.selectiverenderer.runtime.render.show.WorldWindow;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+
+/**
+ * Several runs one after the other in the same windows, which stay open and are black in between: a
+ * participant in a display never sees a desktop. The head tracker stays open, too. Each run is a
+ * {@link SceneRun}, so what is shown and logged is what {@code run} shows and logs; each has the
+ * scene to itself from its beginning.
+ */
+public final class WindowChain implements WorldHost {
+  /** Where the runs come from. All calls come from the render thread. */
+  public interface Runs {
+    /**
+     * The next run; empty when there are no more.
+     *
+     * @throws IOException ends the chain
+     */
+    Optional<GuidedRun> next() throws IOException;
+
+    /**
+     * A run has ended and its files are closed.
+     *
+     * @throws IOException ends the chain
+     */
+    void ended(GuidedRun run, RunFigures figures) throws IOException;
+  }
+
+  private final Runs runs;
+  private final ChainTracker tracker = new ChainTracker();
+  private @Nullable WorldWindow window;
+  private volatile @Nullable GuidedRun guided;
+  private @Nullable SceneRun current;
+  private @Nullable IOException failure;
+  private boolean finished;
+
+  private WindowChain(Runs runs) {
+    this.runs = runs;
+  }
+
+  /**
+   * Shows all runs, in windows as the first one's settings want them.
+   *
+   * @param message hears what about the display is not as asked for
+   * @throws IOException when a run fails, with a one-line message
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static void show(Runs runs, Consumer<String> message)
+      throws IOException, InterruptedException {
+    WindowChain chain = new WindowChain(runs);
+    Optional<GuidedRun> first = runs.next();
+    if (first.isEmpty()) {
+      return;
+    }
+    try {
+      chain.begin(first.get());
+      WorldWindow window = new WorldWindow(WindowStage.of(first.get().settings(), message), chain);
+      chain.window = window;
+      window.run();
+    } finally {
+      chain.tracker.close();
+      chain.close();
+    }
+    if (chain.failure != null) {
+      throw chain.failure;
+    }
+  }
+
+  private void begin(GuidedRun run) throws IOException {
+    guided = run;
+    RunListener listener = run.listener();
+    // What is not as asked for is said once, by the windows; the log is to know it each time.
+    RunSettings fitted = WindowStage.fitted(run.settings(), text -> {});
+    HeadSession head =
+        HeadSession.with(
+            tracker.lend(fitted.tracker(), listener::problem), fitted, listener::problem);
+    current = new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop());
+  }
+
+  private void close() throws IOException {
+    SceneRun left = current;
+    current = null;
+    if (left != null) {
+      left.close();
+    }
+  }
+
+  @Override
+  public Optional<World> step() {
+    try {
+      if (current != null && !current.finished()) {
+        return current.step();
+      }
+      if (current != null) {
+        end(current);
+      } else {
+        Optional<GuidedRun> next = runs.next();
+        finished = next.isEmpty();
+        if (next.isPresent()) {
+          begin(next.get());
+        }
+      }
+    } catch (IOException e) {
+      failure = e;
+      finished = true;
+    }
+    return Optional.empty();
+  }
+
+  private void end(SceneRun run) throws IOException {
+    current = null;
+    RunFigures figures;
+    try (run) {
+      figures = run.figures(window.info().orElse(new GlInfo("", "", "")));
+    }
+    runs.ended(guided, figures);
+  }
+
+  @Override
+  public void input(InputEvent event) {
+    if (current != null) {
+      current.input(event);
+    }
+  }
+
+  @Override
+  public boolean closing() {
+    GuidedRun run = guided;
+    return run == null || run.guide().closing();
+  }
+
+  @Override
+  public boolean finished() {
+    return finished;
+  }
+
+  @Override
+  public List<String> overlay() {
+    return List.of();
+  }
+
+  @Override
+  public List<String> waiting() {
+    return List.of();
+  }
+
+  @Override
+  public double darkness() {
+    return current == null ? 1 : current.darkness();
+  }
+
+  @Override
+  public void drawn(Drawn drawn) {
+    current.drawn(drawn);
+  }
+
+  @Override
+  public void submitted() {
+    current.submitted();
+  }
+
+  @Override
+  public OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
+    return current == null
+        ? OperatorConsole.waiting(List.of())
+        : current.operatorPage(width, height, pictureWidth, pictureHeight);
+  }
+}

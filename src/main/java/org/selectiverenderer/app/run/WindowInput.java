@@ -1,0 +1,61 @@
+package org.selectiverenderer.app.run;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.walk.Controls;
+import org.selectiverenderer.runtime.walk.MouseButton;
+import org.selectiverenderer.runtime.walk.WalkKey;
+
+/** Hands a window's input to the controls. */
+final class WindowInput {
+  private final Controls controls;
+  private final Map<String, WalkKey> keys = new HashMap<>();
+
+  WindowInput(Controls controls) {
+    this.controls = controls;
+    for (WalkKey key : WalkKey.values()) {
+      keys.put(key.name(), key);
+    }
+  }
+
+  void accept(InputEvent event) {
+    if (event instanceof InputEvent.KeyInput input) {
+      Optional.ofNullable(keys.get(input.key().name()))
+          .ifPresent(
+              key -> {
+                if (input.pressed()) {
+                  controls.keyDown(key);
+                } else {
+                  controls.keyUp(key);
+                }
+              });
+    } else if (event instanceof InputEvent.ButtonInput input) {
+      button(input.button())
+          .ifPresent(
+              button -> {
+                if (input.pressed()) {
+                  controls.buttonDown(button);
+                } else {
+                  controls.buttonUp(button);
+                }
+              });
+    } else if (event instanceof InputEvent.MotionInput input) {
+      controls.drag(input.dx(), input.dy());
+    } else if (event instanceof InputEvent.WheelInput input) {
+      controls.wheel(input.notches());
+    } else if (event instanceof InputEvent.FocusLost) {
+      controls.releaseAll();
+    }
+  }
+
+  private static Optional<MouseButton> button(int number) {
+    return switch (number) {
+      case 1 -> Optional.of(MouseButton.LEFT);
+      case 2 -> Optional.of(MouseButton.MIDDLE);
+      case 3 -> Optional.of(MouseButton.RIGHT);
+      default -> Optional.empty();
+    };
+  }
+}

@@ -1,0 +1,161 @@
+package org.selectiverenderer.app.run;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.app.settings.DisplaySettings;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.hmd.DisplayProfile;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.show.RunWindows;
+import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.runtime.render.window.Monitors;
+import org.selectiverenderer.runtime.render.window.QuadBuffers;
+import org.selectiverenderer.runtime.render.window.WindowOptions;
+
+/**
+ * Chooses the windows of a run by what the desktop has. Where a monitor or the driver's quad
+ * buffers are missing, both eyes are shown side by side in one window, and that is said ({@link
+ * #fitted}).
+ */
+final class WindowStage {
+  private static final int OPERATOR_WIDTH = 1120;
+  private static final int OPERATOR_HEIGHT = 700;
+
+  private final DisplaySettings settings;
+  private final Consumer<String> message;
+  private final String title;
+  private final int samples;
+
+  private WindowStage(DisplaySettings settings, Path scene, Consumer<String> message) {
+    this.settings = settings;
+    this.message = message;
+    title = scene.getFileName() + " - Selective Renderer";
+    samples = settings.samples().orElseGet(AntiAliasing::forMotion);
+  }
+
+  /**
+   * The windows.
+   *
+   * @param message hears what is not as asked for
+   */
+  static RunWindows of(RunSettings settings, Consumer<String> message) {
+    WindowStage stage =
+        new WindowStage(fitted(settings.display(), message), settings.scene().file(), message);
+    return switch (stage.settings.presentation().mode()) {
+      case DUAL -> stage.dual();
+      case QUAD -> stage.quad();
+      default -> stage.single();
+    };
+  }
+
+  /**
+   * The settings with the display that there is, in the size that it really has.
+   *
+   * @param message hears what is not as asked for
+   */
+  static RunSettings fitted(RunSettings settings, Consumer<String> message) {
+    return settings.with(fitted(settings.display(), message));
+  }
+
+  private static DisplaySettings fitted(DisplaySettings settings, Consumer<String> message) {
+    return switch (settings.presentation().mode()) {
+      case DUAL -> fittedDual(settings, message);
+      case QUAD -> fittedQuad(settings, message);
+      default -> settings;
+    };
+  }
+
+  private static DisplaySettings fittedDual(DisplaySettings settings, Consumer<String> message) {
+    List<Monitor> monitors = Monitors.all();
+    DisplayProfile profile = settings.presentation().geometry().profile();
+    int most = Math.max(profile.leftScreen(), profile.rightScreen());
+    if (profile.leftScreen() != profile.rightScreen() && most < monitors.size()) {
+      Monitor left = monitors.get(profile.leftScreen());
+      return settings.filling(2 * left.width(), left.height());
+    }
+    message.accept(
+        ("--display dual needs monitors %d and %d, but there %s; both eyes are shown "
+                + "side by side in a window instead")
+            .formatted(
+                profile.leftScreen(),
+                profile.rightScreen(),
+                monitors.size() == 1
+                    ? "is only monitor 0, " + monitors.get(0)
+                    : "are " + monitors.size() + ", counted from 0"));
+    return sideBySide(settings);
+  }
+
+  private static DisplaySettings fittedQuad(DisplaySettings settings, Consumer<String> message) {
+    if (QuadBuffers.available()) {
+      return settings;
+    }
+    message.accept(
+        "--display quad needs a driver with quad-buffered stereo, and this one has none; both"
+            + " eyes are shown side by side in a window");
+    return sideBySide(settings);
+  }
+
+  private static DisplaySettings sideBySide(DisplaySettings settings) {
+    return settings.as(settings.presentation().as(DisplayMode.SIDE_BY_SIDE));
+  }
+
+  private RunWindows single() {
+    return new RunWindows(
+        new WindowOptions(title, settings.width(), settings.height(), samples, false),
+        settings.presentation().layout(),
+        Optional.empty(),
+        operator());
+  }
+
+  private Optional<WindowOptions> operator() {
+    return settings.operator()
+        ? Optional.of(
+            new WindowOptions("Operator - " + title, OPERATOR_WIDTH, OPERATOR_HEIGHT, 0, false))
+        : Optional.empty();
+  }
+
+  private RunWindows dual() {
+    List<Monitor> monitors = Monitors.all();
+    DisplayProfile profile = settings.presentation().geometry().profile();
+    Monitor left = monitors.get(profile.leftScreen());
+    Monitor right = monitors.get(profile.rightScreen());
+    message.accept("left eye: monitor %s; right eye: monitor %s".formatted(left, right));
+    return new RunWindows(
+        WindowOptions.filling(left, "Left eye - " + title, samples),
+        settings.presentation().layout(),
+        Optional.of(WindowOptions.filling(right, "Right eye - " + title, 0)),
+        operatorBeside(monitors, left, right));
+  }
+
+  /** The operator looks at a monitor that is no eye's. */
+  private Optional<WindowOptions> operatorBeside(
+      List<Monitor> monitors, Monitor left, Monitor right) {
+    if (!settings.operator()) {
+      return Optional.empty();
+    }
+    Optional<Monitor> free =
+        monitors.stream().filter(m -> !m.equals(left) && !m.equals(right)).findFirst();
+    if (free.isEmpty()) {
+      message.accept("there is no third monitor for the operator's window, so it is not opened");
+    }
+    return free.map(
+        monitor ->
+            new WindowOptions(
+                "Operator - " + title,
+                Math.min(OPERATOR_WIDTH, monitor.width()),
+                Math.min(OPERATOR_HEIGHT, monitor.height()),
+                0,
+                false,
+                Optional.of(monitor),
+                false));
+  }
+
+  private RunWindows quad() {
+    RunWindows stage = single();
+    return new RunWindows(
+        stage.main().withQuadBuffers(), stage.layout(), Optional.empty(), stage.operator());
+  }
+}

@@ -1,0 +1,26 @@
+/**
+ * The one run loop. A {@link org.selectiverenderer.app.run.SceneRun} is one frame after the other:
+ * input, then {@code World.step} with the controller in it, then a picture, then what is recorded
+ * of it. Windows, pictures without a window, {@code simulate} and the steps of a session all go
+ * through it; what differs is handed to it:
+ *
+ * <ul>
+ *   <li>where its frames go: a {@link org.selectiverenderer.app.run.FrameTarget}, which calls it
+ *       once for each frame;
+ *   <li>what drives its clock and its viewer: a {@link org.selectiverenderer.app.clock.Pace};
+ *   <li>who leads it: a {@link org.selectiverenderer.app.run.RunGuide}, the user or the step of a
+ *       session;
+ *   <li>who listens: a {@link org.selectiverenderer.app.run.RunListener}.
+ * </ul>
+ *
+ * <p>A run goes through the states of {@link org.selectiverenderer.app.run.RunState}, in that
+ * order.
+ *
+ * <p>In: {@link org.selectiverenderer.app.settings.RunSettings}. Out: frames, a time line, a head
+ * log, figures, the last pictures. Uses all of {@code app} but {@code session} and {@code sai},
+ * {@code hmd}, {@code tracker}, {@code runtime} with its renderer and {@code base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.app.run;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,145 @@
+package org.selectiverenderer.app.sai;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.lang.reflect.InvocationTargetException;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JFrame;
+import javax.swing.WindowConstants;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.app.timeline.TimelineText;
+import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.control.SelectiveController;
+import org.web3d.x3d.sai.BrowserFactory;
+import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.NotSupportedException;
+import org.web3d.x3d.sai.X3DComponent;
+
+/**
+ * A scene under the controller in whatever browser the SAI finds: the embedded one, or Xj3D with
+ * its jars first on the class path. Names nothing but the SAI and the controller.
+ */
+public final class SaiRunner implements AutoCloseable {
+  private final double begun = System.currentTimeMillis() / 1000.0;
+  private final X3DComponent component;
+  private final TimelineText text = new TimelineText();
+  private final Consumer<String> out;
+  private @Nullable JFrame window;
+
+  private SaiRunner(X3DComponent component, Consumer<String> out) {
+    this.component = component;
+    this.out = out;
+  }
+
+  /**
+   * Shows a scene.
+   *
+   * @param url full address of the scene
+   * @param out takes the time line line by line, on the thread of the browser
+   * @throws org.web3d.x3d.sai.X3DException if there is no browser or the scene cannot be read
+   */
+  public static SaiRunner open(
+      String url, SelectiveController.Settings settings, Consumer<String> out) {
+    SaiRunner runner = new SaiRunner(component(), out);
+    try {
+      ExternalBrowser browser = runner.browser();
+      out.accept("browser: " + browser.getName() + " " + browser.getVersion());
+      new SelectiveController(
+          browser,
+          settings,
+          runner::tell,
+          problem ->
+              out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
+      browser.replaceWorld(browser.createX3DFromURL(new String[] {url}));
+      return runner;
+    } catch (RuntimeException | Error e) {
+      runner.close();
+      throw e;
+    }
+  }
+
+  private static X3DComponent component() {
+    try {
+      return BrowserFactory.createX3DComponent(new HashMap<>());
+    } catch (NullPointerException e) { // what Xj3D does when it finds no factory
+      throw new NotSupportedException(
+          "no browser was found; the system property x3d.sai.factory.class names its factory");
+    }
+  }
+
+  public ExternalBrowser browser() {
+    return component.getBrowser();
+  }
+
+  /** X3D counts seconds from 1970, the time line from the start. */
+  private void tell(ControlEvent event) {
+    double t = Math.max(0, event.time() - begun);
+    out.accept(text.line(new TimelineEvent.Told(t, event)));
+  }
+
+  /**
+   * Puts the browser into a window, if it is one for windows.
+   *
+   * @param onClose called when the user closes it
+   * @return whether there is a window
+   */
+  public boolean showWindow(Runnable onClose) {
+    Optional<Component> picture = picture();
+    picture.ifPresent(shown -> onEventThread(() -> window = frame(shown, onClose)));
+    return picture.isPresent();
+  }
+
+  /** Of Xj3D the component is a panel itself, and its implementation the canvas in it. */
+  private Optional<Component> picture() {
+    if (component instanceof Component panel) {
+      return Optional.of(panel);
+    }
+    return component.getImplementation() instanceof Component implementation
+        ? Optional.of(implementation)
+        : Optional.empty();
+  }
+
+  private static JFrame frame(Component shown, Runnable onClose) {
+    JFrame frame = new JFrame("Selective Renderer");
+    shown.setPreferredSize(new Dimension(1024, 768));
+    frame.add(shown);
+    frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+    frame.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosing(WindowEvent event) {
+            onClose.run();
+          }
+        });
+    frame.pack();
+    frame.setVisible(true);
+    return frame;
+  }
+
+  private static void onEventThread(Runnable task) {
+    try {
+      EventQueue.invokeAndWait(task);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (InvocationTargetException e) {
+      throw new IllegalStateException(e.getCause());
+    }
+  }
+
+  /** Ends the browser, which lets the controller go, and closes the window. */
+  @Override
+  public void close() {
+    component.shutdown();
+    JFrame shown = window;
+    if (shown != null) {
+      onEventThread(shown::dispose);
+    }
+  }
+}

@@ -1,0 +1,35 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+
+/** What is asked of participant and experimenter: in windows, or for tests of nobody. */
+public interface SessionDialogue extends AutoCloseable {
+  /** Gives the experimenter the controls. */
+  void open(OperatorControls controls);
+
+  /**
+   * Asks for age and consent.
+   *
+   * @return the age band; empty when the participant does not take part, or the experimenter has
+   *     ended the session
+   */
+  Optional<String> form(Session session, OperatorControls controls) throws IOException;
+
+  /**
+   * Asks the questions of a step until all are answered, each answer told to the session.
+   *
+   * @return whether they are; else the experimenter has ended the session
+   */
+  boolean questions(Session session, SessionStep.Questions step, OperatorControls controls)
+      throws IOException;
+
+  /** All is done. */
+  void thanks(Session session);
+
+  @Override
+  void close();
+}

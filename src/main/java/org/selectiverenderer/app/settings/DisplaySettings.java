@@ -1,0 +1,70 @@
+package org.selectiverenderer.app.settings;
+
+import java.util.OptionalInt;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.hmd.DisplayProfile;
+import org.selectiverenderer.hmd.EyeGeometry;
+import org.selectiverenderer.hmd.Presentation;
+
+/**
+ * On what a scene is shown.
+ *
+ * @param presentation to one eye or two, and on what
+ * @param width of the picture in pixels
+ * @param height of the picture in pixels
+ * @param sized whether the size was asked for; else it is what suits the presentation
+ * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
+ * @param operator whether there is a window for whoever runs the session
+ */
+public record DisplaySettings(
+    Presentation presentation,
+    int width,
+    int height,
+    boolean sized,
+    OptionalInt samples,
+    boolean operator) {
+  /** A window on a desk. */
+  public static final DisplaySettings WINDOW =
+      of(
+          new Presentation(
+              DisplayMode.WINDOW,
+              new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000),
+              false));
+
+  /** A presentation in the size that suits it. */
+  public static DisplaySettings of(Presentation presentation) {
+    return new DisplaySettings(
+        presentation,
+        presentation.width(),
+        presentation.height(),
+        false,
+        OptionalInt.empty(),
+        false);
+  }
+
+  /** In a size that was asked for. */
+  public DisplaySettings sized(int wantedWidth, int wantedHeight) {
+    return new DisplaySettings(presentation, wantedWidth, wantedHeight, true, samples, operator);
+  }
+
+  /** With so many samples per pixel. */
+  public DisplaySettings samples(OptionalInt wanted) {
+    return new DisplaySettings(presentation, width, height, sized, wanted, operator);
+  }
+
+  /** With a window for the operator or without. */
+  public DisplaySettings operator(boolean wanted) {
+    return new DisplaySettings(presentation, width, height, sized, samples, wanted);
+  }
+
+  /** Of the size that a monitor turned out to have. */
+  public DisplaySettings filling(int foundWidth, int foundHeight) {
+    return new DisplaySettings(presentation, foundWidth, foundHeight, sized, samples, operator);
+  }
+
+  /** Shown in another way; the size stays if it was asked for. */
+  public DisplaySettings as(Presentation other) {
+    DisplaySettings suited = of(other).samples(samples).operator(operator);
+    return sized ? suited.sized(width, height) : suited;
+  }
+}

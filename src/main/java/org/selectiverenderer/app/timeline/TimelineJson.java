@@ -1,0 +1,44 @@
+package org.selectiverenderer.app.timeline;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.control.ControlEvent;
+
+/** The time line as JSON, one object per line, keys in the order that the command line promises. */
+public final class TimelineJson {
+  /** One line, without its end. */
+  public String line(TimelineEvent event) {
+    ObjectNode node = JsonTree.object().put("t", Rounded.to(6, event.t()));
+    if (event instanceof TimelineEvent.Told told) {
+      put(node, told.event());
+    } else if (event instanceof TimelineEvent.End end) {
+      node.put("event", "end")
+          .put("frames", end.frames())
+          .putObject("polygons")
+          .put("start", end.polygons().start())
+          .put("end", end.polygons().end())
+          .put("max", end.polygons().max());
+    }
+    return node.toString();
+  }
+
+  private void put(ObjectNode node, ControlEvent event) {
+    if (event instanceof ControlEvent.Start start) {
+      ObjectNode switches = node.put("event", "start").putObject("switches");
+      start.switches().forEach(switches::put);
+    } else if (event instanceof ControlEvent.Enter enter) {
+      node.put("event", "enter").put("sensor", enter.sensor());
+      enter.schemas().forEach(node.putArray("schemas")::add);
+    } else if (event instanceof ControlEvent.Exit exit) {
+      node.put("event", "exit").put("sensor", exit.sensor());
+      exit.schemas().forEach(node.putArray("schemas")::add);
+    } else if (event instanceof ControlEvent.SwitchChange change) {
+      node.put("event", "switch")
+          .put("switch", change.switchName())
+          .put("from", change.from())
+          .put("to", change.to())
+          .put("schema", change.schema());
+    }
+  }
+}

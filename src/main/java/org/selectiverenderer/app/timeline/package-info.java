@@ -1,0 +1,11 @@
+/**
+ * The time line of a walk: what the controller told and when, and how the walk ended.
+ *
+ * <p>In: {@link org.selectiverenderer.control.ControlEvent}s and the time of their frame. Out: a
+ * line for people or a JSON object for programs. Uses {@code control}, {@code base.decimal} and
+ * {@code base.json}.
+ */
+@NullMarked
+package org.selectiverenderer.app.timeline;
+
+import org.jspecify.annotations.NullMarked;

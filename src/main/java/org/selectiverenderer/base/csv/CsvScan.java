@@ -1,0 +1,182 @@
+package org.selectiverenderer.base.csv;
+
+import java.util.Arrays;
+
+/**
+ * Finds the records of a text and their cells (RFC 4180), whatever ends the lines. Lines that are
+ * empty are passed over, and so is space round a cell, also before a quotation mark.
+ */
+final class CsvScan {
+  private final String text;
+  private final char separator;
+
+  private int at;
+  private int line = 1;
+  private int start;
+  private int startLine = 1;
+  private int cells;
+  private boolean broken;
+
+  private int from;
+  private int to;
+  private boolean quoted;
+
+  CsvScan(String text, Separator separator) {
+    this.text = text;
+    this.separator = separator.character();
+  }
+
+  /** Goes to the next record; false behind the last one, or at one that is {@link #broken}. */
+  boolean next() {
+    while (at < text.length() && isEnd(text.charAt(at))) {
+      endLine();
+    }
+    start = at;
+    startLine = line;
+    cells = 0;
+    if (at == text.length()) {
+      return false;
+    }
+    for (at = cell(at); at >= 0; at = cell(at + 1)) {
+      line += quoted ? lineEnds(from, to) : 0;
+      cells++;
+      if (at == text.length() || text.charAt(at) != separator) {
+        if (at < text.length()) {
+          endLine();
+        }
+        return true;
+      }
+    }
+    broken = true;
+    return false;
+  }
+
+  private void endLine() {
+    at += text.startsWith("\r\n", at) ? 2 : 1;
+    line++;
+  }
+
+  private int lineEnds(int begin, int end) {
+    int count = 0;
+    for (int i = begin; i < end; i++) {
+      char c = text.charAt(i);
+      count += c == '\n' || c == '\r' && text.charAt(i + 1) != '\n' ? 1 : 0;
+    }
+    return count;
+  }
+
+  private static boolean isEnd(char c) {
+    return c == '\n' || c == '\r';
+  }
+
+  /** Whether that cell begins a quotation that is not closed before a separator or line end. */
+  boolean broken() {
+    return broken;
+  }
+
+  /** The offset at which the record begins. */
+  int start() {
+    return start;
+  }
+
+  /** The line in which it begins, from 1. */
+  int startLine() {
+    return startLine;
+  }
+
+  /** How many it has. */
+  int cells() {
+    return cells;
+  }
+
+  /** Whether the record stands in the text's last line, and nothing ends that. */
+  boolean last() {
+    return at == text.length() && line == startLine;
+  }
+
+  /** The cells of a record without space round them, filled up with empty ones. */
+  String[] cells(int record, int count) {
+    String[] found = new String[count];
+    int behind = record - 1;
+    for (int i = 0; i < count; i++) {
+      if (behind >= record && (behind == text.length() || text.charAt(behind) != separator)) {
+        Arrays.fill(found, i, count, "");
+        return found;
+      }
+      behind = cell(behind + 1);
+      String cell = text.substring(from, to);
+      found[i] = (quoted ? cell.replace("\"\"", "\"") : cell).strip();
+    }
+    return found;
+  }
+
+  /** Finds a cell; the offset behind it, or -1 when a quotation mark in it is not closed. */
+  private int cell(int begin) {
+    int i = begin;
+    while (i < text.length() && Character.isWhitespace(text.charAt(i)) && !isBehind(i)) {
+      i++;
+    }
+    quoted = i < text.length() && text.charAt(i) == '"';
+    if (quoted) {
+      return quoted(i);
+    }
+    from = i;
+    while (!isBehind(i)) {
+      i++;
+    }
+    to = i;
+    return i;
+  }
+
+  private int quoted(int open) {
+    int close = text.indexOf('"', open + 1);
+    while (close >= 0 && text.startsWith("\"", close + 1)) {
+      close = text.indexOf('"', close + 2);
+    }
+    if (close < 0) {
+      return -1;
+    }
+    from = open + 1;
+    to = close;
+    int i = close + 1;
+    while (!isBehind(i)) {
+      if (!Character.isWhitespace(text.charAt(i))) {
+        return -1;
+      }
+      i++;
+    }
+    return i;
+  }
+
+  private boolean isBehind(int offset) {
+    return offset == text.length()
+        || text.charAt(offset) == separator
+        || isEnd(text.charAt(offset));
+  }
+
+  /** Where a cell begins in the line in which its record begins, counted from 1. */
+  int column(int record, int cell) {
+    int i = record;
+    boolean inQuotes = false;
+    for (int before = cell; before > 0 && i < text.length() && !isEnd(text.charAt(i)); i++) {
+      char c = text.charAt(i);
+      if (c == '"') {
+        inQuotes = !inQuotes;
+      } else if (c == separator && !inQuotes) {
+        before--;
+      }
+    }
+    return i - record + 1;
+  }
+
+  /** Where in that line the last quotation mark stands that is not closed in it, likewise. */
+  int openQuote(int record) {
+    int open = -1;
+    for (int i = record; i < text.length() && !isEnd(text.charAt(i)); i++) {
+      if (text.charAt(i) == '"') {
+        open = open < 0 ? i : -1;
+      }
+    }
+    return Math.max(record, open) - record + 1;
+  }
+}

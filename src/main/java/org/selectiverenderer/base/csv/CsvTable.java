@@ -1,0 +1,270 @@
+package org.selectiverenderer.base.csv;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.AbstractList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.RandomAccess;
+import org.selectiverenderer.base.problem.Location;
+
+/**
+ * A table with a header, as this package reads them. Columns are named in any case and in any
+ * order. It keeps its text and where rows begin; a row's cells are made when it is asked for, so
+ * that a long table takes hardly more memory than its file.
+ */
+public final class CsvTable {
+  private final String file;
+  private final CsvScan scan;
+  private final Separator separator;
+  private final CsvColumns form;
+  private final CsvFaults faults;
+  private final DecimalSign decimalSign;
+  private final Map<String, Integer> columns = new LinkedHashMap<>();
+  private final Map<String, Integer> again = new HashMap<>();
+  private List<String> header = List.of();
+  private int headerStart;
+
+  /** How many cells a row must have. */
+  private int least;
+
+  private int headerLine = 1;
+
+  /** For each row the offset at which it begins, and its line. */
+  private int[] rows = new int[64];
+
+  private int size;
+
+  private CsvTable(String file, String text, CsvColumns form, CsvFaults faults) {
+    this.file = file;
+    this.faults = faults;
+    this.form = form;
+    separator = Separator.of(text, form.needed());
+    scan = new CsvScan(text, separator);
+    decimalSign = new DecimalSign(separator);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param faults hears of rows with too few or too many cells, which the table then lacks
+   * @return empty when the file is no UTF-8 or no CSV, which {@code faults} has heard
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<CsvTable> read(Path path, CsvColumns form, CsvFaults faults)
+      throws IOException {
+    String file = path.toString();
+    if (Files.isDirectory(path)) {
+      throw new FileSystemException(file, null, "is a folder, not a file");
+    }
+    return parse(file, Files.readAllBytes(path), form, faults);
+  }
+
+  /**
+   * Reads a file's bytes.
+   *
+   * @param file its name, for messages
+   */
+  public static Optional<CsvTable> parse(
+      String file, byte[] bytes, CsvColumns form, CsvFaults faults) {
+    return Utf8Text.decode(file, bytes, faults).flatMap(text -> parse(file, text, form, faults));
+  }
+
+  /**
+   * Reads a file's bytes, of whose header nothing is known.
+   *
+   * @param file its name, for messages
+   */
+  public static Optional<CsvTable> parse(String file, byte[] bytes, CsvFaults faults) {
+    return parse(file, bytes, CsvColumns.ANY, faults);
+  }
+
+  /**
+   * Reads a text, of whose header nothing is known.
+   *
+   * @param file its name, for messages
+   */
+  public static Optional<CsvTable> parse(String file, String text, CsvFaults faults) {
+    return parse(file, text, CsvColumns.ANY, faults);
+  }
+
+  /**
+   * Reads a text.
+   *
+   * @param file its name, for messages
+   */
+  public static Optional<CsvTable> parse(
+      String file, String withMark, CsvColumns form, CsvFaults faults) {
+    String text = withMark.startsWith("\uFEFF") ? withMark.substring(1) : withMark;
+    CsvTable table = new CsvTable(file, text, form, faults);
+    return table.fill() ? Optional.of(table) : Optional.empty();
+  }
+
+  private boolean fill() {
+    if (scan.next()) {
+      headerStart = scan.start();
+      headerLine = scan.startLine();
+      head(scan.cells(headerStart, scan.cells()));
+      while (scan.next()) {
+        row();
+      }
+    }
+    if (scan.broken()) {
+      faults.fault(
+          new Location(file, scan.startLine(), scan.openQuote(scan.start())),
+          "the file is not valid CSV: a quotation mark is not closed");
+    }
+    return !scan.broken();
+  }
+
+  private void head(String[] cells) {
+    header = List.of(cells);
+    for (int cell = 0; cell < cells.length; cell++) {
+      String name = key(cells[cell]);
+      if (form.lastCounts()) {
+        columns.put(name, cell);
+      } else if (columns.putIfAbsent(name, cell) != null) {
+        again.putIfAbsent(name, cell);
+      }
+    }
+    least = form.filledUp() ? 0 : least();
+  }
+
+  private int least() {
+    if (form.needed().isEmpty() || !form.needed().stream().allMatch(this::has)) {
+      return header.size();
+    }
+    return form.needed().stream().mapToInt(this::index).max().orElseThrow() + 1;
+  }
+
+  /** Whether what a row lacks may be empty, and what it has beyond the header is. */
+  private boolean fits() {
+    if (scan.cells() <= header.size()) {
+      boolean torn = scan.last() && !form.filledUp();
+      return scan.cells() >= (torn ? header.size() : least);
+    }
+    String[] cells = scan.cells(scan.start(), scan.cells());
+    return Arrays.stream(cells).skip(header.size()).allMatch(String::isEmpty);
+  }
+
+  private void row() {
+    if (fits()) {
+      if (2 * size == rows.length) {
+        rows = Arrays.copyOf(rows, 2 * rows.length);
+      }
+      rows[2 * size] = scan.start();
+      rows[2 * size + 1] = scan.startLine();
+      size++;
+      return;
+    }
+    boolean commas = separator == Separator.COMMA && scan.cells() > header.size();
+    String message =
+        "the row has %s values, but the header has %s columns%s"
+            .formatted(
+                scan.cells(),
+                header.size(),
+                commas ? " (write numbers with a decimal point, not a comma)" : "");
+    Location place = new Location(file, scan.startLine(), 1);
+    if (scan.last() && scan.cells() < header.size()) {
+      faults.torn(place, message);
+    } else {
+      faults.misfit(place, message);
+    }
+  }
+
+  /** Its name, for messages. */
+  public String file() {
+    return file;
+  }
+
+  /** In the order of the file. Each is made when it is asked for, and not kept. */
+  public List<CsvRow> rows() {
+    return new Rows();
+  }
+
+  private final class Rows extends AbstractList<CsvRow> implements RandomAccess {
+    @Override
+    public CsvRow get(int index) {
+      int start = rows[2 * Objects.checkIndex(index, size)];
+      String[] cells = scan.cells(start, header.size());
+      return new CsvRow(CsvTable.this, cells, start, rows[2 * index + 1]);
+    }
+
+    @Override
+    public int size() {
+      return size;
+    }
+  }
+
+  /** Whether there is such a column. */
+  public boolean has(String column) {
+    return columns.containsKey(key(column));
+  }
+
+  /** Where the header names that column, which it must have. */
+  public Location location(String column) {
+    return place(headerStart, headerLine, index(column));
+  }
+
+  /**
+   * Whether the header names these columns, each once.
+   *
+   * @param needed what the header must be, for the message when it lacks one
+   */
+  public boolean require(List<String> wanted, String needed) {
+    List<String> missing = wanted.stream().filter(name -> !has(name)).toList();
+    if (header.isEmpty()) {
+      faults.fault(new Location(file, 1, 1), "the file is empty: " + needed + " is needed");
+      return false;
+    }
+    if (!missing.isEmpty()) {
+      faults.fault(
+          new Location(file, headerLine, 1),
+          "the header lacks " + String.join(", ", missing) + " (it must be " + needed + ")");
+      return false;
+    }
+    boolean once = true;
+    for (String name : wanted) {
+      Integer second = again.get(key(name));
+      if (second != null) {
+        once = false;
+        faults.fault(
+            place(headerStart, headerLine, second),
+            "the header names the column " + name + " twice");
+      }
+    }
+    return once;
+  }
+
+  int index(String column) {
+    Integer index = columns.get(column); // mostly asked for as it is kept
+    if (index == null) {
+      index = columns.get(key(column));
+    }
+    if (index == null) {
+      throw new IllegalArgumentException("no column " + column);
+    }
+    return index;
+  }
+
+  static String key(String name) {
+    return name.strip().toLowerCase(Locale.ROOT);
+  }
+
+  /** Where a cell of a record begins, quoted cells before it included. */
+  Location place(int record, int line, int cell) {
+    return new Location(file, line, scan.column(record, cell));
+  }
+
+  DecimalSign decimalSign() {
+    return decimalSign;
+  }
+}

@@ -1,0 +1,109 @@
+package org.selectiverenderer.base.csv;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * Reads a table of numbers over time: a header that names the columns, in any order, then one row
+ * per time. Columns that the {@link TableForm} does not name are passed over.
+ *
+ * <p>A table with any fault is refused: the faults are reported, each with its place.
+ */
+public final class NumberTable {
+  private final TableForm form;
+  private final Problems problems;
+  private final List<double[]> rows = new ArrayList<>();
+  private boolean faulty;
+
+  private NumberTable(TableForm form, Problems problems) {
+    this.form = form;
+    this.problems = problems;
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @return one array per row, at least one: the needed columns, then, when they are there, those
+   *     that go together; empty when the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<double[][]> read(TableForm form, Path path, Problems problems)
+      throws IOException {
+    NumberTable table = new NumberTable(form, problems);
+    return CsvTable.read(path, form.columns(), table.new Faults()).flatMap(table::numbers);
+  }
+
+  /**
+   * Reads a text.
+   *
+   * @param file its name, for messages
+   */
+  public static Optional<double[][]> parse(
+      TableForm form, String file, String text, Problems problems) {
+    NumberTable table = new NumberTable(form, problems);
+    return CsvTable.parse(file, text, form.columns(), table.new Faults()).flatMap(table::numbers);
+  }
+
+  private final class Faults implements CsvFaults {
+    @Override
+    public void fault(Location location, String message) {
+      faulty = true;
+      problems.error(location, message + "; " + form.refusal());
+    }
+
+    @Override
+    public void torn(Location location, String message) {
+      if (form.torn()) {
+        problems.info(location, "the last row is incomplete; it is ignored");
+      } else {
+        fault(location, message);
+      }
+    }
+  }
+
+  private Optional<double[][]> numbers(CsvTable table) {
+    CsvFaults faults = new Faults();
+    List<String> columns = new ArrayList<>(form.needed());
+    if (form.together().stream().anyMatch(table::has)) {
+      columns.addAll(form.together());
+    }
+    if (table.require(columns, form.headers())) {
+      table.rows().forEach(row -> row(row, columns, faults));
+      if (!faulty && rows.isEmpty()) {
+        faults.fault(
+            Location.of(table.file()),
+            form.subject() + " has no rows; at least one row is needed below the header");
+      }
+    }
+    return faulty ? Optional.empty() : Optional.of(rows.toArray(double[][]::new));
+  }
+
+  private void row(CsvRow cells, List<String> columns, CsvFaults faults) {
+    double[] row = new double[columns.size()];
+    for (int i = 0; i < row.length; i++) {
+      OptionalDouble number = CsvNumbers.number(cells, columns.get(i), faults);
+      if (number.isEmpty()) {
+        return;
+      }
+      row[i] = number.getAsDouble();
+    }
+    if (rows.isEmpty() || inTime(rows.get(rows.size() - 1)[0], row[0])) {
+      rows.add(row);
+    } else {
+      faults.fault(
+          cells.location(columns.get(0)),
+          "the time %s is %s than the row before"
+              .formatted(cells.cell(columns.get(0)), form.strict() ? "not later" : "earlier"));
+    }
+  }
+
+  private boolean inTime(double before, double now) {
+    return now > before || now == before && !form.strict();
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.base.csv;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** What stands between the cells of a table. */
+enum Separator {
+  COMMA(','),
+  TAB('\t'),
+  SEMICOLON(';');
+
+  private final char character;
+
+  Separator(char character) {
+    this.character = character;
+  }
+
+  char character() {
+    return character;
+  }
+
+  /**
+   * The one that the header has most of outside quotation marks; a comma where it has none, and of
+   * those that are as many the first of this list.
+   *
+   * @param text of a table, the header being its first line that is not empty
+   */
+  static Separator of(String text) {
+    return of(text, List.of());
+  }
+
+  /**
+   * The first of this list that divides the header into the needed names among others; where there
+   * is none, that which {@link #of(String)} tells.
+   */
+  static Separator of(String text, List<String> needed) {
+    if (!needed.isEmpty()) {
+      Set<String> wanted = needed.stream().map(CsvTable::key).collect(Collectors.toSet());
+      for (Separator each : values()) {
+        CsvScan scan = new CsvScan(text, each);
+        if (scan.next()
+            && Arrays.stream(scan.cells(scan.start(), scan.cells()))
+                .map(CsvTable::key)
+                .collect(Collectors.toSet())
+                .containsAll(wanted)) {
+          return each;
+        }
+      }
+    }
+    return most(text);
+  }
+
+  private static Separator most(String text) {
+    int[] counts = new int[values().length];
+    boolean quoted = false;
+    boolean begun = false;
+    for (int at = 0; at < text.length(); at++) {
+      char c = text.charAt(at);
+      if (c == '"') {
+        quoted = !quoted;
+      } else if (!quoted && (c == '\n' || c == '\r')) {
+        if (begun) {
+          break;
+        }
+        continue;
+      } else if (!quoted) {
+        for (Separator each : values()) {
+          counts[each.ordinal()] += c == each.character ? 1 : 0;
+        }
+      }
+      begun = true;
+    }
+    Separator most = COMMA;
+    for (Separator each : values()) {
+      most = counts[each.ordinal()] > counts[most.ordinal()] ? each : most;
+    }
+    return most;
+  }
+}

@@ -1,0 +1,50 @@
+package org.selectiverenderer.base.json;
+
+import com.fasterxml.jackson.core.JsonLocation;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import java.util.Locale;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * Tells what is wrong with one file.
+ *
+ * @param outcome what becomes of the file, such as {@code the study is not used}
+ */
+record JsonFault(String file, String outcome, Problems problems) {
+  void at(Location at, String message) {
+    boolean question = message.endsWith("?");
+    String first = outcome.substring(0, 1);
+    problems.error(
+        at,
+        message
+            + (question ? " " : "; ")
+            + (question ? first.toUpperCase(Locale.ROOT) : first)
+            + outcome.substring(1));
+  }
+
+  void noJson(JsonProcessingException e) {
+    at(place(e.getLocation()), "this is not valid JSON: " + sentence(e));
+  }
+
+  Location place(JsonLocation at) {
+    return place(file, at);
+  }
+
+  /** In characters, as the text was parsed from characters. */
+  static Location place(String file, JsonLocation at) {
+    return at == null
+        ? new Location(file, 1, 1)
+        : new Location(file, Math.max(1, at.getLineNr()), Math.max(1, at.getColumnNr()));
+  }
+
+  /** Without the parser's own places, which are those of its buffer. */
+  static String sentence(JsonProcessingException e) {
+    return e.getOriginalMessage()
+        .lines()
+        .findFirst()
+        .orElse("")
+        .replaceFirst("\\s*\\(start marker at.*", "")
+        .replaceFirst("\\s*at \\[Source:.*", "");
+  }
+}

@@ -1,0 +1,220 @@
+package org.selectiverenderer.base.json;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.json.JsonValue.Member;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
+
+/**
+ * The members of a JSON object, asked for one by one. What is wrong is an error at its place; a
+ * value that stands in for it is returned, so that all faults of a file are found at once. Keys
+ * that nobody asked for are errors, too.
+ */
+public final class JsonMembers {
+  private final Map<String, Member> members;
+  private final Location at;
+  private final String subject;
+  private final JsonFault faults;
+  private final Set<String> asked = new TreeSet<>();
+
+  private JsonMembers(Map<String, Member> members, Location at, String subject, JsonFault faults) {
+    this.members = members;
+    this.at = at;
+    this.subject = subject;
+    this.faults = faults;
+  }
+
+  /**
+   * The members of a value that is to be an object; none of another.
+   *
+   * @param subject what it is, for messages, such as {@code an area}
+   */
+  static JsonMembers of(JsonValue value, String subject, JsonFault faults) {
+    Optional<Map<String, Member>> members = value.members();
+    if (members.isEmpty()) {
+      faults.at(value.at(), subject + " must be an object in braces");
+    }
+    return new JsonMembers(members.orElse(Map.of()), value.at(), subject, faults);
+  }
+
+  /** What is read of the members, and nothing else may be there. */
+  <T> T all(Function<JsonMembers, T> content) {
+    T read = content.apply(this);
+    members.forEach(
+        (name, member) -> {
+          if (!asked.contains(name)) {
+            faults.at(member.name(), unknown(name));
+          }
+        });
+    return read;
+  }
+
+  private String unknown(String name) {
+    return "%s has no \"%s\"%s"
+        .formatted(
+            subject,
+            name,
+            Spelling.nearest(name, asked)
+                .map(near -> "; did you mean \"%s\"?".formatted(near))
+                .orElse(" (known keys: %s)".formatted(String.join(", ", asked))));
+  }
+
+  /** The names that are there, where any name may be. */
+  public List<String> names() {
+    asked.addAll(members.keySet());
+    return List.copyOf(members.keySet());
+  }
+
+  public boolean has(String key) {
+    return find(key).isPresent();
+  }
+
+  private Optional<JsonValue> find(String key) {
+    asked.add(key);
+    return Optional.ofNullable(members.get(key))
+        .map(Member::value)
+        .filter(value -> !value.isNull());
+  }
+
+  private Optional<JsonValue> find(String key, boolean needed) {
+    Optional<JsonValue> found = find(key);
+    if (found.isEmpty() && needed) {
+      faults.at(at, subject + " needs \"" + key + "\"");
+    }
+    return found;
+  }
+
+  /** A fault of the object as a whole. */
+  public void fault(String message) {
+    faults.at(at, message);
+  }
+
+  /** A fault at a member's value; at the object where there is none. */
+  public void fault(String key, String message) {
+    Member member = members.get(key);
+    faults.at(member == null ? at : member.value().at(), message);
+  }
+
+  /** A fault at a value of a list. */
+  public void fault(JsonValue value, String message) {
+    faults.at(value.at(), message);
+  }
+
+  /** A text that must be there and say something. */
+  public String text(String key) {
+    return text(key, true).orElse("");
+  }
+
+  /** A text that may be missing or empty, or must not; what is found is not empty. */
+  public Optional<String> text(String key, boolean needed) {
+    Optional<String> text = find(key, needed).flatMap(value -> textOf(key, value));
+    if (text.isPresent() && text.get().isBlank()) {
+      if (needed) {
+        fault(key, subject + " needs \"" + key + "\"");
+      }
+      return Optional.empty();
+    }
+    return text;
+  }
+
+  private Optional<String> textOf(String key, JsonValue value) {
+    if (value.text().isEmpty()) {
+      fault(key, "\"" + key + "\" must be a text in quotes");
+    }
+    return value.text();
+  }
+
+  /**
+   * A number in a range, both ends included.
+   *
+   * @param otherwise where it is missing; NaN where it must not be
+   * @return the least where there is a fault
+   */
+  public double number(String key, double least, double most, double otherwise) {
+    Optional<JsonValue> found = find(key, Double.isNaN(otherwise));
+    if (found.isEmpty()) {
+      return Double.isNaN(otherwise) ? least : otherwise;
+    }
+    double number = found.get().number();
+    if (number >= least && number <= most && Double.isFinite(number)) {
+      return number;
+    }
+    String range = tidy(least) + (most == Double.POSITIVE_INFINITY ? "" : " to " + tidy(most));
+    fault(key, "\"%s\" must be a number from %s".formatted(key, range));
+    return least;
+  }
+
+  /** A whole number in a range, likewise. */
+  public long whole(String key, double least, double most, double otherwise) {
+    double number = number(key, least, most, otherwise);
+    if (number != Math.rint(number)) {
+      fault(key, "\"%s\" must be a whole number, not %s".formatted(key, number));
+    }
+    return (long) number;
+  }
+
+  private static String tidy(double number) {
+    return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
+  }
+
+  /** One of some spellings. */
+  public <T> T choice(String key, List<T> known, Function<T, String> spelling, T otherwise) {
+    Optional<String> text = text(key, false);
+    if (text.isEmpty()) {
+      return otherwise;
+    }
+    for (T value : known) {
+      if (spelling.apply(value).equals(text.get())) {
+        return value;
+      }
+    }
+    fault(
+        key,
+        "'%s' is not one of %s"
+            .formatted(text.get(), known.stream().map(spelling).collect(Collectors.joining(", "))));
+    return otherwise;
+  }
+
+  /**
+   * An object; empty where it is missing.
+   *
+   * @param what it is, for messages, such as {@code the display}
+   */
+  public <T> Optional<T> object(String key, String what, Function<JsonMembers, T> content) {
+    return find(key).map(value -> of(value, what, faults).all(content));
+  }
+
+  /** The values of a list; none where it is missing. */
+  public List<JsonValue> list(String key, boolean needed) {
+    Optional<JsonValue> found = find(key, needed);
+    Optional<List<JsonValue>> list = found.flatMap(JsonValue::list);
+    if (found.isPresent() && list.isEmpty()) {
+      fault(key, "\"" + key + "\" must be a list in brackets");
+    }
+    return list.orElse(List.of());
+  }
+
+  /** The texts of a list; none where it is missing. */
+  public List<String> texts(String key) {
+    List<String> texts = new ArrayList<>();
+    for (JsonValue value : list(key, false)) {
+      value
+          .text()
+          .ifPresentOrElse(
+              texts::add, () -> fault(value, "\"" + key + "\" must be a list of texts in quotes"));
+    }
+    return texts;
+  }
+
+  /** The objects of a list; none where it is missing. */
+  public <T> List<T> objects(String key, String what, Function<JsonMembers, T> content) {
+    return list(key, false).stream().map(value -> of(value, what, faults).all(content)).toList();
+  }
+}

@@ -1,0 +1,96 @@
+package org.selectiverenderer.base.json;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * Reads files of one kind that people write. The package says to what policy.
+ *
+ * @param subject what such a file is, for messages, such as {@code a study}
+ * @param outcome what becomes of a faulty one, such as {@code the study is not used}
+ */
+public record JsonSettings(String subject, String outcome) {
+  private static final JsonFactory FACTORY =
+      JsonFactory.builder()
+          .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
+          .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
+          .build();
+
+  /** What editors write at the beginning of a text to say that it is UTF-8. */
+  private static final String MARK = "\uFEFF";
+
+  /**
+   * Reads a file.
+   *
+   * @param content asks for all keys that there may be; whatever it returns of a faulty file, which
+   *     is told, is let go
+   * @return empty when the file has faults, which are then in {@code problems}
+   * @throws IOException if it cannot be read at all
+   */
+  public <T> Optional<T> read(Path file, Problems problems, Function<JsonMembers, T> content)
+      throws IOException {
+    try {
+      return parse(
+          file.toString(), Files.readString(file, StandardCharsets.UTF_8), problems, content);
+    } catch (CharacterCodingException e) {
+      new JsonFault(file.toString(), outcome, problems)
+          .at(new Location(file.toString(), 1, 1), "the file is not UTF-8 text");
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Reads a text.
+   *
+   * @param file its name, for messages
+   */
+  public <T> Optional<T> parse(
+      String file, String text, Problems problems, Function<JsonMembers, T> content) {
+    Problems own = new Problems(problems::add);
+    JsonFault faults = new JsonFault(file, outcome, own);
+    Optional<T> read =
+        root(text.startsWith(MARK) ? text.substring(1) : text, faults)
+            .map(
+                root -> {
+                  JsonMembers members = JsonMembers.of(root, subject, faults);
+                  members.text("$schema", false);
+                  return members.all(content);
+                });
+    return own.any() ? Optional.empty() : read;
+  }
+
+  private Optional<JsonValue> root(String text, JsonFault faults) {
+    try (JsonParser parser = FACTORY.createParser(text)) {
+      if (parser.nextToken() == null) {
+        faults.at(Location.of(faults.file()), "the file is empty");
+        return Optional.empty();
+      }
+      JsonValue root = JsonValue.read(parser, faults);
+      if (parser.nextToken() != null) {
+        faults.at(
+            faults.place(parser.currentTokenLocation()),
+            "there is text after the end of " + subject);
+      }
+      return Optional.of(root);
+    } catch (JsonProcessingException e) {
+      faults.noJson(e);
+      return Optional.empty();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e); // A text does not fail.
+    }
+  }
+}

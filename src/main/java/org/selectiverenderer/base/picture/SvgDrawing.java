@@ -1,0 +1,96 @@
+package org.selectiverenderer.base.picture;
+
+import java.util.List;
+import org.selectiverenderer.base.markup.Markup;
+
+/**
+ * Writes a drawing as SVG 1.1. A style is attributes, names and values by turns; a value that is a
+ * {@code Double} gets the drawing's precision, and an attribute whose value is empty is left out.
+ */
+public final class SvgDrawing {
+  private final StringBuilder svg = new StringBuilder();
+  private final SvgPrecision precision;
+
+  /**
+   * An empty drawing.
+   *
+   * @param fonts families, the most wanted one first
+   * @param title that viewers show
+   */
+  public SvgDrawing(int width, int height, String fonts, String title, SvgPrecision precision) {
+    this.precision = precision;
+    begin("svg", "xmlns", "http://www.w3.org/2000/svg", "width", width, "height", height);
+    attributes("viewBox", "0 0 " + width + " " + height, "font-family", fonts);
+    svg.append(">\n<title>").append(Markup.text(title)).append("</title>\n");
+  }
+
+  /** Adds a rectangle; one without an extent has none. */
+  public void rectangle(double x, double y, double width, double height, String fill) {
+    begin("rect", "x", x, "y", y);
+    attributes("width", Math.max(0, width), "height", Math.max(0, height), "fill", fill);
+    svg.append("/>\n");
+  }
+
+  /**
+   * Adds a path.
+   *
+   * @param data its {@code d}
+   */
+  public void path(String data, Object... style) {
+    begin("path", "d", data);
+    attributes(style);
+    svg.append("/>\n");
+  }
+
+  /** Adds a circle. */
+  public void circle(double x, double y, double radius, Object... style) {
+    begin("circle", "cx", x, "cy", y, "r", radius);
+    attributes(style);
+    svg.append("/>\n");
+  }
+
+  /** Adds text, which stays text; y is its base line's. */
+  public void text(String words, double x, double y, Object... style) {
+    begin("text", "x", x, "y", y);
+    attributes(style);
+    svg.append('>').append(Markup.text(words)).append("</text>\n");
+  }
+
+  private void begin(String name, Object... attributes) {
+    svg.append('<').append(name);
+    attributes(attributes);
+  }
+
+  private void attributes(Object... attributes) {
+    for (int i = 0; i < attributes.length; i += 2) {
+      String value =
+          attributes[i + 1] instanceof Double number
+              ? number(number)
+              : attributes[i + 1].toString();
+      if (!value.isEmpty()) {
+        svg.append(' ').append(attributes[i]).append("=\"");
+        svg.append(Markup.attribute(value)).append('"');
+      }
+    }
+  }
+
+  /** The value of {@code d} for a line through points, x and y each. */
+  public String line(List<double[]> points) {
+    StringBuilder data = new StringBuilder();
+    for (double[] point : points) {
+      data.append(data.isEmpty() ? 'M' : 'L').append(number(point[0])).append(' ');
+      data.append(number(point[1]));
+    }
+    return data.toString();
+  }
+
+  /** A number as the drawing writes them. */
+  private String number(double value) {
+    return precision.of(value);
+  }
+
+  /** The drawing's text; nothing is drawn afterwards. */
+  public String finish() {
+    return svg.append("</svg>\n").toString();
+  }
+}

@@ -1,0 +1,18 @@
+package org.selectiverenderer.base.picture;
+
+import java.util.Locale;
+
+/** How exactly a drawing's numbers are written. */
+public enum SvgPrecision {
+  /** {@code 12.0}. */
+  TENTHS,
+
+  /** {@code 12.34}, {@code 12.3}, {@code 12}. */
+  HUNDREDTHS;
+
+  String of(double number) {
+    return this == TENTHS
+        ? String.format(Locale.ROOT, "%.1f", number)
+        : String.format(Locale.ROOT, "%.2f", number).replaceFirst("\\.?0+$", "");
+  }
+}

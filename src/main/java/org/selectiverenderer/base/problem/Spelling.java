@@ -1,0 +1,74 @@
+package org.selectiverenderer.base.problem;
+
+import java.util.Locale;
+import java.util.Optional;
+
+/** Finds the name that somebody probably meant. */
+public final class Spelling {
+  private Spelling() {}
+
+  /**
+   * The candidate nearest to a misspelt name, if one is near enough to be worth proposing: at most
+   * a third of its letters differ. Letter case counts little, since it is the most common slip.
+   */
+  public static Optional<String> nearest(String name, Iterable<String> candidates) {
+    return nearest(name, candidates, Integer.MAX_VALUE);
+  }
+
+  /**
+   * The same with a bound.
+   *
+   * @param slips letters that may differ at most, letter case apart
+   */
+  public static Optional<String> nearest(String name, Iterable<String> candidates, int slips) {
+    String wanted = name.toLowerCase(Locale.ROOT);
+    int limit = Math.min(slips, Math.max(1, wanted.length() / 3));
+    String best = null;
+    for (String candidate : candidates) {
+      int length = candidate.length();
+      if (Math.abs(length - wanted.length()) > limit) {
+        continue;
+      }
+      int distance = distance(wanted, candidate.toLowerCase(Locale.ROOT));
+      boolean better = distance < limit || (best == null && distance == limit);
+      if (better) {
+        best = candidate;
+        limit = distance;
+        if (distance == 0) {
+          break;
+        }
+      }
+    }
+    return Optional.ofNullable(best);
+  }
+
+  /** Levenshtein's distance, in which two neighbours in the wrong order are one slip, not two. */
+  private static int distance(String a, String b) {
+    int[] before = new int[b.length() + 1];
+    int[] above = new int[b.length() + 1];
+    int[] row = new int[b.length() + 1];
+    for (int j = 0; j < row.length; j++) {
+      row[j] = j;
+    }
+    for (int i = 1; i <= a.length(); i++) {
+      int[] oldest = before;
+      before = above;
+      above = row;
+      row = oldest;
+      row[0] = i;
+      for (int j = 1; j <= b.length(); j++) {
+        int replaced = above[j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+        row[j] = Math.min(replaced, 1 + Math.min(above[j], row[j - 1]));
+        boolean swapped =
+            i > 1
+                && j > 1
+                && a.charAt(i - 1) == b.charAt(j - 2)
+                && a.charAt(i - 2) == b.charAt(j - 1);
+        if (swapped) {
+          row[j] = Math.min(row[j], 1 + before[j - 2]);
+        }
+      }
+    }
+    return row[b.length()];
+  }
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+
+/**
+ * Enters and leaves an area whose schemas affect a few of very many switches, and times the whole
+ * frame in which that happens: sensor, cascade, controller, instance tree.
+ */
+final class ActivationTimes {
+  private static final int ROUNDS = 400;
+  private static final Vector3dc INSIDE = new Vector3d(0, 0, 0);
+  private static final Vector3dc OUTSIDE = new Vector3d(0, 0, 6);
+
+  private ActivationTimes() {}
+
+  static void measure(BenchScene scene, int affected, ObjectNode node) throws IOException {
+    long begun = System.nanoTime();
+    try (Walkthrough walk =
+        Walkthrough.open(
+            scene.scene(),
+            SelectiveController.Settings.SELECTIVE,
+            problem -> {},
+            event -> {},
+            text -> {})) {
+      double loadMs = (System.nanoTime() - begun) * 1e-6;
+      double[] changing = new double[ROUNDS];
+      double[] resting = new double[ROUNDS];
+      double time = 0;
+      for (int round = 0; round < 2 * ROUNDS; round++) {
+        // The first half warms up.
+        int at = round % ROUNDS;
+        changing[at] = step(walk, time += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
+        resting[at] = step(walk, time += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
+      }
+      if (walk.enteredAreas().size() > 1) {
+        throw new IOException("the benchmark's scene does not behave");
+      }
+      node.put("switches", scene.switches());
+      node.put("affected", affected);
+      node.put("us", Rounded.to(1, Medians.median(changing)));
+      node.put("idle_frame_us", Rounded.to(1, Medians.median(resting)));
+      node.put("load_ms", Rounded.to(1, loadMs));
+    }
+  }
+
+  private static double step(Walkthrough walk, double time, Vector3dc eye) {
+    ViewerMotion motion = (viewer, now, dt) -> viewer.moveTo(eye);
+    long begun = System.nanoTime();
+    walk.step(time, motion);
+    return (System.nanoTime() - begun) * 1e-3;
+  }
+}

@@ -1,0 +1,76 @@
+package org.selectiverenderer.chart;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** A file that charts are to be drawn into. */
+public final class ChartFile {
+  /** Pixels; more would take gigabytes. */
+  private static final int MAX_HEIGHT = 60_000;
+
+  private enum Kind {
+    PNG,
+    SVG
+  }
+
+  private final Path file;
+  private final Kind kind;
+
+  private ChartFile(Path file, Kind kind) {
+    this.file = file;
+    this.kind = kind;
+  }
+
+  /**
+   * A file that need not exist.
+   *
+   * @return empty unless its name ends in .png or .svg
+   */
+  public static Optional<ChartFile> of(Path file) {
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    for (Kind kind : Kind.values()) {
+      if (name.endsWith("." + kind.name().toLowerCase(Locale.ROOT))) {
+        return Optional.of(new ChartFile(file, kind));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * Draws charts one below the other and writes them, the same bytes every time.
+   *
+   * @param title of the drawing, where its kind has one
+   * @throws IOException if the file cannot be written, or the charts are too many for one picture
+   */
+  public void write(String title, List<BarChart> charts) throws IOException {
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder != null && !Files.isDirectory(folder)) {
+      throw new IOException(file + ": there is no folder " + folder + " to write the chart to");
+    }
+    if (Files.isDirectory(file)) {
+      throw new IOException(file + ": this is a folder; the chart is not written");
+    }
+    BarChartPage page = new BarChartPage(charts);
+    if (page.height() > MAX_HEIGHT) {
+      throw new IOException(file + ": too many charts for one picture; choose some with --scope");
+    }
+    Files.write(file, kind == Kind.SVG ? svg(page, title) : png(page));
+  }
+
+  private static byte[] svg(BarChartPage page, String title) {
+    SvgCanvas canvas = new SvgCanvas(BarChartPage.WIDTH, (int) page.height(), title);
+    page.draw(canvas);
+    return canvas.finish().getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static byte[] png(BarChartPage page) {
+    PixelCanvas canvas = new PixelCanvas(BarChartPage.WIDTH, (int) page.height());
+    page.draw(canvas);
+    return canvas.png();
+  }
+}

@@ -1,0 +1,28 @@
+package org.selectiverenderer.chart;
+
+import org.selectiverenderer.geometry.font.Font;
+import org.selectiverenderer.geometry.font.Glyph;
+
+/**
+ * A font in a size.
+ *
+ * @param size pixels per em
+ */
+public record SizedFont(Font font, double size, boolean bold) {
+  /** In pixels. */
+  public double width(String text) {
+    return size * text.codePoints().mapToObj(font::glyph).mapToDouble(Glyph::advance).sum();
+  }
+
+  /** The text, cut off with an ellipsis if it is wider than that many pixels. */
+  public String fit(String text, double width) {
+    if (width(text) <= width) {
+      return text;
+    }
+    int end = text.length();
+    while (end > 0 && width(text.substring(0, end) + "…") > width) {
+      end = text.offsetByCodePoints(end, -1);
+    }
+    return text.substring(0, end) + "…";
+  }
+}

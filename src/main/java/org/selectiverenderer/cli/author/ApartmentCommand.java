@@ -1,0 +1,78 @@
+package org.selectiverenderer.cli.author;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.selectiverenderer.apartment.ApartmentGenerator;
+import org.selectiverenderer.apartment.ApartmentGenerator.Written;
+import org.selectiverenderer.apartment.DifferingFilesException;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "apartment",
+    description = {
+      "Writes the apartment of the thesis: its scenes, its objects in two versions, its path.",
+      "Writes the same bytes every time, all files or none. Keeps files that differ "
+          + "unless --force is given."
+    },
+    footer = {
+      "  ./selective-renderer apartment",
+      "  ./selective-renderer apartment /tmp/a --only trashCan"
+    })
+public final class ApartmentCommand extends CliCommand {
+  @Parameters(
+      paramLabel = "DIR",
+      arity = "0..1",
+      defaultValue = ".",
+      description = "folder to write scenes/ and inlineNodes/ into (default: the current folder)")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--only",
+      split = ",",
+      paramLabel = "OBJECT",
+      description = "writes only the files of these objects, no scenes")
+  private List<String> only = List.of();
+
+  @Option(names = "--force", description = "replaces files that differ from what is written")
+  private boolean force;
+
+  public ApartmentCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    ApartmentGenerator generator = new ApartmentGenerator();
+    for (String name : only) {
+      if (!generator.objects().contains(name)) {
+        throw CommandFailure.usage("there is no recipe named " + name);
+      }
+    }
+    Written written = write(generator);
+    if (only.isEmpty()) {
+      console().message("apartment: " + written.files() + " files written");
+    }
+    written
+        .polygons()
+        .forEach((file, count) -> console().message(file + ": " + GoalText.polygonText(count)));
+    LeftFiles.tell(written.left(), console());
+    return ExitStatus.DONE;
+  }
+
+  private Written write(ApartmentGenerator generator) throws IOException {
+    try {
+      return only.isEmpty()
+          ? generator.writeAll(folder, force)
+          : generator.writeObjects(folder, only, force);
+    } catch (DifferingFilesException e) {
+      throw CommandFailure.environment(e.getMessage() + " (--force replaces them)");
+    }
+  }
+}

@@ -1,0 +1,107 @@
+package org.selectiverenderer.cli.author;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.DryRunOption;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.document.headless.HeadlessEnrichment;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "enrich",
+    description = {
+      "Writes schema metadata into a scene.",
+      "Opens a window; with --ratings or --apply it works without one. Only metadata "
+          + "changes, everything else stays byte for byte. The previous file is kept with "
+          + "the ending .bak."
+    },
+    footer =
+        "  ./selective-renderer enrich scenes/apartment-plain.x3d --ratings ratings.csv --dry-run")
+public final class EnrichCommand extends CliCommand {
+  /** Opens the enricher's window. */
+  @FunctionalInterface
+  public interface Window {
+    /**
+     * @param scene to open; empty for none
+     */
+    ExitStatus open(Optional<Path> scene) throws IOException;
+  }
+
+  private final Window window;
+
+  @Parameters(paramLabel = "SCENE", arity = "0..1", description = "X3D scene (.x3d, .x3dz)")
+  private @Nullable Path scene;
+
+  @Option(
+      names = "--apply",
+      paramLabel = "METADATA.csv",
+      description = "table of the metadata to write, with the columns node,choice,field,value")
+  private @Nullable Path metadata;
+
+  @Option(
+      names = "--ratings",
+      paramLabel = "RATINGS.csv",
+      description =
+          "table of expectancy ratings (1 to 6) from which the metadata follows, with the "
+              + "columns object,schema,rating")
+  private @Nullable Path ratings;
+
+  @Option(
+      names = "--output",
+      paramLabel = "OUT.x3d",
+      description = "writes the enriched scene to another file")
+  private @Nullable Path output;
+
+  @Mixin private DryRunOption dryRun = new DryRunOption();
+
+  public EnrichCommand(Console console, Window window) {
+    super(console);
+    this.window = window;
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    if (metadata == null && ratings == null) {
+      if (output != null || dryRun.asked()) {
+        throw CommandFailure.usage("--output and --dry-run need --apply or --ratings");
+      }
+      return window.open(Optional.ofNullable(scene));
+    }
+    if (scene == null) {
+      throw CommandFailure.usage("--apply and --ratings need a SCENE");
+    }
+    if (!dryRun.asked()) {
+      OutputFile.check("--output", output, "");
+    }
+    Path target = output == null ? scene : output;
+    Problems problems = new Problems(console()::problem);
+    Optional<HeadlessEnrichment> enriched =
+        HeadlessEnrichment.of(
+            new HeadlessEnrichment.Request(scene, ratings, metadata),
+            NodeCatalogue.load(),
+            problems);
+    if (enriched.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    if (dryRun.asked()) {
+      console().out().print(enriched.get().difference(target));
+    } else if (enriched.get().changed() || output != null) {
+      enriched.get().save(target);
+      console().message(target + ": enriched");
+    } else {
+      console().message(target + ": has all of this metadata already; nothing is written");
+    }
+    return ExitStatus.of(problems);
+  }
+}

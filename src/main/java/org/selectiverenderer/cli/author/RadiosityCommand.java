@@ -1,0 +1,252 @@
+package org.selectiverenderer.cli.author;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.SceneArgument;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.radiosity.RadiosityJob;
+import org.selectiverenderer.radiosity.RadiositySettings;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.solve.EnergyBalance;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "radiosity",
+    description = {
+      "Lights a scene by radiosity: soft shadows and colour bleeding, stored at the vertices.",
+      "Does not change the scene. Ctrl-C ends the computation and writes the last "
+          + "complete iteration."
+    },
+    footer = {
+      "  ./selective-renderer radiosity scenes/apartment-unlit.x3d",
+      "  ./selective-renderer radiosity room.x3d --max-mesh 0.5 --quality 85 --preview p.png"
+    })
+public final class RadiosityCommand extends CliCommand {
+  private enum Format {
+    text,
+    json
+  }
+
+  @Mixin private SceneArgument scene = new SceneArgument();
+
+  @Option(
+      names = "--output",
+      paramLabel = "OUT.x3d",
+      description = "file of the lit scene (default: SCENE-lit.x3d beside the scene)")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--inline-dir",
+      paramLabel = "DIR",
+      description =
+          "folder of the lit copies of inlined files (default: a folder named like "
+              + "OUT in inlineNodes beside the scene's folder, else beside OUT)")
+  private @Nullable Path inlines;
+
+  @Option(
+      names = "--iterations",
+      paramLabel = "N",
+      description = "largest number of iterations (default: ${DEFAULT-VALUE})")
+  private int iterations = RadiositySettings.DEFAULT.iterations();
+
+  @Option(
+      names = "--quality",
+      paramLabel = "P",
+      description =
+          "initial quality: percent of the energy to distribute before the "
+              + "iterations stop (default: ${DEFAULT-VALUE})")
+  private double quality = RadiositySettings.DEFAULT.quality();
+
+  @Option(
+      names = "--min-mesh",
+      paramLabel = "M",
+      description = "minimum mesh size, metres (default: a tenth of the maximum)")
+  private @Nullable Double minMesh;
+
+  @Option(
+      names = "--max-mesh",
+      paramLabel = "M",
+      description = "maximum mesh size, metres (default: a 40th of the scene's extent)")
+  private @Nullable Double maxMesh;
+
+  @Option(
+      names = "--no-global-subdivision",
+      description = "keeps the polygons of all surfaces and stores light only at existing vertices")
+  private boolean noSubdivision;
+
+  @Option(
+      names = "--no-regather",
+      description = "takes indirect light from the iterations' patches: faster, coarser")
+  private boolean noRegather;
+
+  @Option(
+      names = "--no-photometric",
+      description = "lets point and spot lights fall off by their attenuation, as X3D draws them")
+  private boolean noPhotometric;
+
+  @Option(
+      names = "--rays",
+      paramLabel = "N",
+      description = "number of rays gathered at each vertex (default: ${DEFAULT-VALUE})")
+  private int rays = RadiositySettings.DEFAULT.rays();
+
+  @Option(
+      names = "--exposure",
+      paramLabel = "EV",
+      description =
+          "exposure in stops, brighter or darker than the automatic one (default: "
+              + "${DEFAULT-VALUE})")
+  private double exposure;
+
+  @Option(
+      names = "--max-polygons",
+      paramLabel = "N",
+      description =
+          "largest number of polygons of surfaces without versions after subdivision "
+              + "(default: ${DEFAULT-VALUE})")
+  private int maxPolygons = RadiositySettings.DEFAULT.maxPolygons();
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description =
+          "seed of the rays; the same seed gives the same files (default: ${DEFAULT-VALUE})")
+  private int seed = RadiositySettings.DEFAULT.seed();
+
+  @Option(
+      names = "--preview",
+      paramLabel = "F.png",
+      description =
+          "writes a picture from the first viewpoint and refines it after every iteration")
+  private @Nullable Path preview;
+
+  @Option(
+      names = "--format",
+      defaultValue = "text",
+      description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+  private Format format = Format.text;
+
+  public RadiosityCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    RadiositySettings settings = settings();
+    Path target = output == null ? RadiosityJob.outputOf(scene.file()) : output;
+    OutputFile.check("--output", target, ".x3d");
+    OutputFile.check("--preview", preview, ".png");
+    if (target.toAbsolutePath().normalize().equals(scene.file().toAbsolutePath().normalize())) {
+      throw CommandFailure.usage(
+          "--output is the scene itself, which is not overwritten; name another file");
+    }
+    Path folder = inlines == null ? RadiosityJob.inlinesOf(target) : inlines;
+    try (ProgressBar bar = ProgressBar.on(console())) {
+      ExitStatus status =
+          light(new RadiosityJob(scene.file(), target, folder, preview, settings), bar);
+      // After Ctrl-C the program ends as soon as the bar is closed.
+      console().out().flush();
+      return status;
+    }
+  }
+
+  private ExitStatus light(RadiosityJob job, ProgressBar bar) throws IOException {
+    Problems problems = new Problems(console()::problem);
+    long start = System.nanoTime();
+    try {
+      RadiosityJob.Report report =
+          job.run(problems, bar, (balance, wanted) -> bar.line(iteration(balance)));
+      bar.end();
+      print(job.output(), report, (System.nanoTime() - start) / 1e9);
+      return ExitStatus.of(problems);
+    } catch (UnlitSceneException e) {
+      bar.end();
+      if (!e.isTold()) {
+        String message = String.valueOf(e.getMessage());
+        console()
+            .message(
+                message.startsWith(scene.file() + ":") ? message : scene.file() + ": " + message);
+      }
+      return ExitStatus.PROBLEMS;
+    }
+  }
+
+  private RadiositySettings settings() {
+    try {
+      return new RadiositySettings(
+          iterations,
+          quality,
+          size(minMesh),
+          size(maxMesh),
+          !noSubdivision,
+          !noRegather,
+          !noPhotometric,
+          rays,
+          seed,
+          exposure,
+          maxPolygons);
+    } catch (IllegalArgumentException e) {
+      throw CommandFailure.usage(e.getMessage());
+    }
+  }
+
+  private static OptionalDouble size(@Nullable Double metres) {
+    return metres == null ? OptionalDouble.empty() : OptionalDouble.of(metres);
+  }
+
+  private static String iteration(EnergyBalance balance) {
+    return String.format(
+        Locale.ROOT,
+        "iteration %2d: %5.1f%% distributed; of %.0f lm %.0f absorbed, %.0f escaped, "
+            + "%.0f not yet passed on",
+        balance.iteration(),
+        balance.distributed(),
+        balance.emitted(),
+        balance.absorbed(),
+        balance.escaped(),
+        balance.unshot());
+  }
+
+  private void print(Path target, RadiosityJob.Report report, double seconds) {
+    if (format == Format.json) {
+      ObjectNode node = JsonTree.object();
+      node.put("output", target.toString()).put("files", report.files());
+      node.put("triangles", report.triangles()).put("facets", report.facets());
+      node.put("vertices", report.vertices()).put("patches", report.patches());
+      node.put("lamps", report.lamps()).put("lumens", Math.round(report.lumens()));
+      node.put("iterations", report.balance().iteration());
+      node.put("distributed_percent", Rounded.to(2, report.balance().distributed()));
+      node.put("discrepancy", Rounded.to(4, report.balance().discrepancy()));
+      node.put("rays", report.rays()).put("complete", report.complete());
+      node.put("ms", Math.round(seconds * 1000));
+      console().out().println(node);
+      return;
+    }
+    console()
+        .out()
+        .printf(
+            Locale.ROOT,
+            "%s: %d polygons lit at %d vertices by %d lamps of %.0f lm, %.1f M rays, %.1f s%s%n",
+            target,
+            report.facets(),
+            report.vertices(),
+            report.lamps(),
+            report.lumens(),
+            report.rays() / 1e6,
+            seconds,
+            report.complete() ? "" : "; cancelled: the light is that of the last iteration");
+  }
+}

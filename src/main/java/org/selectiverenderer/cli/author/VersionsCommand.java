@@ -1,0 +1,201 @@
+package org.selectiverenderer.cli.author;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.DryRunOption;
+import org.selectiverenderer.cli.option.SceneArgument;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.versions.BadSceneException;
+import org.selectiverenderer.document.versions.ObjectVersion;
+import org.selectiverenderer.document.versions.PlannedFile;
+import org.selectiverenderer.document.versions.ShownChange;
+import org.selectiverenderer.document.versions.VersionsEdit;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "versions",
+    description = {
+      "Makes versions of an object and puts a Switch in its place.",
+      "The original becomes version 1; each number asked for makes one more. The "
+          + "rest of the scene stays as it is, byte for byte. A second run makes new "
+          + "versions from version 1."
+    },
+    footer = "  ./selective-renderer versions scene.x3d --object Vase --vert-percent 10 --dry-run")
+public final class VersionsCommand extends CliCommand {
+  /** Of what is removed, --dry-run shows so many lines at most, each of so many characters. */
+  private static final int HEAD = 12;
+
+  private static final int TAIL = 4;
+  private static final int WIDTH = 160;
+
+  /** One of the ways to say how far to reduce. */
+  static final class GoalOptions {
+    @Option(
+        names = "--vert-percent",
+        split = ",",
+        paramLabel = "P",
+        description = "shares of the vertices to keep, in percent, one per version (Vert Percent)")
+    private List<Double> vertPercent = List.of();
+
+    @Option(
+        names = "--polygons",
+        split = ",",
+        paramLabel = "N",
+        description = "numbers of polygons to keep, one per version")
+    private List<Integer> polygons = List.of();
+
+    List<Goal> goals() {
+      return polygons.isEmpty()
+          ? vertPercent.stream().map(GoalText::percent).toList()
+          : polygons.stream().map(GoalText::polygons).toList();
+    }
+  }
+
+  @Mixin private SceneArgument scene = new SceneArgument();
+
+  @Option(
+      names = "--object",
+      required = true,
+      paramLabel = "DEF",
+      description = "object, or the Transform or Group around it, by its DEF")
+  private String object = "";
+
+  @ArgGroup(exclusive = true, multiplicity = "1")
+  private GoalOptions options = new GoalOptions();
+
+  @Option(
+      names = "--output",
+      paramLabel = "OUT.x3d",
+      description = "writes the changed scene to another file")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--inline-dir",
+      defaultValue = "inlineNodes",
+      paramLabel = "DIR",
+      description =
+          "folder of the versions, relative to the scene's folder (default: ${DEFAULT-VALUE})")
+  private String inlineFolder = "inlineNodes";
+
+  @Mixin private DryRunOption dryRun = new DryRunOption();
+
+  public VersionsCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    List<Goal> goals = options.goals();
+    Problems problems = new Problems(console()::problem);
+    OutputFile.check("--output", output, ".x3d", ".x3dz");
+    VersionsEdit.Request request =
+        new VersionsEdit.Request(
+            scene.file(), object, goals, output == null ? scene.file() : output, inlineFolder);
+    Snapshot document = DocumentFile.open(scene.file()).document().snapshot();
+    Optional<VersionsEdit> plan;
+    try {
+      plan = VersionsEdit.plan(document, request, NodeCatalogue.load(), problems);
+    } catch (BadSceneException e) {
+      console().message(e.getMessage());
+      return ExitStatus.PROBLEMS;
+    }
+    if (plan.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    if (!dryRun.asked()) {
+      LeftFiles.tell(plan.get().write(FileActions.REAL), console());
+    }
+    print(plan.get());
+    return plan.get().versions().stream().allMatch(ObjectVersion::met)
+        ? ExitStatus.of(problems)
+        : ExitStatus.PROBLEMS;
+  }
+
+  private void print(VersionsEdit plan) {
+    int original = plan.versions().get(0).polygons();
+    for (ObjectVersion version : plan.versions()) {
+      console()
+          .out()
+          .printf(
+              Locale.ROOT,
+              "%s_v%d  %8d vertices  %8d polygons  %5.1f %%  error %.3f %%%n",
+              plan.object(),
+              version.number(),
+              version.vertices(),
+              version.polygons(),
+              100.0 * version.polygons() / original,
+              100 * version.error());
+      if (!version.met()) {
+        console()
+            .message(
+                "%s: version %d of '%s' cannot be reduced as far as asked for; %s nearest"
+                    .formatted(
+                        scene.file(),
+                        version.number(),
+                        object,
+                        GoalText.polygonText(version.polygons())
+                            + (version.polygons() == 1 ? " comes" : " come")));
+      }
+    }
+    plan.files().forEach(this::print);
+    print(plan.scene());
+    if (dryRun.asked()) {
+      plan.changes().forEach(this::print);
+    }
+  }
+
+  private void print(PlannedFile file) {
+    String done =
+        switch (file.state()) {
+          case NEW -> dryRun.asked() ? "would be created" : "new";
+          case CHANGED -> dryRun.asked() ? "would change" : "changed";
+          case UNCHANGED -> "unchanged";
+        };
+    console().out().println(done + "  " + file.file());
+  }
+
+  private void print(ShownChange edit) {
+    console().out().println(scene.file() + ":" + edit.line() + ":");
+    shortened(edit.before().lines().toList()).forEach(line -> console().out().println("- " + line));
+    edit.after().lines().forEach(line -> console().out().println("+ " + line));
+  }
+
+  /** Geometry may be megabytes: its beginning and end tell which it is. */
+  private static List<String> shortened(List<String> lines) {
+    List<String> kept = new ArrayList<>();
+    for (int i = 0; i < lines.size(); i++) {
+      if (i < HEAD || i >= lines.size() - TAIL) {
+        String line = lines.get(i);
+        kept.add(
+            line.length() <= WIDTH
+                ? line
+                : String.format(
+                    Locale.ROOT,
+                    "%s ... (%,d characters)",
+                    line.substring(0, WIDTH),
+                    line.length()));
+      } else if (i == HEAD) {
+        kept.add("... (" + Counted.of(lines.size() - HEAD - TAIL, "line") + ")");
+      }
+    }
+    return kept;
+  }
+}

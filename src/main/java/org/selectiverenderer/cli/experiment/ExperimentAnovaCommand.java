@@ -1,0 +1,134 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.data.Exclusion;
+import org.selectiverenderer.statistics.data.Observations;
+import org.selectiverenderer.statistics.data.ObservationsReader;
+import org.selectiverenderer.statistics.report.AnovaReport;
+import org.selectiverenderer.statistics.study.MissingTables;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "anova",
+    description = {
+      "Analyses the variance of a table in long form, with one row for each "
+          + "participant and level.",
+      "The design is mixed with both --within and --between, repeated measures with "
+          + "--within alone, one-way with --between alone."
+    },
+    footer =
+        "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant"
+            + " --within object_type --between condition")
+final class ExperimentAnovaCommand extends CliCommand {
+  private enum Format {
+    text,
+    json,
+    html
+  }
+
+  @Parameters(paramLabel = "DATA.csv", description = "table in long form (.csv)")
+  private Path data = Path.of("");
+
+  @Option(
+      names = "--dv",
+      required = true,
+      paramLabel = "COL",
+      description = "column of the dependent variable")
+  private String measure = "";
+
+  @Option(
+      names = "--subject",
+      required = true,
+      paramLabel = "COL",
+      description = "column of the participants")
+  private String subject = "";
+
+  @Option(
+      names = "--within",
+      paramLabel = "COL",
+      description = "column of the factor whose levels each participant was measured at")
+  private @Nullable String within;
+
+  @Option(
+      names = "--between",
+      paramLabel = "COL",
+      description = "column of the factor that divides the participants")
+  private @Nullable String between;
+
+  @Mixin private AnovaChoices choices = new AnovaChoices();
+
+  @Option(
+      names = "--format",
+      defaultValue = "text",
+      description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+  private Format format = Format.text;
+
+  @Mixin private ReportOutput output = new ReportOutput();
+
+  ExperimentAnovaCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    if (within == null && between == null) {
+      throw CommandFailure.usage("no factor given; name one with --within, --between or both");
+    }
+    List<String> columns =
+        Stream.of(measure, subject, within, between).filter(Objects::nonNull).toList();
+    if (columns.stream().map(name -> name.toLowerCase(Locale.ROOT)).distinct().count()
+        < columns.size()) {
+      throw CommandFailure.usage(
+          "--dv, --subject, --within and --between must be different columns");
+    }
+    AnovaOptions options = choices.options();
+    output.check(new CommandFiles().reads("", data));
+    Problems problems = new Problems(console()::problem);
+    Optional<Observations> read =
+        ObservationsReader.read(
+            data,
+            new ObservationsReader.Columns(
+                measure, subject, Optional.ofNullable(within), Optional.ofNullable(between)),
+            problems);
+    if (read.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    Optional<String> obstacle = read.get().design().obstacle();
+    if (obstacle.isPresent()) {
+      problems.error(new Location(data.toString(), 1, 1), obstacle.get() + "; nothing is analysed");
+      return ExitStatus.PROBLEMS;
+    }
+    Anova anova = Anova.of(read.get().design(), options);
+    MissingTables.reasons(anova)
+        .forEach(
+            reason -> problems.warning(new Location(data.toString(), 1, 1), "no F: " + reason));
+    List<Exclusion> exclusions = read.get().exclusions();
+    output.write(
+        switch (format) {
+          case text -> AnovaReport.text(anova, exclusions);
+          case json -> AnovaReport.json(anova, exclusions);
+          case html -> AnovaReport.html(anova, exclusions);
+        },
+        console());
+    return ExitStatus.of(problems);
+  }
+}

@@ -1,0 +1,129 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.experiment.session.CollectedAnswers;
+import org.selectiverenderer.experiment.session.PaperAnswers;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "collect",
+    description = {
+      "Collects the answers of a study into one table, from one session of each "
+          + "participant: recognition answers for experiment analyse, ratings for enrich "
+          + "--ratings. Reports what it leaves out.",
+      "Without an option it prints the recognition answers."
+    },
+    footer = {
+      "  ./selective-renderer experiment collect mystudy --responses responses.csv",
+      "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv --responses"
+          + " responses.csv",
+      "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv --bands"
+          + " bands.csv"
+    })
+final class ExperimentCollectCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Option(
+      names = "--responses",
+      paramLabel = "F.csv",
+      description = "writes the recognition answers to a file")
+  private @Nullable Path responses;
+
+  @Option(
+      names = "--ratings",
+      paramLabel = "F.csv",
+      description = "writes the ratings to a file, one per row")
+  private @Nullable Path ratings;
+
+  @Option(
+      names = "--bands",
+      paramLabel = "F.csv",
+      description =
+          "writes the means of the ratings with their bands and consistency to a file "
+              + "(thesis 5.1)")
+  private @Nullable Path bands;
+
+  @Option(
+      names = "--session",
+      paramLabel = "N",
+      description =
+          "number of the session to take from each participant (default: the first "
+              + "whose questions are all answered, else the first with answers)")
+  private @Nullable Integer number;
+
+  @Option(
+      names = "--paper",
+      paramLabel = "F.csv",
+      split = ",",
+      description =
+          "tables of experiment paper that were filled in with answers given on "
+              + "paper; can be repeated")
+  private List<Path> paper = List.of();
+
+  ExperimentCollectCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    if (number != null && number < 1) {
+      throw CommandFailure.usage("--session must be a whole number of at least 1");
+    }
+    OutputFile.check("--responses", responses, ".csv");
+    OutputFile.check("--ratings", ratings, ".csv");
+    OutputFile.check("--bands", bands, ".csv");
+    CommandFiles files =
+        new CommandFiles()
+            .writes("--responses", responses)
+            .writes("--ratings", ratings)
+            .writes("--bands", bands);
+    paper.forEach(table -> files.reads("--paper", table));
+    files.check();
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> material = study.read(problems);
+    if (material.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    CollectedAnswers answers =
+        CollectedAnswers.of(
+            material.get(),
+            number == null ? OptionalInt.empty() : OptionalInt.of(number),
+            PaperAnswers.read(material.get(), paper, problems),
+            problems);
+    if (responses == null && ratings == null && bands == null) {
+      console().out().print(answers.responses());
+    }
+    write(responses, answers.responses());
+    write(ratings, answers.ratings());
+    write(bands, answers.bands());
+    console()
+        .message(
+            "collected: %s of %s"
+                .formatted(
+                    Counted.of(answers.answers(), "answer"),
+                    Counted.of(answers.participants(), "participant")));
+    return ExitStatus.of(problems);
+  }
+
+  private static void write(@Nullable Path file, String text) throws IOException {
+    if (file != null) {
+      OutputFile.write(file, text);
+    }
+  }
+}

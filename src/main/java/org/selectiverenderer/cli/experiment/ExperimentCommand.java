@@ -1,0 +1,42 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.util.List;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import picocli.CommandLine.Command;
+
+@Command(
+    name = "experiment",
+    description = "Creates studies, runs sessions, collects and analyses answers.",
+    footer = {
+      "  ./selective-renderer experiment new mystudy",
+      "  ./selective-renderer experiment run mystudy/study.json --participant 001",
+      "  ./selective-renderer experiment view session.csv --plot session.svg",
+      "  ./selective-renderer experiment analyse responses.csv --format html --output report.html"
+    })
+public final class ExperimentCommand extends CliCommand {
+  public ExperimentCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public List<CliCommand> subcommands() {
+    return List.of(
+        new ExperimentNewCommand(console()),
+        new ExperimentRunCommand(console()),
+        new ExperimentStatusCommand(console()),
+        new ExperimentCollectCommand(console()),
+        new ExperimentPaperCommand(console()),
+        new ExperimentViewCommand(console()),
+        new ExperimentAnalyseCommand(console()),
+        new ExperimentAnovaCommand(console()),
+        new ExperimentSimulateCommand(console()));
+  }
+
+  @Override
+  public ExitStatus run() {
+    throw CommandFailure.usage("no experiment command given; experiment --help lists them");
+  }
+}

@@ -1,0 +1,53 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.experiment.study.StudyTemplate;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "new",
+    description = {
+      "Writes a new study: study.json with comments, the items of its questionnaires, and a pilot"
+          + " study beside it.",
+      "The study is that of the thesis: practice, then kitchen, lounge and office "
+          + "for 45 s each, rendered high, high-low or selective, with 54 participants."
+    },
+    footer = {
+      "  ./selective-renderer experiment new mystudy",
+      "  ./selective-renderer experiment run mystudy/study.json --participant 001"
+    })
+final class ExperimentNewCommand extends CliCommand {
+  @Parameters(paramLabel = "DIR", description = "folder of the study; created if it does not exist")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--scene",
+      defaultValue = "scenes/apartment.x3d",
+      paramLabel = "SCENE",
+      description = "scene of the study, with practice.x3d beside it (default: ${DEFAULT-VALUE})")
+  private Path scene = Path.of("");
+
+  ExperimentNewCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    for (Path needed : List.of(scene, scene.resolveSibling("practice.x3d"))) {
+      if (!Files.isRegularFile(needed)) {
+        throw CommandFailure.usage("there is no scene " + needed + "; name another with --scene");
+      }
+    }
+    console().message("study: " + StudyTemplate.write(folder, scene));
+    return ExitStatus.DONE;
+  }
+}

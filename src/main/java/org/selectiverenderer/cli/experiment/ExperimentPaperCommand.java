@@ -1,0 +1,118 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
+import org.selectiverenderer.experiment.questionnaire.PaperPage;
+import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.session.Participants;
+import org.selectiverenderer.experiment.session.SessionFolder;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "paper",
+    description = {
+      "Writes a participant's questionnaires as a page to print, and as a table to type the answers"
+          + " into.",
+      "The questions come in the order in which the participant would see them on the screen."
+    },
+    footer =
+        "  ./selective-renderer experiment paper mystudy --participant 001 --condition high"
+            + " --output 001.html --csv 001.csv")
+final class ExperimentPaperCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Option(
+      names = "--participant",
+      required = true,
+      paramLabel = "ID",
+      description = "id of the participant, letters and digits")
+  private String participant = "";
+
+  @Option(
+      names = "--condition",
+      converter = ConditionOptions.Converter.class,
+      paramLabel = "NAME",
+      description =
+          "condition of the participant, for the table (default: the assigned one, "
+              + "else left empty)")
+  private @Nullable Condition condition;
+
+  @Option(
+      names = "--output",
+      paramLabel = "F.html",
+      description = "file of the page to print (default: standard output)")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--csv",
+      paramLabel = "F.csv",
+      description = "file of the table to type the answers into")
+  private @Nullable Path csv;
+
+  ExperimentPaperCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    if (!participant.matches(SessionFolder.LABEL)) {
+      throw CommandFailure.usage("--participant must consist of letters and digits");
+    }
+    OutputFile.check("--output", output, ".html");
+    OutputFile.check("--csv", csv, ".csv");
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> material = study.read(problems);
+    if (material.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    List<Screen> screens = material.get().screens(participant);
+    String page = PaperPage.html(screens, material.get().wording(), participant);
+    if (output != null) {
+      OutputFile.write(output, page);
+    } else {
+      console().out().print(page);
+    }
+    if (csv != null) {
+      OutputFile.writeOnce("--csv", csv, table(screens, group(material.get())));
+    }
+    return ExitStatus.of(problems);
+  }
+
+  private String group(StudyMaterial material) throws IOException {
+    if (condition != null) {
+      return condition.spelling();
+    }
+    return new Participants(material.study())
+        .of(participant)
+        .map(assigned -> assigned.condition().spelling())
+        .orElse("");
+  }
+
+  private String table(List<Screen> screens, String group) {
+    boolean recognition = screens.stream().anyMatch(Screen::withConfidence);
+    StringBuilder text =
+        new StringBuilder(recognition ? AnswersCsv.responsesHeader() : AnswersCsv.RATINGS);
+    for (Screen screen : screens) {
+      if (screen.withConfidence() == recognition) {
+        text.append(AnswersCsv.lines(screen, participant, group, Map.of()));
+      }
+    }
+    return text.toString();
+  }
+}

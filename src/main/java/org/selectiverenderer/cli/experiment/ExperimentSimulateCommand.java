@@ -1,0 +1,267 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.report.PowerReport;
+import org.selectiverenderer.statistics.simulation.ObjectList;
+import org.selectiverenderer.statistics.simulation.PowerAnalysis;
+import org.selectiverenderer.statistics.simulation.PowerGoal;
+import org.selectiverenderer.statistics.simulation.SimulatedStudy;
+import org.selectiverenderer.statistics.simulation.StudyModel;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "simulate",
+    description = {
+      "Simulates participants of known sensitivity. Prints their answers as a file that experiment"
+          + " analyse reads; with --power, how often studies like this find an effect, and with"
+          + " --needed, how many participants that takes.",
+      "A list of numbers has one number for each condition, or one for all."
+    },
+    footer = {
+      "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 --output r.csv",
+      "  ./selective-renderer experiment simulate --participants 54 --d-prime 0.9,1.2,1.1 --needed"
+    })
+final class ExperimentSimulateCommand extends CliCommand {
+  private enum Format {
+    text,
+    json
+  }
+
+  private enum Dependent {
+    dprime(Measure.D_PRIME),
+    logbeta(Measure.LOG_BETA),
+    c(Measure.CRITERION);
+
+    private final Measure measure;
+
+    Dependent(Measure measure) {
+      this.measure = measure;
+    }
+  }
+
+  @Option(
+      names = "--participants",
+      defaultValue = "54",
+      paramLabel = "N",
+      description =
+          "number of participants, assigned to the conditions in turn (default: "
+              + "${DEFAULT-VALUE})")
+  private int participants;
+
+  @Option(
+      names = "--conditions",
+      split = ",",
+      defaultValue = "high,high-low,selective",
+      paramLabel = "NAME",
+      description = "names of the conditions (default: ${DEFAULT-VALUE})")
+  private List<String> conditions = List.of();
+
+  @Option(
+      names = "--d-prime",
+      split = ",",
+      defaultValue = "1.1",
+      paramLabel = "D",
+      description = "mean sensitivity d' (default: ${DEFAULT-VALUE})")
+  private double[] sensitivities = {};
+
+  @Option(
+      names = "--criterion",
+      split = ",",
+      defaultValue = "0",
+      paramLabel = "C",
+      description = "mean bias c, above 0 towards no (default: ${DEFAULT-VALUE})")
+  private double[] criteria = {};
+
+  @Option(
+      names = "--d-prime-sd",
+      defaultValue = "0.3",
+      paramLabel = "SD",
+      description = "standard deviation of d' between participants (default: ${DEFAULT-VALUE})")
+  private double sensitivitySpread;
+
+  @Option(
+      names = "--criterion-sd",
+      defaultValue = "0.25",
+      paramLabel = "SD",
+      description = "standard deviation of c between participants (default: ${DEFAULT-VALUE})")
+  private double criterionSpread;
+
+  @Option(
+      names = "--type-d-prime",
+      defaultValue = "0",
+      paramLabel = "D",
+      description = "difference in d' of inconsistent objects (default: ${DEFAULT-VALUE})")
+  private double typeSensitivity;
+
+  @Option(
+      names = "--type-criterion",
+      defaultValue = "0.4",
+      paramLabel = "C",
+      description =
+          "difference in c of inconsistent objects, the bias that the thesis found "
+              + "(default: ${DEFAULT-VALUE})")
+  private double typeCriterion;
+
+  @Option(
+      names = "--seed",
+      defaultValue = "1",
+      paramLabel = "N",
+      description =
+          "seed of the simulation; the same seed gives the same answers on any "
+              + "number of cores (default: ${DEFAULT-VALUE})")
+  private long seed;
+
+  @Option(names = "--power", description = "prints the power of such studies")
+  private boolean power;
+
+  @Option(
+      names = "--needed",
+      description = "also finds the number of participants for the power of --target")
+  private boolean needed;
+
+  @Option(
+      names = "--goal",
+      paramLabel = "condition|type|interaction|equivalence",
+      defaultValue = "condition",
+      description = "effect that --needed looks for (default: ${DEFAULT-VALUE})")
+  private PowerGoal goal = PowerGoal.condition;
+
+  @Option(
+      names = "--target",
+      defaultValue = "0.8",
+      description = "power that --needed aims at (default: ${DEFAULT-VALUE})")
+  private double target;
+
+  @Option(
+      names = "--most",
+      defaultValue = "2000",
+      paramLabel = "N",
+      description =
+          "largest number of participants that --needed tries (default: ${DEFAULT-VALUE})")
+  private int most;
+
+  @Option(
+      names = "--studies",
+      defaultValue = "1000",
+      paramLabel = "N",
+      description =
+          "number of studies to simulate for each number of participants (default: "
+              + "${DEFAULT-VALUE})")
+  private int studies;
+
+  @Option(
+      names = "--area",
+      defaultValue = "kitchen",
+      description = "area whose answers the power is computed for (default: ${DEFAULT-VALUE})")
+  private String area = "";
+
+  @Option(
+      names = "--measure",
+      defaultValue = "dprime",
+      description =
+          "measure that the power is computed for: ${COMPLETION-CANDIDATES} (default: "
+              + "${DEFAULT-VALUE})")
+  private Dependent dependent = Dependent.dprime;
+
+  @Mixin private ScoringChoices scoring = new ScoringChoices();
+  @Mixin private AnovaChoices choices = new AnovaChoices();
+
+  @Option(
+      names = "--format",
+      defaultValue = "text",
+      description =
+          "format of the power report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+  private @Nullable Format format;
+
+  @Mixin private ReportOutput output = new ReportOutput();
+
+  ExperimentSimulateCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    AnovaOptions options = choices.options();
+    check();
+    StudyModel model =
+        new StudyModel(
+            conditions,
+            each("--d-prime", sensitivities),
+            each("--criterion", criteria),
+            sensitivitySpread,
+            criterionSpread,
+            typeSensitivity,
+            typeCriterion,
+            ObjectList.THESIS);
+    if (!model.areas().contains(area)) {
+      throw CommandFailure.usage("--area must be one of " + String.join(", ", model.areas()));
+    }
+    if (!power && !needed) {
+      output.write(ResponsesCsv.of(SimulatedStudy.responses(model, participants, seed)), console());
+      return ExitStatus.DONE;
+    }
+    PowerAnalysis analysis =
+        new PowerAnalysis(
+            model,
+            area,
+            dependent.measure,
+            scoring.scoring(),
+            options,
+            studies,
+            seed,
+            line -> console().message("simulate: " + line));
+    PowerReport report =
+        PowerReport.of(
+            analysis,
+            participants,
+            needed ? Optional.of(new PowerReport.Wanted(goal, target, most)) : Optional.empty());
+    output.write(format == Format.json ? report.json() : report.text(), console());
+    return ExitStatus.DONE;
+  }
+
+  private void check() throws IOException {
+    output.check(new CommandFiles());
+    if (participants < 1 || studies < 1 || most < 1) {
+      throw CommandFailure.usage(
+          "--participants, --studies and --most must be whole numbers of at least 1");
+    }
+    if (!(target > 0 && target < 1)) {
+      throw CommandFailure.usage("--target must be a number between 0 and 1");
+    }
+    if (!(sensitivitySpread >= 0 && criterionSpread >= 0)
+        || !DoubleStream.of(sensitivitySpread, criterionSpread, typeSensitivity, typeCriterion)
+            .allMatch(Double::isFinite)) {
+      throw CommandFailure.usage(
+          "--d-prime-sd and --criterion-sd must be finite numbers of at least 0");
+    }
+    if (conditions.stream().distinct().count() < conditions.size()
+        || conditions.stream().anyMatch(String::isBlank)) {
+      throw CommandFailure.usage("--conditions must be different names");
+    }
+  }
+
+  private List<Double> each(String option, double[] values) {
+    if (values.length != 1 && values.length != conditions.size()
+        || !DoubleStream.of(values).allMatch(Double::isFinite)) {
+      throw CommandFailure.usage(
+          option + " must have one number, or one for each of " + String.join(", ", conditions));
+    }
+    return conditions.stream()
+        .map(name -> values[values.length == 1 ? 0 : conditions.indexOf(name)])
+        .toList();
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.FormatOption;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.experiment.session.StudyStatus;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+@Command(
+    name = "status",
+    description = "Shows who is done, how full the groups are, and what is missing.",
+    footer = "  ./selective-renderer experiment status mystudy")
+final class ExperimentStatusCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Mixin private FormatOption format = new FormatOption();
+
+  ExperimentStatusCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> material = study.read(problems);
+    if (material.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    StudyStatus status = StudyStatus.of(material.get());
+    console().out().print(format.json() ? status.json() : status.text());
+    return ExitStatus.of(problems);
+  }
+}

@@ -1,0 +1,89 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.FormatOption;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.experiment.headlog.AnalysisFormats;
+import org.selectiverenderer.experiment.headlog.Bids;
+import org.selectiverenderer.experiment.headlog.HeadLog;
+import org.selectiverenderer.experiment.headlog.HeadLogAnalysis;
+import org.selectiverenderer.experiment.headlog.HeadLogPlot;
+import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "view",
+    description = {
+      "Shows what a participant looked at: which objects, when and for how long, and "
+          + "how much of each room came into view at all.",
+      "LOG is a file that run --head-log wrote; its description lies beside it."
+    },
+    footer = {
+      "  ./selective-renderer run scenes/trashcan.x3d --head-log session.csv",
+      "  ./selective-renderer experiment view session.csv --plot session.svg"
+    })
+final class ExperimentViewCommand extends CliCommand {
+  @Parameters(paramLabel = "LOG", description = "head log (.csv)")
+  private Path log = Path.of("");
+
+  @Mixin private FormatOption format = new FormatOption();
+
+  @Option(
+      names = "--plot",
+      paramLabel = "F.svg",
+      description = "writes a drawing of the session, from above and as a time line")
+  private @Nullable Path plot;
+
+  @Option(
+      names = "--bids",
+      paramLabel = "DIR",
+      description = "writes the log as BIDS motion data into a folder")
+  private @Nullable Path bids;
+
+  @Option(
+      names = "--subject",
+      defaultValue = "01",
+      paramLabel = "LABEL",
+      description =
+          "label of the participant in BIDS, letters and digits (default: ${DEFAULT-VALUE})")
+  private String subject = "01";
+
+  ExperimentViewCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    OutputFile.check("--plot", plot, ".svg");
+    if (!subject.matches("[0-9A-Za-z]+")) {
+      throw CommandFailure.usage("--subject must consist of letters and digits");
+    }
+    Problems problems = new Problems(console()::problem);
+    Optional<HeadLog> read = HeadLogReader.read(log, problems);
+    if (read.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    HeadLogAnalysis analysis = HeadLogAnalysis.of(read.get());
+    console()
+        .out()
+        .print(format.json() ? AnalysisFormats.json(analysis) : AnalysisFormats.text(analysis));
+    if (plot != null) {
+      OutputFile.write(plot, HeadLogPlot.svg(analysis));
+    }
+    if (bids != null) {
+      console().message("BIDS motion data: " + Bids.write(read.get(), bids, subject));
+    }
+    return problems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+}

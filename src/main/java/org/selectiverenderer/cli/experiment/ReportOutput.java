@@ -1,0 +1,35 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.OutputFile;
+import picocli.CommandLine.Option;
+
+/** A text that goes to a file or to the standard output. */
+final class ReportOutput {
+  @Option(
+      names = "--output",
+      paramLabel = "F",
+      description = "writes to a file (default: standard output)")
+  private @Nullable Path output;
+
+  /**
+   * @param files that the report is made of
+   */
+  void check(CommandFiles files) throws IOException {
+    OutputFile.check("--output", output, "");
+    files.writes("--output", output).check();
+  }
+
+  void write(String text, Console console) throws IOException {
+    if (output == null) {
+      console.out().print(text);
+      console.out().flush();
+    } else {
+      OutputFile.write(output, text);
+    }
+  }
+}

@@ -1,0 +1,24 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.experiment.study.StudyTemplate;
+import picocli.CommandLine.Parameters;
+
+/** The study that a command is about. */
+final class StudyArgument {
+  @Parameters(
+      paramLabel = "STUDY.json",
+      description = "study file, or the folder that contains study.json")
+  private Path study = Path.of("");
+
+  /** Reads it; empty when it has faults, which are told then. */
+  Optional<StudyMaterial> read(Problems problems) throws IOException {
+    return StudyMaterial.read(
+        Files.isDirectory(study) ? study.resolve(StudyTemplate.STUDY) : study, problems);
+  }
+}

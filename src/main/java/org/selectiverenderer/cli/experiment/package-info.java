@@ -1,0 +1,10 @@
+/**
+ * The commands of {@code experiment}: studies, sessions and their results.
+ *
+ * <p>May use {@code cli.base}, {@code cli.option}, {@code cli.output} and the packages that do the
+ * work.
+ */
+@NullMarked
+package org.selectiverenderer.cli.experiment;
+
+import org.jspecify.annotations.NullMarked;

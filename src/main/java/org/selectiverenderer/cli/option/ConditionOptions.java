@@ -1,0 +1,45 @@
+package org.selectiverenderer.cli.option;
+
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.control.SelectiveController;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+
+/** The options that say how a scene is rendered, shared by several commands. */
+public final class ConditionOptions {
+  @Option(
+      names = "--condition",
+      defaultValue = "selective",
+      converter = Converter.class,
+      paramLabel = "NAME",
+      description =
+          "versions of the objects to show: selective, high, high-low or random "
+              + "(default: ${DEFAULT-VALUE})")
+  private Condition condition = Condition.SELECTIVE;
+
+  @Option(
+      names = "--seed",
+      defaultValue = "0",
+      paramLabel = "N",
+      description =
+          "seed of the random choice that --condition random makes (default: "
+              + "${DEFAULT-VALUE})")
+  private long seed;
+
+  public SelectiveController.Settings settings() {
+    return new SelectiveController.Settings(condition, seed);
+  }
+
+  /** Reads a condition by the name that the thesis gives it. */
+  public static final class Converter implements ITypeConverter<Condition> {
+    @Override
+    public Condition convert(String value) {
+      return Condition.of(value)
+          .orElseThrow(
+              () ->
+                  new TypeConversionException(
+                      "'" + value + "' is unknown; choose selective, high, high-low or random"));
+    }
+  }
+}

@@ -1,0 +1,13 @@
+package org.selectiverenderer.cli.option;
+
+import picocli.CommandLine.Option;
+
+/** To see a change before it is made. */
+public final class DryRunOption {
+  @Option(names = "--dry-run", description = "prints what would change and writes nothing")
+  private boolean asked;
+
+  public boolean asked() {
+    return asked;
+  }
+}

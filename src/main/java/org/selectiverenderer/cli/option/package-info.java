@@ -1,0 +1,10 @@
+/**
+ * Options and parameters that several commands share, as picocli mixins.
+ *
+ * <p>In: arguments. Out: settings of other packages. Uses {@code cli.output}, {@code control} for
+ * conditions and {@code tracker} for trackers.
+ */
+@NullMarked
+package org.selectiverenderer.cli.option;
+
+import org.jspecify.annotations.NullMarked;

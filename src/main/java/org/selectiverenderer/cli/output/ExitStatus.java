@@ -1,0 +1,34 @@
+package org.selectiverenderer.cli.output;
+
+import org.selectiverenderer.base.problem.Problems;
+
+/** How a command ended. The only place that knows the process's exit statuses. */
+public enum ExitStatus {
+  /** Done, nothing to say about the input. */
+  DONE(0),
+  /** Done as far as possible, but the input has findings, or missing or bad data. */
+  PROBLEMS(1),
+  /** Wrong usage, or a file, a port or a display that could not be used. */
+  FAILURE(2);
+
+  private final int code;
+
+  ExitStatus(int code) {
+    this.code = code;
+  }
+
+  /** What the process returns to its shell. */
+  public int code() {
+    return code;
+  }
+
+  /** The status of that code. */
+  public static ExitStatus of(int code) {
+    return values()[code];
+  }
+
+  /** {@link #PROBLEMS} if any error or warning was found, else {@link #DONE}. */
+  public static ExitStatus of(Problems problems) {
+    return problems.any() ? PROBLEMS : DONE;
+  }
+}

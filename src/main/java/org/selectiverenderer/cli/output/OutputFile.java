@@ -1,0 +1,109 @@
+package org.selectiverenderer.cli.output;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.files.WholeFile;
+
+/**
+ * Looks at files to be written before the work begins, so that a slip in a name does not cost it.
+ */
+public final class OutputFile {
+  private OutputFile() {}
+
+  /**
+   * Writes a text in place of whatever was there.
+   *
+   * @throws IOException with the file's name
+   */
+  public static void write(Path file, String text) throws IOException {
+    write(file, text, FileActions.REAL);
+  }
+
+  /** The same by other actions. */
+  static void write(Path file, String text, FileActions actions) throws IOException {
+    byte[] content = text.getBytes(StandardCharsets.UTF_8);
+    try {
+      WholeFile.replace(file, content, actions);
+    } catch (NotWritten e) {
+      if (!keepsItsName(file, e)) {
+        throw new IOException(file + ": " + e.reason(), e);
+      }
+      writeInto(file, content);
+    }
+  }
+
+  /**
+   * Whether nothing can take a file's name though it may be written to itself: its folder is
+   * write-protected, or somebody else's with others' files, or the file is a mount. A full disk is
+   * no such reason.
+   */
+  private static boolean keepsItsName(Path file, NotWritten failure) {
+    return failure.getCause() instanceof FileSystemException
+        && Files.isRegularFile(file)
+        && Files.isWritable(file);
+  }
+
+  private static void writeInto(Path file, byte[] content) throws IOException {
+    try {
+      Files.write(file, content);
+    } catch (IOException e) {
+      throw NotWritten.named(file, e);
+    }
+  }
+
+  /**
+   * Writes a text into a file that somebody fills in afterwards: what is there is not written over.
+   *
+   * @throws IOException if it is there with another text, or cannot be written
+   */
+  public static void writeOnce(String option, Path file, String text) throws IOException {
+    if (Files.isRegularFile(file)
+        && !Arrays.equals(Files.readAllBytes(file), text.getBytes(StandardCharsets.UTF_8))) {
+      throw new IOException(
+          option
+              + " "
+              + file
+              + ": exists already with other content, perhaps answers; it is not "
+              + "overwritten");
+    }
+    write(file, text);
+  }
+
+  /**
+   * @param option by which the user named the file; null when there is none
+   * @param endings of which the name is to have one, such as {@code .png}; none for any
+   */
+  public static void check(String option, @Nullable Path file, String... endings) {
+    if (file == null) {
+      return;
+    }
+    if (FileTransaction.sink(file)) {
+      return; // A pipe or a device has any name.
+    }
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || Files.isDirectory(file)) {
+      throw CommandFailure.environment(option + " " + file + ": is a folder, not a file");
+    }
+    if (!Files.isDirectory(folder)) {
+      throw CommandFailure.environment(
+          option + " " + file + ": the folder " + folder + " does not exist");
+    }
+    if (!Files.isWritable(Files.exists(file) ? file : folder)) {
+      throw CommandFailure.environment(option + " " + file + ": cannot be written");
+    }
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    if (endings.length > 0 && Arrays.stream(endings).noneMatch(name::endsWith)) {
+      throw CommandFailure.usage(
+          option + " writes " + String.join(" or ", endings) + " files; " + file + " is not one");
+    }
+  }
+}

@@ -1,0 +1,28 @@
+package org.selectiverenderer.cli.output;
+
+import java.util.function.Consumer;
+import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.problem.Problem;
+
+/**
+ * Where a run's words go: what is wrong and what is printed to the messages.
+ *
+ * @param timeline takes the time line
+ */
+public record RunOutput(Console console, Consumer<TimelineEvent> timeline) implements RunListener {
+  @Override
+  public void problem(Problem problem) {
+    console.problem(problem);
+  }
+
+  @Override
+  public void happened(TimelineEvent event) {
+    timeline.accept(event);
+  }
+
+  @Override
+  public void printed(String text) {
+    console.message(text);
+  }
+}

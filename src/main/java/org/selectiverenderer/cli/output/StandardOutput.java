@@ -1,0 +1,48 @@
+package org.selectiverenderer.cli.output;
+
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+
+/**
+ * The process's output, under a {@link java.io.PrintStream}: throws {@link OutputFailure} at the
+ * first write that fails, then drops what follows so that closing up stays quiet.
+ */
+public final class StandardOutput extends FilterOutputStream {
+  private boolean failed;
+
+  public StandardOutput(OutputStream target) {
+    super(target);
+  }
+
+  @Override
+  public void write(int b) {
+    write(new byte[] {(byte) b}, 0, 1);
+  }
+
+  @Override
+  public void write(byte[] bytes, int offset, int length) {
+    attempt(() -> out.write(bytes, offset, length));
+  }
+
+  @Override
+  public void flush() {
+    attempt(out::flush);
+  }
+
+  private void attempt(Writing writing) {
+    if (failed) {
+      return;
+    }
+    try {
+      writing.run();
+    } catch (IOException e) {
+      failed = true;
+      throw new OutputFailure(e);
+    }
+  }
+
+  private interface Writing {
+    void run() throws IOException;
+  }
+}

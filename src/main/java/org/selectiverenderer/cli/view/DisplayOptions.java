@@ -1,0 +1,147 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.hmd.DisplayMode;
+import org.selectiverenderer.hmd.DisplayProfile;
+import org.selectiverenderer.hmd.DisplayProfiles;
+import org.selectiverenderer.hmd.EyeGeometry;
+import org.selectiverenderer.hmd.Presentation;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+
+/** The options that say on what a scene is shown. */
+final class DisplayOptions {
+  @Option(
+      names = "--display",
+      defaultValue = "window",
+      converter = ModeConverter.class,
+      paramLabel = "MODE",
+      description =
+          "way of showing the scene: window, side-by-side, dual (a full-screen "
+              + "window per eye on two monitors), quad (quad-buffered stereo) or anaglyph "
+              + "(red-cyan) (default: ${DEFAULT-VALUE})")
+  private DisplayMode mode = DisplayMode.WINDOW;
+
+  @Option(
+      names = "--hmd",
+      paramLabel = "NAME",
+      description =
+          "profile of the display: proview50, proview30, desk or a file FILE.json "
+              + "(default: proview50; desk with --display anaglyph)")
+  private @Nullable String hmd;
+
+  @Option(
+      names = "--ipd",
+      paramLabel = "MM",
+      description = "distance of the pupils in millimetres (default: 63)")
+  private @Nullable Double ipd;
+
+  @Option(
+      names = "--hmd-check",
+      description =
+          "shows a test pattern instead of the scene, to check left and right eye, "
+              + "field of view and scale (side-by-side unless --display says otherwise)")
+  private boolean check;
+
+  @Option(
+      names = "--operator",
+      negatable = true,
+      description =
+          "opens a window for the person who runs the session: the participant's "
+              + "picture, the areas from above, schemas, figures, the tracker's health "
+              + "(default: only with dual and quad)")
+  private @Nullable Boolean operator;
+
+  /** The display's file, if it is named by one; else null. */
+  @Nullable Path file() {
+    return hmd == null || DisplayProfiles.builtIn(hmd).isPresent() ? null : Path.of(hmd);
+  }
+
+  /**
+   * Looks at the options before any work begins.
+   *
+   * @param picture of the operator's window; null for none
+   */
+  void check(boolean offscreen, @Nullable Path picture) {
+    if (offscreen && operator != null && operator) {
+      throw CommandFailure.usage(
+          "--operator opens a window, so it cannot be combined with --offscreen; leave "
+              + "one of them out");
+    }
+    if (offscreen && picture != null) {
+      throw CommandFailure.usage(
+          "--operator-screenshot needs a window, so it cannot be combined with "
+              + "--offscreen; leave one of them out");
+    }
+    if (picture != null && !operator()) {
+      throw CommandFailure.usage("--operator-screenshot needs --operator");
+    }
+  }
+
+  /** Whether there is a window for the operator. */
+  boolean operator() {
+    return operator == null ? mode == DisplayMode.DUAL || mode == DisplayMode.QUAD : operator;
+  }
+
+  /**
+   * What was asked for; empty when the display's file has faults, which are told then.
+   *
+   * @throws IOException if that file cannot be read
+   */
+  Optional<Presentation> presentation(Problems problems) throws IOException {
+    double millimetres = ipd == null ? EyeGeometry.MEAN_IPD : ipd;
+    if (!(millimetres >= 0 && millimetres <= EyeGeometry.LARGEST_IPD)) {
+      throw CommandFailure.usage(
+          "--ipd must be a number of millimetres from 0 to " + (int) EyeGeometry.LARGEST_IPD);
+    }
+    if (check && mode == DisplayMode.WINDOW) {
+      mode = DisplayMode.SIDE_BY_SIDE;
+    }
+    if (mode == DisplayMode.WINDOW && (hmd != null || ipd != null)) {
+      throw CommandFailure.usage(
+          "--hmd and --ipd need a display for two eyes: add --display side-by-side, "
+              + "dual, quad or anaglyph");
+    }
+    return profile(problems)
+        .map(
+            profile -> new Presentation(mode, new EyeGeometry(profile, millimetres / 1000), check));
+  }
+
+  private Optional<DisplayProfile> profile(Problems problems) throws IOException {
+    if (hmd == null) {
+      boolean desk = mode == DisplayMode.WINDOW || mode == DisplayMode.ANAGLYPH;
+      return Optional.of(desk ? DisplayProfile.DESK : DisplayProfile.PROVIEW_50);
+    }
+    Optional<DisplayProfile> known = DisplayProfiles.builtIn(hmd);
+    if (known.isPresent()) {
+      return known;
+    }
+    Path file = Path.of(hmd);
+    if (!Files.isRegularFile(file)) {
+      throw CommandFailure.usage(
+          "--hmd " + hmd + ": is neither a file nor one of proview50, proview30 and desk");
+    }
+    return DisplayProfiles.read(file, problems);
+  }
+
+  /** Reads a mode as the command line writes it. */
+  static final class ModeConverter implements ITypeConverter<DisplayMode> {
+    @Override
+    public DisplayMode convert(String value) {
+      for (DisplayMode mode : DisplayMode.values()) {
+        if (mode.name().replace('_', '-').equalsIgnoreCase(value)) {
+          return mode;
+        }
+      }
+      throw new TypeConversionException(
+          "'" + value + "' is unknown; choose window, side-by-side, dual, quad or anaglyph");
+    }
+  }
+}

@@ -1,0 +1,129 @@
+package org.selectiverenderer.cli.view;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.settings.HeadLogSettings;
+import org.selectiverenderer.app.settings.TrackerSettings;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.experiment.headlog.HeadLogFiles;
+import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
+import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
+import picocli.CommandLine.Option;
+
+/** The options about the head: its tracker and its log. */
+final class HeadOptions {
+  private enum Lost {
+    freeze,
+    mouse
+  }
+
+  @Option(
+      names = "--tracker",
+      defaultValue = "none",
+      paramLabel = "SPEC",
+      description =
+          "tracker of the head: intertrax2:PORT, fastrak:PORT@BAUD, "
+              + "opentrack:PORT, vrpn:NAME@HOST, tcp:HOST:PORT, replay:FILE.csv or "
+              + "none; F4 makes the present direction of the head straight ahead "
+              + "(default: ${DEFAULT-VALUE})")
+  private String tracker = "none";
+
+  @Option(
+      names = "--tracker-lost",
+      description =
+          "source that turns the view while the tracker is silent: freeze (nothing) "
+              + "or mouse (default: freeze)")
+  private @Nullable Lost lost;
+
+  @Option(
+      names = "--head-log",
+      paramLabel = "F.csv",
+      description =
+          "writes a table with position, direction and target of the head's view in "
+              + "each frame; F.json beside it describes the columns")
+  private @Nullable Path log;
+
+  @Option(names = "--force", description = "replaces an existing head log")
+  private boolean force;
+
+  @Option(
+      names = "--cone",
+      paramLabel = "DEG",
+      description =
+          "width of the cone about the middle of the view in which the head log names objects"
+              + " (default: "
+              + HeadLogSettings.CONE
+              + ")")
+  private @Nullable Double cone;
+
+  /**
+   * Looks at the options before any work begins.
+   *
+   * @param files takes those that are written
+   */
+  void check(TrackerSpec spec, CommandFiles files) {
+    if (cone != null && !(cone >= 0 && cone <= 90)) {
+      throw CommandFailure.usage("--cone must be a number of degrees from 0 to 90");
+    }
+    if (lost != null && spec instanceof TrackerSpec.None) {
+      throw CommandFailure.usage("--tracker-lost needs --tracker");
+    }
+    if (log == null) {
+      if (cone != null || force) {
+        throw CommandFailure.usage((force ? "--force" : "--cone") + " needs --head-log");
+      }
+      return;
+    }
+    if (FileTransaction.sink(log)) {
+      throw CommandFailure.usage(
+          "--head-log " + log + ": is not a file on a disk, so F.json cannot be written beside it");
+    }
+    OutputFile.check("--head-log", log, ".csv");
+    HeadLogFiles.of(log).forEach(file -> files.writes("--head-log", file));
+  }
+
+  /** Refuses to replace a log unless asked to. */
+  void checkNew() {
+    for (Path file : log == null || force ? List.<Path>of() : HeadLogFiles.of(log)) {
+      if (Files.exists(file)) {
+        throw CommandFailure.environment(
+            "--head-log " + log + ": " + file + " exists already (--force replaces it)");
+      }
+    }
+  }
+
+  /** The tracker that was asked for. */
+  TrackerSpec tracker() {
+    try {
+      return TrackerSpec.parse(tracker);
+    } catch (IllegalArgumentException e) {
+      throw CommandFailure.usage(e.getMessage());
+    }
+  }
+
+  /**
+   * The settings of a tracker.
+   *
+   * @param options how its angles are taken
+   */
+  TrackerSettings tracking(TrackerSpec spec, TrackerOptions options) {
+    return new TrackerSettings(
+        spec,
+        options,
+        lost == null ? WhenLost.FREEZE : WhenLost.valueOf(lost.name().toUpperCase(Locale.ROOT)));
+  }
+
+  /** What is recorded of the head. */
+  Optional<HeadLogSettings> recorded() {
+    return Optional.ofNullable(log)
+        .map(file -> new HeadLogSettings(file, cone == null ? HeadLogSettings.CONE : cone, force));
+  }
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Lets a command end in good order when the user presses Ctrl-C: asks it to stop, and holds the
+ * process until it has, or for two seconds.
+ */
+final class Interruption {
+  private static final double PATIENCE = 2;
+
+  private Interruption() {}
+
+  /** What a command does until it is asked to stop. */
+  interface Work {
+    void run() throws IOException;
+  }
+
+  /**
+   * Works.
+   *
+   * @param stop asks the work to end; called on another thread
+   */
+  static void stops(Runnable stop, Work work) throws IOException {
+    CountDownLatch done = new CountDownLatch(1);
+    Thread hook =
+        new Thread(
+            () -> {
+              stop.run();
+              await(done, PATIENCE);
+            },
+            "interruption");
+    Runtime.getRuntime().addShutdownHook(hook);
+    try {
+      work.run();
+    } finally {
+      done.countDown();
+      remove(hook);
+    }
+  }
+
+  private static void remove(Thread hook) {
+    try {
+      Runtime.getRuntime().removeShutdownHook(hook);
+    } catch (IllegalStateException e) {
+      // The process is ending: the hook has just been told that the work is done.
+    }
+  }
+
+  /** Waits until the latch is open, or so many seconds. */
+  static void await(CountDownLatch latch, double seconds) {
+    try {
+      latch.await((long) Math.min(1e15, seconds * 1000), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

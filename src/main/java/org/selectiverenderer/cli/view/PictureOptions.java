@@ -1,0 +1,56 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.run.RunResult;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.OutputFile;
+import picocli.CommandLine.Option;
+
+/** The options that say which pictures are kept of a run. */
+final class PictureOptions {
+  @Option(
+      names = "--screenshot",
+      paramLabel = "F.png",
+      description = "writes the last picture to a file")
+  private @Nullable Path screenshot;
+
+  @Option(
+      names = "--operator-screenshot",
+      paramLabel = "F.png",
+      description = "writes the last picture of the operator's window to a file")
+  private @Nullable Path operatorScreenshot;
+
+  /** Looks at the options before any work begins. */
+  void check() {
+    OutputFile.check("--screenshot", screenshot, ".png");
+    OutputFile.check("--operator-screenshot", operatorScreenshot, ".png");
+  }
+
+  /** Names the files that are written. */
+  void writes(CommandFiles files) {
+    files.writes("--screenshot", screenshot).writes("--operator-screenshot", operatorScreenshot);
+  }
+
+  /** The file of the operator's picture; null for none. */
+  @Nullable Path ofOperator() {
+    return operatorScreenshot;
+  }
+
+  /** Writes what there is at the end of a run. */
+  void write(RunResult result, Console console) throws IOException {
+    if (screenshot != null && result.screenshot().isPresent()) {
+      result.screenshot().get().writePng(screenshot);
+    }
+    if (operatorScreenshot != null && result.operator().isPresent()) {
+      result.operator().get().writePng(operatorScreenshot);
+    } else if (operatorScreenshot != null) {
+      console.message(
+          "--operator-screenshot "
+              + operatorScreenshot
+              + ": there was no operator's window; nothing is written");
+    }
+  }
+}

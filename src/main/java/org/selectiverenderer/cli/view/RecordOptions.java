@@ -1,0 +1,61 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.run.RunResult;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.OutputFile;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The options that say what is kept of a run: pictures, time line, figures. */
+final class RecordOptions {
+  @Mixin private PictureOptions pictures = new PictureOptions();
+
+  @Option(
+      names = "--timeline",
+      paramLabel = "F.jsonl",
+      description =
+          "writes what happened, one JSON object per line, as simulate --format json does")
+  private @Nullable Path timeline;
+
+  @Option(names = "--stats", paramLabel = "F.json", description = "writes the figures of the run")
+  private @Nullable Path stats;
+
+  /** Looks at the options before any work begins. */
+  void check() {
+    pictures.check();
+    OutputFile.check("--timeline", timeline, "");
+    OutputFile.check("--stats", stats, "");
+  }
+
+  /** Names the files that are written. */
+  void writes(CommandFiles files) {
+    pictures.writes(files);
+    files.writes("--timeline", timeline).writes("--stats", stats);
+  }
+
+  PictureOptions pictures() {
+    return pictures;
+  }
+
+  /**
+   * The time line's file, open; empty for none.
+   *
+   * @throws IOException when it cannot be written
+   */
+  Optional<TimelineFile> openTimeline() throws IOException {
+    return timeline == null ? Optional.empty() : Optional.of(new TimelineFile(timeline));
+  }
+
+  /** Writes what is known at the end of a run. */
+  void write(RunResult result, Console console) throws IOException {
+    if (stats != null) {
+      OutputFile.write(stats, result.figures().json());
+    }
+    pictures.write(result, console);
+  }
+}

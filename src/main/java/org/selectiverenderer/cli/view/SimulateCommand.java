@@ -1,0 +1,92 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+import org.selectiverenderer.app.run.RunResult;
+import org.selectiverenderer.app.run.SceneRunner;
+import org.selectiverenderer.app.settings.FollowedPath;
+import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.app.timeline.TimelineJson;
+import org.selectiverenderer.app.timeline.TimelineText;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.FormatOption;
+import org.selectiverenderer.cli.option.SceneArgument;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.RunOutput;
+import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.runtime.viewer.CameraPathReader;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "simulate",
+    description =
+        "Walks a recorded path through a scene without a display and prints what happens.",
+    footer =
+        "  ./selective-renderer simulate scenes/trashcan.x3d --path scenes/paths/desk-visit.csv")
+public final class SimulateCommand extends CliCommand {
+  @Mixin private SceneArgument scene = new SceneArgument();
+
+  @Option(
+      names = "--path",
+      required = true,
+      paramLabel = "P.csv",
+      description =
+          "recorded path: t,x,y,z or t,x,y,z,yaw,pitch,roll in seconds, metres and "
+              + "degrees; linear in between")
+  private Path path = Path.of("");
+
+  @Option(
+      names = "--rate",
+      defaultValue = "60",
+      paramLabel = "HZ",
+      description = "frames per second of the path's time (default: ${DEFAULT-VALUE})")
+  private double rate;
+
+  @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  @Mixin private FormatOption format = new FormatOption();
+
+  public SimulateCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    if (!(rate > 0) || Double.isInfinite(rate)) {
+      throw CommandFailure.usage("--rate must be a number of frames per second above 0");
+    }
+    Problems pathProblems = new Problems(console()::problem);
+    Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
+    if (walked.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    FrameLimits.check(walked.get(), rate);
+    Function<TimelineEvent, String> text =
+        format.json() ? new TimelineJson()::line : new TimelineText()::line;
+    RunSettings settings =
+        new RunSettings(scene.file(), condition.settings())
+            .with(MotionSettings.following(FollowedPath.at(rate, walked.get())));
+    try {
+      RunResult result =
+          SceneRunner.simulated(
+              settings,
+              new RunOutput(console(), event -> console().out().println(text.apply(event))));
+      return pathProblems.any() || result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw CommandFailure.environment("interrupted");
+    } finally {
+      console().out().flush();
+    }
+  }
+}

@@ -1,0 +1,42 @@
+package org.selectiverenderer.document.enrichment;
+
+import java.util.List;
+import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * A Switch of a document: an object in versions.
+ *
+ * @param name its DEF, or {@code Switch#3} for the third Switch if it has none
+ * @param object the object's own name, without {@code Switch_}
+ * @param choices its children in order
+ * @param whichChoice index of the choice that shows at the start; -1 for none
+ * @param enriched whether its metadata has words of the vocabulary
+ * @param findings what is wrong with its metadata
+ */
+public record EnrichedSwitch(
+    DocumentElement element,
+    String name,
+    String object,
+    List<ChoiceNode> choices,
+    int whichChoice,
+    boolean enriched,
+    List<ElementFinding> findings) {
+  public EnrichedSwitch {
+    choices = List.copyOf(choices);
+    findings = List.copyOf(findings);
+  }
+
+  /**
+   * A child: a version of the object.
+   *
+   * @param index from 0
+   * @param url of the first file that an Inline names; empty for others
+   */
+  public record ChoiceNode(int index, DocumentElement element, String url, ChoiceValues values) {}
+
+  /** What is said of all choices, in order. */
+  public List<ChoiceValues> values() {
+    return choices.stream().map(ChoiceNode::values).toList();
+  }
+}

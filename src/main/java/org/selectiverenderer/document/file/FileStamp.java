@@ -1,0 +1,31 @@
+package org.selectiverenderer.document.file;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileTime;
+import org.selectiverenderer.base.files.Sha256;
+
+/** How to tell that a file is still the one that was read or written. */
+record FileStamp(long size, FileTime time, String digest) {
+  static FileStamp of(Path file, byte[] content) throws IOException {
+    BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
+    return new FileStamp(found.size(), found.lastModifiedTime(), Sha256.of(content));
+  }
+
+  /** Compares; the content decides where the time alone has changed. */
+  DiskState compare(Path file) throws IOException {
+    try {
+      BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
+      if (found.size() == size && found.lastModifiedTime().equals(time)) {
+        return DiskState.SAME;
+      }
+      boolean same = found.size() == size && Sha256.of(Files.readAllBytes(file)).equals(digest);
+      return same ? DiskState.SAME : DiskState.CHANGED;
+    } catch (NoSuchFileException e) {
+      return DiskState.GONE;
+    }
+  }
+}

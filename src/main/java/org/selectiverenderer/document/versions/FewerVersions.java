@@ -1,0 +1,63 @@
+package org.selectiverenderer.document.versions;
+
+import java.util.List;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Finds what would be about a version that goes: a Switch that chooses a child which is not there
+ * shows nothing (X3D 4.0, 10.4.4), and metadata without its version make it do so.
+ */
+final class FewerVersions {
+  private final SceneSource scene;
+  private final ObjectElement.Versioned site;
+  private final Problems problems;
+
+  FewerVersions(SceneSource scene, ObjectElement.Versioned site, Problems problems) {
+    this.scene = scene;
+    this.site = site;
+    this.problems = problems;
+  }
+
+  /** Whether the versions after the first ones can go; reports what hinders them. */
+  boolean possible(int left) {
+    List<DocumentElement> going = site.inlines().stream().skip(left).toList();
+    if (going.isEmpty()) {
+      return true;
+    }
+    NodeView choice = scene.node(site.choice());
+    int shown = choice == null ? -1 : choice.integer("whichChoice");
+    for (DocumentElement inline : going) {
+      if (choice != null && choice.nodes("children").indexOf(scene.node(inline)) == shown) {
+        return refuse(
+            site.choice().location(), "whichChoice shows", site.inlines().indexOf(inline));
+      }
+    }
+    List<DocumentElement> sets = sets();
+    if (sets.size() > left) {
+      return refuse(sets.get(left).location(), "the metadata here describes", left);
+    }
+    return new NameTies(scene, problems).free(site.name(), going);
+  }
+
+  /** The MetadataSets of the versions: MetadataSet i describes child i (thesis Fig 52). */
+  private List<DocumentElement> sets() {
+    List<DocumentElement> sets = sets(site.choice());
+    return sets.size() == 1 && !sets(sets.get(0)).isEmpty() ? sets(sets.get(0)) : sets;
+  }
+
+  private static List<DocumentElement> sets(DocumentElement of) {
+    return of.children().stream().filter(child -> child.name().equals("MetadataSet")).toList();
+  }
+
+  private boolean refuse(Location location, String why, int index) {
+    problems.error(
+        location,
+        "%s version %d of the object '%s', which would be removed; change this first;"
+                .formatted(why, index + 1, site.name())
+            + " nothing has been changed");
+    return false;
+  }
+}

@@ -1,0 +1,120 @@
+package org.selectiverenderer.document.versions;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Finds what would break if an object moved to a file of its own: names are known within one file
+ * only.
+ */
+final class NameTies {
+  /** What is in an object besides faces, and is no more in a version that has been reduced. */
+  private static final List<String> LOST =
+      List.of(
+          "X3DLightNode",
+          "X3DBindableNode",
+          "X3DSensorNode",
+          "X3DSoundNode",
+          "X3DTimeDependentNode",
+          "X3DInterpolatorNode",
+          "X3DSequencerNode",
+          "X3DTriggerNode",
+          "X3DParticleSystemNode",
+          "Billboard",
+          "Anchor");
+
+  private final SceneSource scene;
+  private final Problems problems;
+
+  NameTies(SceneSource scene, Problems problems) {
+    this.scene = scene;
+    this.problems = problems;
+  }
+
+  /**
+   * Whether the elements can move; reports what hinders them.
+   *
+   * @param def the name that the author knows the object by
+   */
+  boolean free(String def, List<DocumentElement> elements) {
+    Set<String> names = new HashSet<>();
+    for (DocumentElement element : elements) {
+      element.visit(inner -> inner.def().ifPresent(names::add));
+    }
+    boolean[] free = {true};
+    scene
+        .elements()
+        .root()
+        .visit(
+            other -> {
+              boolean inside = elements.stream().anyMatch(element -> element.contains(other));
+              String tie = inside ? inside(other) : outside(other, def, names);
+              if (!tie.isEmpty()) {
+                problems.error(
+                    other.location(),
+                    "%s, so the object '%s' cannot be replaced; nothing has been changed"
+                        .formatted(tie, def));
+                free[0] = false;
+              }
+            });
+    return free[0];
+  }
+
+  /** Warns of what of the elements is no face and so will be in version 1 only. */
+  void warnOfLosses(String def, List<DocumentElement> elements) {
+    for (DocumentElement element : elements) {
+      element.visit(
+          inner -> {
+            NodeView node = inner.use().isPresent() ? null : scene.node(inner);
+            if (node != null && lost(node)) {
+              problems.warning(
+                  inner.location(),
+                  ("the %s here is more than geometry; only version 1 of the object "
+                          + "'%s' keeps it, reduced versions have what is seen at the start")
+                      .formatted(node.type().name(), def));
+            }
+          });
+    }
+  }
+
+  private static boolean lost(NodeView node) {
+    return switch (node.type().name()) {
+      case "Switch", "LOD" -> node.nodes("children").size() > 1;
+      default ->
+          LOST.stream().anyMatch(type -> node.type().is(type)) && !node.type().is("X3DTextureNode");
+    };
+  }
+
+  private static String inside(DocumentElement element) {
+    return switch (element.name()) {
+      case "Script", "ProtoDeclare", "ExternProtoDeclare", "ROUTE", "IMPORT", "EXPORT" ->
+          "a " + element.name() + " is part of it";
+      default -> "";
+    };
+  }
+
+  private String outside(DocumentElement element, String def, Set<String> names) {
+    String used = element.use().orElse("");
+    if (used.equals(def) || names.contains(used)) {
+      return "'" + used + "' is used here (USE)";
+    }
+    List<String> ends =
+        switch (element.name()) {
+          case "ROUTE" -> List.of("fromNode", "toNode");
+          case "EXPORT" -> List.of("localDEF");
+          case "IMPORT" -> List.of("inlineDEF");
+          default -> List.of();
+        };
+    for (String end : ends) {
+      String name = element.text(end).orElse("");
+      if (names.contains(name)) {
+        return "the " + element.name() + " here refers to '" + name + "'";
+      }
+    }
+    return "";
+  }
+}

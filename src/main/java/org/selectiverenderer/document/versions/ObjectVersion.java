@@ -1,0 +1,14 @@
+package org.selectiverenderer.document.versions;
+
+import java.nio.file.Path;
+
+/**
+ * One version of an object.
+ *
+ * @param number from 1, the original
+ * @param file that holds it
+ * @param error the largest deviation from the original, as a share of its largest extent
+ * @param met whether what was asked for has been reached
+ */
+public record ObjectVersion(
+    int number, Path file, int vertices, int polygons, double error, boolean met) {}

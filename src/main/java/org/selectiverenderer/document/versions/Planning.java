@@ -1,0 +1,288 @@
+package org.selectiverenderer.document.versions;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.polygon.model.Model;
+import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.model.ModelWriter;
+import org.selectiverenderer.polygon.model.Urls;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.ModelSize;
+import org.selectiverenderer.polygon.simplify.Simplified;
+import org.selectiverenderer.polygon.simplify.Simplifier;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.Gzip;
+
+/** Works out what versions of one object in one scene come to. For one use. */
+final class Planning {
+  private final ModelWriter writer = new ModelWriter();
+  private final Simplifier simplifier = new Simplifier();
+  private final VersionsEdit.Request request;
+  private final SceneSource scene;
+  private final ObjectElement site;
+  private final ModelReader models;
+  private final X3dReader reader;
+  private final Problems problems;
+  private final Path sceneFolder;
+  private final Path outputFolder;
+  private final VersionFiles names;
+
+  Planning(
+      VersionsEdit.Request request,
+      SceneSource scene,
+      ObjectElement site,
+      ModelReader models,
+      X3dReader reader,
+      Problems problems) {
+    this.request = request;
+    this.scene = scene;
+    this.site = site;
+    this.models = models;
+    this.reader = reader;
+    this.problems = problems;
+    this.sceneFolder = VersionFiles.folder(request.scene());
+    this.outputFolder = VersionFiles.folder(request.output());
+    this.names = new VersionFiles(scene, site, outputFolder, request.inlineFolder());
+  }
+
+  Optional<VersionsEdit> plan() throws IOException {
+    List<DocumentElement> elements = elements();
+    NameTies ties = new NameTies(scene, problems);
+    if (!ties.free(request.object(), tied())) {
+      return Optional.empty();
+    }
+    List<NodeView> nodes = elements.stream().map(scene::node).toList();
+    Location location = elements.get(0).location();
+    Optional<Model> model =
+        models.of(
+            nodes,
+            scene.file(),
+            sceneFolder,
+            location,
+            "the object '" + request.object() + "'",
+            problems);
+    if (model.isEmpty()) {
+      return Optional.empty();
+    }
+    ModelSize size = ModelSize.of(model.get().meshes());
+    List<Goal> goals = goals(size);
+    for (Goal goal : goals) {
+      if (beyond(goal, size)) {
+        problems.error(
+            location,
+            "the object '%s' has %s and %s, fewer than asked for"
+                .formatted(
+                    request.object(),
+                    Counted.of(size.polygons(), "polygon"),
+                    size.vertices() + (size.vertices() == 1 ? " vertex" : " vertices")));
+        return Optional.empty();
+      }
+    }
+    if (!reachable(names.of(1, 1).get(0))
+        || site instanceof ObjectElement.Versioned versioned
+            && !new FewerVersions(scene, versioned, problems).possible(goals.size() + 1)) {
+      return Optional.empty();
+    }
+    ties.warnOfLosses(request.object(), tied());
+    return plan(nodes, model.get(), size, goals);
+  }
+
+  /** The elements that hold the original. */
+  private List<DocumentElement> elements() {
+    if (site instanceof ObjectElement.Whole whole) {
+      return whole.elements();
+    }
+    return ((ObjectElement.Versioned) site).inlines().subList(0, 1);
+  }
+
+  private List<String> urls(List<Path> files) {
+    return files.stream().map(file -> Urls.between(outputFolder, file)).toList();
+  }
+
+  /** What moves to another file, and must not be known elsewhere. */
+  private List<DocumentElement> tied() {
+    return site instanceof ObjectElement.Whole whole ? whole.elements() : List.of();
+  }
+
+  private List<Goal> goals(ModelSize size) {
+    List<Goal> goals = request.goals();
+    boolean all =
+        goals.size() > 1
+            && (goals.get(0).equals(new Goal.VertexPercent(100))
+                || goals.get(0).equals(new Goal.Polygons(size.polygons())));
+    return all ? goals.subList(1, goals.size()) : goals;
+  }
+
+  private boolean beyond(Goal goal, ModelSize size) {
+    return goal instanceof Goal.Polygons polygons && polygons.count() > size.polygons()
+        || goal instanceof Goal.Vertices vertices && vertices.count() > size.vertices();
+  }
+
+  /** Whether a browser will find the files: scenes name files of their own folders only. */
+  private boolean reachable(Path file) {
+    Path folder = VersionFiles.folder(file);
+    Path above = outputFolder.getParent();
+    boolean inside =
+        folder.startsWith(outputFolder)
+            || above != null && folder.startsWith(above.resolve(ContentRoot.INLINE_FOLDER));
+    if (!inside) {
+      problems.error(
+          Location.of(request.output().toString()),
+          ("the folder %s is outside the scene's folder, where a scene cannot inline "
+                  + "files; name a folder inside")
+              .formatted(folder));
+    }
+    return inside;
+  }
+
+  private Optional<VersionsEdit> plan(
+      List<NodeView> nodes, Model model, ModelSize size, List<Goal> goals) throws IOException {
+    Simplified[] reduced = new Simplified[goals.size()];
+    IntStream.range(0, reduced.length)
+        .parallel()
+        .forEach(i -> reduced[i] = simplifier.simplify(model.meshes(), goals.get(i)));
+    ForeignFiles foreign = new ForeignFiles(request, site, elsewhere());
+    int attempt = 1;
+    List<Path> files = names.of(goals.size() + 1, attempt);
+    List<PlannedFile> planned = planned(files, nodes, model, size, reduced);
+    Optional<PlannedFile> inTheWay = foreign.in(planned);
+    if (inTheWay.isPresent() && site instanceof ObjectElement.Versioned) {
+      problems.error(
+          Location.of(inTheWay.get().file().toString()),
+          ("the file exists already and is not a version of the object '%s'; move it "
+                  + "away first; nothing has been changed")
+              .formatted(request.object()));
+      return Optional.empty();
+    }
+    Optional<PlannedFile> first = inTheWay;
+    while (inTheWay.isPresent()) {
+      files = names.of(goals.size() + 1, ++attempt);
+      planned = planned(files, nodes, model, size, reduced);
+      inTheWay = foreign.in(planned);
+    }
+    if (first.isPresent()) {
+      problems.info(
+          Location.of(first.get().file().toString()),
+          ("the file exists already and is something else; the versions of '%s' are "
+                  + "named %s and so on")
+              .formatted(request.object(), files.get(0).getFileName()));
+    }
+    List<ObjectVersion> versions = new ArrayList<>();
+    versions.add(new ObjectVersion(1, files.get(0), size.vertices(), size.polygons(), 0, true));
+    for (int i = 0; i < reduced.length; i++) {
+      Simplified result = reduced[i];
+      versions.add(
+          new ObjectVersion(
+              i + 2,
+              files.get(i + 1),
+              result.vertices(),
+              result.polygons(),
+              result.error(),
+              result.met()));
+    }
+    tellOfOtherFiles(files.size());
+    Edit edit =
+        new Edit(
+            "Make versions of " + request.object(),
+            new SceneEdit(scene, site).changes(urls(files)));
+    PlannedFile changed = planned(request.output(), scene.snapshot().bytes(edit));
+    return Optional.of(
+        new VersionsEdit(scene.snapshot(), request.object(), versions, planned, changed, edit));
+  }
+
+  private List<PlannedFile> planned(
+      List<Path> files, List<NodeView> nodes, Model model, ModelSize size, Simplified[] reduced)
+      throws IOException {
+    List<PlannedFile> planned = new ArrayList<>();
+    if (site instanceof ObjectElement.Whole) {
+      planned.add(planned(files.get(0), original(nodes, files.get(0), size)));
+    } else if (elsewhere()) {
+      planned.add(planned(files.get(0), Files.readAllBytes(source())));
+    }
+    for (int i = 0; i < reduced.length; i++) {
+      Path file = files.get(i + 1);
+      planned.add(planned(file, text(model.with(reduced[i].parts()), file, i + 2, reduced[i])));
+    }
+    return planned;
+  }
+
+  private boolean elsewhere() {
+    return !sceneFolder.equals(outputFolder);
+  }
+
+  /** The file that holds version 1 of an object with versions. */
+  private Path source() {
+    return sceneFolder.resolve(names.url((ObjectElement.Versioned) site, 0)).normalize();
+  }
+
+  private void tellOfOtherFiles(int count) throws IOException {
+    List<DocumentElement> apart = tied();
+    if (site instanceof ObjectElement.Versioned versioned) {
+      apart = versioned.inlines();
+      for (int i = count; i < apart.size(); i++) {
+        problems.info(
+            apart.get(i).location(),
+            "the scene no longer uses %s; the file is kept".formatted(names.url(versioned, i)));
+      }
+    }
+    if (elsewhere()) {
+      RelativeUrls.warn(scene, apart, outputFolder, problems);
+      if (site instanceof ObjectElement.Versioned) {
+        SceneSource original =
+            SceneSource.of(
+                DocumentFile.open(source()).document().snapshot(), reader, new Problems());
+        RelativeUrls.warn(original, List.of(), names.of(1, 1).get(0).getParent(), problems);
+      }
+    }
+  }
+
+  private byte[] original(List<NodeView> nodes, Path file, ModelSize size) {
+    return writer
+        .text(
+            nodes,
+            scene.file(),
+            sceneFolder,
+            VersionFiles.folder(file),
+            String.valueOf(file.getFileName()),
+            "%s, version 1: %s, as modelled"
+                .formatted(site.name(), Counted.of(size.polygons(), "polygon")))
+        .getBytes(StandardCharsets.UTF_8);
+  }
+
+  private byte[] text(Model model, Path file, int number, Simplified result) {
+    return writer
+        .text(
+            model,
+            VersionFiles.folder(file),
+            String.valueOf(file.getFileName()),
+            ForeignFiles.madeAs(site, number) + Counted.of(result.polygons(), "polygon"))
+        .getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static PlannedFile planned(Path file, byte[] text) throws IOException {
+    boolean packed = file.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
+    byte[] content = packed && !Gzip.compressed(text) ? Gzip.packed(text) : text;
+    if (!Files.isRegularFile(file)) {
+      return new PlannedFile(file, content, PlannedFile.State.NEW);
+    }
+    boolean same = Arrays.equals(Files.readAllBytes(file), content);
+    return new PlannedFile(
+        file, content, same ? PlannedFile.State.UNCHANGED : PlannedFile.State.CHANGED);
+  }
+}

@@ -1,0 +1,65 @@
+package org.selectiverenderer.document.versions;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** Finds the files that a scene names by where it lies itself. */
+final class RelativeUrls {
+  private static final Pattern ABSOLUTE =
+      Pattern.compile("[/#].*|[A-Za-z][A-Za-z0-9+.-]+:.*", Pattern.DOTALL);
+
+  private record Named(Location location, String url) {}
+
+  private RelativeUrls() {}
+
+  /**
+   * Warns if there are any, since the file is to be written to another folder.
+   *
+   * @param apart elements whose urls are looked after
+   */
+  static void warn(
+      SceneSource scene, List<DocumentElement> apart, Path outputFolder, Problems problems) {
+    List<Named> found = new ArrayList<>();
+    scene
+        .elements()
+        .root()
+        .visit(
+            element -> {
+              NodeView node = element.use().isPresent() ? null : scene.node(element);
+              if (node != null && apart.stream().noneMatch(other -> other.contains(element))) {
+                collect(node, element.location(), found);
+              }
+            });
+    if (!found.isEmpty()) {
+      problems.warning(
+          found.get(0).location(),
+          ("%s here (%s in all) is relative to this file's folder and will not be "
+                      + "found from %s")
+                  .formatted(found.get(0).url(), Counted.of(found.size(), "such url"), outputFolder)
+              + " unless the files are copied too");
+    }
+  }
+
+  private static void collect(NodeView node, Location location, List<Named> found) {
+    for (FieldDefinition field : node.type().fields()) {
+      boolean url = field.name().toLowerCase(Locale.ROOT).endsWith("url");
+      if (url && node.value(field.index()) instanceof String[] urls) {
+        for (String address : urls) {
+          if (!address.isBlank() && !ABSOLUTE.matcher(address.strip()).matches()) {
+            found.add(new Named(location, address));
+            break;
+          }
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.document.versions;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.document.FreeNames;
+import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+
+/** Puts versions into a scene's text: a Switch for a new object, else more or fewer Inlines. */
+final class SceneEdit {
+  private final SceneSource scene;
+  private final ObjectElement site;
+  private final Layout layout;
+  private final FreeNames names;
+
+  SceneEdit(SceneSource scene, ObjectElement site) {
+    this.scene = scene;
+    this.site = site;
+    this.layout = scene.snapshot().layout();
+    this.names = new FreeNames(scene.elements());
+  }
+
+  /**
+   * The change.
+   *
+   * @param urls of the versions, the original first
+   */
+  List<TextChange> changes(List<String> urls) {
+    return site instanceof ObjectElement.Versioned versioned
+        ? changes(versioned.inlines(), urls)
+        : changes(((ObjectElement.Whole) site), urls);
+  }
+
+  private List<TextChange> changes(ObjectElement.Whole whole, List<String> urls) {
+    DocumentElement first = whole.elements().get(0);
+    String choice = names.unused("Switch_" + site.name());
+    List<String> inlines = new ArrayList<>();
+    for (int i = 1; i <= urls.size(); i++) {
+      inlines.add(names.unused("Inline_" + site.name() + "_v" + i));
+    }
+    List<TextChange> changes = new ArrayList<>();
+    if (layout.onItsOwnLine(first)) {
+      List<String> lines =
+          VersionSwitch.lines(choice, inlines, urls, layout.quote(first), layout.step(first));
+      changes.add(layout.replace(first, lines));
+    } else {
+      SharedLine shared = new SharedLine(scene.snapshot(), first);
+      List<String> lines =
+          VersionSwitch.lines(choice, inlines, urls, shared.quote(), shared.step());
+      changes.add(shared.replace(lines));
+    }
+    whole.elements().stream().skip(1).map(layout::remove).forEach(changes::add);
+    return changes;
+  }
+
+  private List<TextChange> changes(List<DocumentElement> inlines, List<String> urls) {
+    DocumentElement last = inlines.get(inlines.size() - 1);
+    List<String> lines = new ArrayList<>();
+    for (int number = inlines.size() + 1; number <= urls.size(); number++) {
+      lines.add(further(last, inlines.size(), number, urls.get(number - 1)));
+    }
+    List<TextChange> changes = new ArrayList<>();
+    if (!lines.isEmpty()) {
+      changes.add(layout.insertAfter(last, lines));
+    }
+    inlines.stream().skip(urls.size()).map(layout::remove).forEach(changes::add);
+    return changes;
+  }
+
+  private String further(DocumentElement last, int had, int number, String url) {
+    String name = last.def().orElse("Inline_" + site.name());
+    String ending = "_v" + had;
+    String base = name.endsWith(ending) ? name.substring(0, name.length() - ending.length()) : name;
+    String free = names.unused(base + "_v" + number);
+    return last.use().isPresent()
+        ? VersionSwitch.inline(free, url, layout.quote(last))
+        : VersionSwitch.further(
+            scene.snapshot().text().substring(last.start(), last.tagEnd()), had, number, free);
+  }
+}

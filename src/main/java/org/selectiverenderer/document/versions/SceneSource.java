@@ -1,0 +1,83 @@
+package org.selectiverenderer.document.versions;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/** A document as elements and as nodes, and which element is which node. */
+final class SceneSource {
+  private final Snapshot snapshot;
+  private final ElementTree elements;
+  private final X3dFile file;
+  private final Map<Location, ParsedNode> nodes = new HashMap<>();
+
+  private SceneSource(Snapshot snapshot, ElementTree elements, X3dFile file) {
+    this.snapshot = snapshot;
+    this.elements = elements;
+    this.file = file;
+    file.nodes().forEach(this::map);
+  }
+
+  /**
+   * @throws BadSceneException if the text cannot be changed without harm
+   */
+  static SceneSource of(Snapshot snapshot, X3dReader reader, Problems problems)
+      throws BadSceneException {
+    String name = snapshot.name();
+    if (snapshot.locked().isPresent()) {
+      throw new BadSceneException(name + ": " + snapshot.locked().get());
+    }
+    ElementTree elements;
+    try {
+      elements = snapshot.elements();
+    } catch (XmlFault e) {
+      throw new BadSceneException(e.fault().location() + ": " + e.getMessage());
+    }
+    return new SceneSource(snapshot, elements, reader.read(name, snapshot.text(), problems));
+  }
+
+  private void map(ParsedNode node) {
+    if (nodes.putIfAbsent(node.location(), node) != null) {
+      return;
+    }
+    for (FieldDefinition field : node.type().fields()) {
+      Object value = node.given(field.index()) ? node.value(field.index()) : null;
+      if (value instanceof ParsedNode child) {
+        map(child);
+      } else if (value instanceof List<?> list) {
+        list.forEach(child -> map((ParsedNode) child));
+      }
+    }
+  }
+
+  Snapshot snapshot() {
+    return snapshot;
+  }
+
+  ElementTree elements() {
+    return elements;
+  }
+
+  X3dFile file() {
+    return file;
+  }
+
+  /** The node that an element stands for; null for ROUTE, USE and the like. */
+  @Nullable NodeView node(DocumentElement element) {
+    return element.use().isPresent()
+        ? file.named().get(element.use().get())
+        : nodes.get(element.location());
+  }
+}

@@ -1,0 +1,131 @@
+package org.selectiverenderer.geometry;
+
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** An axis-aligned box; empty when a minimum is above its maximum. */
+public record Bounds(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+  /** Of nothing. */
+  public static final Bounds EMPTY =
+      of(new Vector3d(Double.POSITIVE_INFINITY), new Vector3d(Double.NEGATIVE_INFINITY));
+
+  public static Bounds of(Vector3dc min, Vector3dc max) {
+    return new Bounds(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
+  }
+
+  /** Of min x, y, z, max x, y, z. */
+  public static Bounds of(float[] b) {
+    return new Bounds(b[0], b[1], b[2], b[3], b[4], b[5]);
+  }
+
+  /** Of min x, y, z, max x, y, z. */
+  public static Bounds of(double[] b) {
+    return new Bounds(b[0], b[1], b[2], b[3], b[4], b[5]);
+  }
+
+  /** The box around points, x, y, z each. */
+  public static Bounds around(float[] points) {
+    double[] b = EMPTY.toArray();
+    for (int i = 0; i < points.length; i++) {
+      b[i % 3] = Math.min(b[i % 3], points[i]);
+      b[3 + i % 3] = Math.max(b[3 + i % 3], points[i]);
+    }
+    return of(b);
+  }
+
+  /** Min x, y, z, max x, y, z. */
+  public double[] toArray() {
+    return new double[] {minX, minY, minZ, maxX, maxY, maxZ};
+  }
+
+  public Vector3d min() {
+    return new Vector3d(minX, minY, minZ);
+  }
+
+  public Vector3d max() {
+    return new Vector3d(maxX, maxY, maxZ);
+  }
+
+  /** A corner, 0 to 7: bit 0 stands for the larger x, bit 1 for y, bit 2 for z. */
+  public Vector3d corner(int number) {
+    return new Vector3d(
+        (number & 1) == 0 ? minX : maxX,
+        (number & 2) == 0 ? minY : maxY,
+        (number & 4) == 0 ? minZ : maxZ);
+  }
+
+  public double width() {
+    return maxX - minX;
+  }
+
+  public double height() {
+    return maxY - minY;
+  }
+
+  public double depth() {
+    return maxZ - minZ;
+  }
+
+  /** The longest of its sides. */
+  public double extent() {
+    return Math.max(width(), Math.max(height(), depth()));
+  }
+
+  public double volume() {
+    return isEmpty() ? 0 : width() * height() * depth();
+  }
+
+  /** Whether there is no place in it. */
+  public boolean isEmpty() {
+    return !(minX <= maxX && minY <= maxY && minZ <= maxZ);
+  }
+
+  /** The smallest box around both. */
+  public Bounds union(Bounds other) {
+    return isEmpty()
+        ? other
+        : other.isEmpty()
+            ? this
+            : new Bounds(
+                Math.min(minX, other.minX),
+                Math.min(minY, other.minY),
+                Math.min(minZ, other.minZ),
+                Math.max(maxX, other.maxX),
+                Math.max(maxY, other.maxY),
+                Math.max(maxZ, other.maxZ));
+  }
+
+  /** Larger by a margin on all sides. */
+  public Bounds grown(double margin) {
+    return of(min().sub(margin, margin, margin), max().add(margin, margin, margin));
+  }
+
+  /** The bounds of the transformed box; larger than those of its content if that is turned. */
+  public Bounds transformed(Matrix4dc matrix) {
+    if (isEmpty()) {
+      return this;
+    }
+    Vector3d min = new Vector3d();
+    Vector3d max = new Vector3d();
+    matrix.transformAab(min(), max(), min, max);
+    return of(min, max);
+  }
+
+  /** Whether a place is in it or on its sides. */
+  public boolean contains(Vector3dc p) {
+    return p.x() >= minX
+        && p.y() >= minY
+        && p.z() >= minZ
+        && p.x() <= maxX
+        && p.y() <= maxY
+        && p.z() <= maxZ;
+  }
+
+  /** Whether no place is in both. */
+  public boolean apart(Bounds other) {
+    return Math.max(minX, other.minX) > Math.min(maxX, other.maxX)
+        || Math.max(minY, other.minY) > Math.min(maxY, other.maxY)
+        || Math.max(minZ, other.minZ) > Math.min(maxZ, other.maxZ);
+  }
+}

@@ -1,0 +1,32 @@
+package org.selectiverenderer.geometry.font;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * The fonts that come with the program, each read when first asked for and then kept. Safe for use
+ * by several threads.
+ */
+public final class FontLibrary {
+  private final Map<String, Font> fonts = new ConcurrentHashMap<>();
+
+  /** The font of a family in a style. */
+  public Font font(FontFamily family, FontStyle style) {
+    return fonts.computeIfAbsent(family.resource(style), FontLibrary::read);
+  }
+
+  private static Font read(String resource) {
+    try (InputStream in = FontLibrary.class.getResourceAsStream(resource)) {
+      if (in == null) {
+        throw new IllegalStateException("the program's font " + resource + " is missing");
+      }
+      return new Font(new TrueTypeFile(ByteBuffer.wrap(in.readAllBytes())));
+    } catch (IOException e) {
+      throw new UncheckedIOException("the program's font " + resource + " cannot be read", e);
+    }
+  }
+}

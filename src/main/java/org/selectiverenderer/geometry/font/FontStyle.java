@@ -1,0 +1,24 @@
+package org.selectiverenderer.geometry.font;
+
+import java.util.Optional;
+
+/** The values of the field {@code style} of the FontStyle node (X3D 4.0, 15.4.1). */
+public enum FontStyle {
+  PLAIN,
+  BOLD,
+  ITALIC,
+  BOLDITALIC;
+
+  /** The style of that name, the empty name being PLAIN's. */
+  public static Optional<FontStyle> of(String name) {
+    if (name.isEmpty()) {
+      return Optional.of(PLAIN);
+    }
+    for (FontStyle style : values()) {
+      if (style.name().equals(name)) {
+        return Optional.of(style);
+      }
+    }
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,64 @@
+package org.selectiverenderer.geometry.mesh;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Geometry as primitive arrays, ready for a vertex and an index buffer: local coordinates, right
+ * handed, lengths in the scene's unit. Immutable by convention: nobody writes into the arrays.
+ *
+ * @param primitive what three, two or one indices make
+ * @param positions x, y, z per vertex; all finite
+ * @param normals unit vectors, x, y, z per vertex; null for lines and points without normals, which
+ *     are drawn unlit
+ * @param colors r, g, b, a per vertex, or null: they replace the material's diffuse colour
+ * @param texCoords s, t per vertex, or null when the geometry has none
+ * @param indices into the vertices; triangles are wound counter-clockwise seen from their front
+ * @param solid whether only the front is seen
+ * @param bounds min x, y, z, max x, y, z of the positions used; empty geometry has min above max
+ */
+public record Mesh(
+    Primitive primitive,
+    float[] positions,
+    float @Nullable [] normals,
+    float @Nullable [] colors,
+    float @Nullable [] texCoords,
+    int[] indices,
+    boolean solid,
+    float[] bounds) {
+
+  /** What the indices make. */
+  public enum Primitive {
+    TRIANGLES,
+    LINES,
+    POINTS
+  }
+
+  public int vertexCount() {
+    return positions.length / 3;
+  }
+
+  /** The number of triangles; lines and points are no polygons. */
+  public int polygons() {
+    return primitive == Primitive.TRIANGLES ? indices.length / 3 : 0;
+  }
+
+  public boolean isEmpty() {
+    return indices.length == 0;
+  }
+
+  /** The bounds of the vertices that the indices use. */
+  public static float[] boundsOf(float[] positions, int[] indices) {
+    float[] b = {
+      Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY,
+      Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY
+    };
+    for (int index : indices) {
+      for (int axis = 0; axis < 3; axis++) {
+        float value = positions[3 * index + axis];
+        b[axis] = Math.min(b[axis], value);
+        b[axis + 3] = Math.max(b[axis + 3], value);
+      }
+    }
+    return b;
+  }
+}

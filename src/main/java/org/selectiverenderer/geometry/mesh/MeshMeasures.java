@@ -1,0 +1,90 @@
+package org.selectiverenderer.geometry.mesh;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.joml.Vector3d;
+
+/** What can be measured of a mesh. */
+public final class MeshMeasures {
+
+  private MeshMeasures() {}
+
+  /** The enclosed volume, cubic metres, by the divergence theorem; negative when inside out. */
+  public static double volume(TriangleMesh mesh) {
+    double six = 0;
+    int[] t = mesh.triangles();
+    for (int i = 0; i < t.length; i += 3) {
+      Vector3d a = mesh.point(t[i]);
+      six += a.dot(mesh.point(t[i + 1]).cross(mesh.point(t[i + 2])));
+    }
+    return six / 6;
+  }
+
+  /** The area of all triangles, square metres. */
+  public static double area(TriangleMesh mesh) {
+    double sum = 0;
+    for (int t = 0; t < mesh.triangleCount(); t++) {
+      sum += normal(mesh, t).length() / 2;
+    }
+    return sum;
+  }
+
+  /** A vector across a triangle, outwards, twice as long as the triangle's area. */
+  public static Vector3d normal(TriangleMesh mesh, int triangle) {
+    int[] t = mesh.triangles();
+    Vector3d a = mesh.point(t[3 * triangle]);
+    Vector3d u = mesh.point(t[3 * triangle + 1]).sub(a);
+    Vector3d v = mesh.point(t[3 * triangle + 2]).sub(a);
+    return u.cross(v);
+  }
+
+  /**
+   * Directed edges without exactly one partner in the other direction: a closed orientable surface
+   * has none.
+   */
+  public static int openEdges(TriangleMesh mesh) {
+    Map<Long, Integer> balance = new HashMap<>(2 * mesh.triangles().length);
+    int repeated = 0;
+    int[] t = mesh.triangles();
+    for (int i = 0; i < t.length; i++) {
+      int from = t[i];
+      int to = t[i % 3 == 2 ? i - 2 : i + 1];
+      if (balance.merge(edge(from, to), 1, Integer::sum) > 1) {
+        repeated++;
+      }
+    }
+    int open = repeated;
+    for (long key : balance.keySet()) {
+      if (!balance.containsKey(edge((int) key, (int) (key >>> 32)))) {
+        open++;
+      }
+    }
+    return open;
+  }
+
+  /** The border's edges, from and to, as the triangles beside them run; in the triangles' order. */
+  public static List<int[]> border(TriangleMesh mesh) {
+    Set<Long> edges = new HashSet<>(2 * mesh.triangles().length);
+    int[] t = mesh.triangles();
+    for (int i = 0; i < t.length; i++) {
+      edges.add(edge(t[i], t[i % 3 == 2 ? i - 2 : i + 1]));
+    }
+    List<int[]> border = new ArrayList<>();
+    for (int i = 0; i < t.length; i++) {
+      int to = t[i % 3 == 2 ? i - 2 : i + 1];
+      if (!edges.contains(edge(to, t[i]))) {
+        border.add(new int[] {t[i], to});
+      }
+    }
+    return border;
+  }
+
+  /** A key for the edge from a point to another; other than that for the way back. */
+  public static long edge(int from, int to) {
+    return (long) from << 32 | to;
+  }
+}

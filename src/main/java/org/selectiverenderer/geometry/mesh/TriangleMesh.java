@@ -1,0 +1,154 @@
+package org.selectiverenderer.geometry.mesh;
+
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.Degrees;
+
+/**
+ * A surface of triangles. A value: operations return new meshes, and nobody writes into the arrays.
+ *
+ * @param positions x, y, z per point, metres
+ * @param triangles three point indices each, counter-clockwise seen from outside
+ */
+public record TriangleMesh(float[] positions, int[] triangles) {
+
+  /** No triangles. */
+  public static final TriangleMesh EMPTY = new TriangleMesh(new float[0], new int[0]);
+
+  public int triangleCount() {
+    return triangles.length / 3;
+  }
+
+  public int pointCount() {
+    return positions.length / 3;
+  }
+
+  public Vector3d point(int index) {
+    return new Vector3d(positions[3 * index], positions[3 * index + 1], positions[3 * index + 2]);
+  }
+
+  public Bounds bounds() {
+    return Bounds.around(positions);
+  }
+
+  /** All of them side by side; points are not joined. */
+  public static TriangleMesh of(TriangleMesh... meshes) {
+    return of(List.of(meshes));
+  }
+
+  /** All of them side by side; points are not joined. */
+  public static TriangleMesh of(Collection<TriangleMesh> meshes) {
+    float[] positions = new float[meshes.stream().mapToInt(m -> m.positions.length).sum()];
+    int[] triangles = new int[meshes.stream().mapToInt(m -> m.triangles.length).sum()];
+    int point = 0;
+    int corner = 0;
+    for (TriangleMesh mesh : meshes) {
+      System.arraycopy(mesh.positions, 0, positions, 3 * point, mesh.positions.length);
+      for (int index : mesh.triangles) {
+        triangles[corner++] = point + index;
+      }
+      point += mesh.pointCount();
+    }
+    return new TriangleMesh(positions, triangles);
+  }
+
+  public TriangleMesh append(TriangleMesh other) {
+    return of(this, other);
+  }
+
+  /** Every point moved by a function; triangles keep the order of their corners. */
+  public TriangleMesh deform(UnaryOperator<Vector3d> function) {
+    float[] moved = new float[positions.length];
+    for (int i = 0; i < pointCount(); i++) {
+      Vector3d p = function.apply(point(i));
+      moved[3 * i] = (float) p.x;
+      moved[3 * i + 1] = (float) p.y;
+      moved[3 * i + 2] = (float) p.z;
+    }
+    return new TriangleMesh(moved, triangles);
+  }
+
+  public TriangleMesh move(double x, double y, double z) {
+    return deform(p -> p.add(x, y, z));
+  }
+
+  public TriangleMesh scale(double factor) {
+    return scale(factor, factor, factor);
+  }
+
+  /** Scales about the origin; a negative factor mirrors, and the outside stays outside. */
+  public TriangleMesh scale(double x, double y, double z) {
+    TriangleMesh scaled = deform(p -> p.mul(x, y, z));
+    return x * y * z < 0 ? scaled.flip() : scaled;
+  }
+
+  /** Turns about the x axis; positive brings +y towards +z. */
+  public TriangleMesh turnX(double degrees) {
+    double s = Degrees.sin(degrees);
+    double c = Degrees.cos(degrees);
+    return deform(p -> p.set(p.x, c * p.y - s * p.z, s * p.y + c * p.z));
+  }
+
+  /** Turns about the y axis; positive brings +z towards +x. */
+  public TriangleMesh turnY(double degrees) {
+    double s = Degrees.sin(degrees);
+    double c = Degrees.cos(degrees);
+    return deform(p -> p.set(c * p.x + s * p.z, p.y, c * p.z - s * p.x));
+  }
+
+  /** Turns about the z axis; positive brings +x towards +y. */
+  public TriangleMesh turnZ(double degrees) {
+    double s = Degrees.sin(degrees);
+    double c = Degrees.cos(degrees);
+    return deform(p -> p.set(c * p.x - s * p.y, s * p.x + c * p.y, p.z));
+  }
+
+  public TriangleMesh mirrorX() {
+    return scale(-1, 1, 1);
+  }
+
+  public TriangleMesh mirrorZ() {
+    return scale(1, 1, -1);
+  }
+
+  /** Inside out. */
+  public TriangleMesh flip() {
+    int[] turned = triangles.clone();
+    for (int t = 0; t < turned.length; t += 3) {
+      turned[t + 1] = triangles[t + 2];
+      turned[t + 2] = triangles[t + 1];
+    }
+    return new TriangleMesh(positions, turned);
+  }
+
+  /** The same surface, turned inside out if it encloses a negative volume. */
+  public TriangleMesh outward() {
+    return MeshMeasures.volume(this) < 0 ? flip() : this;
+  }
+
+  /** Whether every edge has exactly one neighbour that runs the other way: no border, no fold. */
+  public boolean isClosed() {
+    return triangles.length > 0 && MeshMeasures.openEdges(this) == 0;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof TriangleMesh mesh
+        && Arrays.equals(positions, mesh.positions)
+        && Arrays.equals(triangles, mesh.triangles);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Arrays.hashCode(positions) + Arrays.hashCode(triangles);
+  }
+
+  @Override
+  public String toString() {
+    return "TriangleMesh[" + pointCount() + " points, " + triangleCount() + " triangles]";
+  }
+}

@@ -1,0 +1,68 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/** ElevationGrid (X3D 4.0, 13.3.4): heights over the x-z plane, seen from above when ccw. */
+final class ElevationGrid {
+  private ElevationGrid() {}
+
+  static Mesh mesh(TessellationJob job) {
+    NodeView node = job.node();
+    int columns = node.integer("xDimension");
+    int rows = node.integer("zDimension");
+    float[] heights = node.floats("height");
+    boolean solid = node.bool("solid");
+    if (columns < 2 || rows < 2 || !job.positive("xSpacing", "zSpacing")) {
+      return ShapeBuilder.empty(solid);
+    }
+    if (heights.length < (long) columns * rows) {
+      job.problem(
+          "has "
+              + heights.length
+              + " heights for "
+              + columns
+              + " x "
+              + rows
+              + " points; it is left out");
+      return ShapeBuilder.empty(solid);
+    }
+    double xSpacing = node.number("xSpacing");
+    double zSpacing = node.number("zSpacing");
+    float[] xyz = new float[3 * columns * rows];
+    float[] texCoords = new float[2 * columns * rows];
+    for (int row = 0, point = 0; row < rows; row++) {
+      for (int column = 0; column < columns; column++, point++) {
+        xyz[3 * point] = (float) (column * xSpacing);
+        xyz[3 * point + 1] = heights[point];
+        xyz[3 * point + 2] = (float) (row * zSpacing);
+        texCoords[2 * point] = (float) column / (columns - 1);
+        texCoords[2 * point + 1] = (float) row / (rows - 1);
+      }
+    }
+    return mesh(job, Points.of(xyz), columns, rows, new VertexAttribute(texCoords, 2, null));
+  }
+
+  private static Mesh mesh(
+      TessellationJob job, Points points, int columns, int rows, VertexAttribute texCoords) {
+    int quads = (columns - 1) * (rows - 1);
+    int[] stream = new int[4 * quads];
+    TriangleList triangles = new TriangleList(stream, 2 * quads);
+    FaceCorners check = new FaceCorners(stream, points, 3);
+    for (int quad = 0; quad < quads; quad++) {
+      int at = 4 * quad;
+      int corner = quad / (columns - 1) * columns + quad % (columns - 1);
+      stream[at] = corner;
+      stream[at + 1] = corner + columns;
+      stream[at + 2] = corner + columns + 1;
+      stream[at + 3] = corner + 1;
+      if (check.accepts(at, at + 4)) {
+        triangles.add(at, at + 1, at + 2, quad);
+        triangles.add(at, at + 2, at + 3, quad);
+      }
+    }
+    check.report(job, "face");
+    return new SurfaceMesher(job, points, triangles, quads)
+        .composed(SurfaceMesher.Indices.NONE, job.node().number("creaseAngle"), texCoords);
+  }
+}

@@ -1,0 +1,90 @@
+package org.selectiverenderer.geometry.tessellate;
+
+/** Decides which faces of an index stream can be drawn, and reports the others once per node. */
+final class FaceCorners {
+  private final int[] stream;
+  private final Points points;
+  private final int least;
+  private int outOfRange;
+  private int firstOutOfRange;
+  private int notFinite;
+  private int tooShort;
+
+  /**
+   * @param least the fewest points that make a face (3) or a line (2)
+   */
+  FaceCorners(int[] stream, Points points, int least) {
+    this.stream = stream;
+    this.points = points;
+    this.least = least;
+  }
+
+  /** Whether the face of the stream positions {@code from} up to {@code to} can be drawn. */
+  boolean accepts(int from, int to) {
+    if (to - from < least) {
+      tooShort++;
+      return false;
+    }
+    for (int i = from; i < to; i++) {
+      if (!inRange(stream[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether a triangle of three stream positions can be drawn. */
+  boolean accepts(int a, int b, int c) {
+    return inRange(stream[a]) && inRange(stream[b]) && inRange(stream[c]);
+  }
+
+  private boolean inRange(int index) {
+    if (index < 0 || index >= points.count()) {
+      if (outOfRange++ == 0) {
+        firstOutOfRange = index;
+      }
+      return false;
+    }
+    boolean[] bad = points.bad();
+    if (bad != null && bad[index]) {
+      notFinite++;
+      return false;
+    }
+    return true;
+  }
+
+  /**
+   * Reports what was refused.
+   *
+   * @param what the name of one of them, for example {@code face}
+   */
+  void report(TessellationJob job, String what) {
+    if (outOfRange > 0) {
+      job.problem(
+          "refers to point "
+              + firstOutOfRange
+              + " of "
+              + points.count()
+              + "; "
+              + counted(outOfRange, what)
+              + " left out");
+    }
+    if (notFinite > 0) {
+      job.problem("has points that are not finite; " + counted(notFinite, what) + " left out");
+    }
+    if (tooShort > 0) {
+      job.problem(
+          "has a "
+              + what
+              + " with fewer than "
+              + least
+              + " points; "
+              + counted(tooShort, what)
+              + " left out");
+    }
+  }
+
+  private static String counted(int count, String what) {
+    return count == 1 ? "1 " + what + " is" : count + " " + what + "s are";
+  }
+}

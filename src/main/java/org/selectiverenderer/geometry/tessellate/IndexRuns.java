@@ -1,0 +1,77 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import java.util.Arrays;
+
+/**
+ * The faces, strips, fans or polylines that a node's index stream consists of: run {@code r} takes
+ * the stream positions {@code bounds[2r]} up to, not including, {@code bounds[2r + 1]}.
+ */
+record IndexRuns(int[] bounds, int count) {
+
+  int from(int run) {
+    return bounds[2 * run];
+  }
+
+  int to(int run) {
+    return bounds[2 * run + 1];
+  }
+
+  /** Runs that end with -1; the last one may go without. */
+  static IndexRuns separated(int[] stream) {
+    int[] bounds = new int[Math.max(8, stream.length / 2)];
+    int count = 0;
+    int from = 0;
+    for (int i = 0; i <= stream.length; i++) {
+      boolean end = i == stream.length;
+      if (end ? i > from : stream[i] == -1) {
+        if (2 * count + 2 > bounds.length) {
+          bounds = Arrays.copyOf(bounds, bounds.length * 2);
+        }
+        bounds[2 * count] = from;
+        bounds[2 * count + 1] = i;
+        count++;
+        from = i + 1;
+      }
+    }
+    return new IndexRuns(bounds, count);
+  }
+
+  /**
+   * Runs of given lengths, one after the other.
+   *
+   * @param field the field that gives the lengths, for the message when they ask for more than
+   *     {@code available}; the runs from there on are left out
+   * @param least the smallest length that makes sense; shorter runs come out empty
+   */
+  static IndexRuns counted(TessellationJob job, String field, int least, int available) {
+    int[] lengths = job.node().ints(field);
+    int[] bounds = new int[2 * lengths.length];
+    int from = 0;
+    int tooShort = 0;
+    for (int run = 0; run < lengths.length; run++) {
+      int length = Math.max(0, lengths[run]);
+      if (length > available - from) {
+        job.problem(
+            "has a " + field + " that asks for more points than there are; the rest is left out");
+        return new IndexRuns(bounds, run);
+      }
+      tooShort += lengths[run] < least ? 1 : 0;
+      bounds[2 * run] = from;
+      bounds[2 * run + 1] = from + length;
+      from += length;
+    }
+    if (tooShort > 0) {
+      job.problem("has a value below " + least + " in " + field + "; nothing is drawn for it");
+    }
+    return new IndexRuns(bounds, lengths.length);
+  }
+
+  /** The stream of a node without an index: 0, 1, 2 ... */
+  static int[] identity(int length) {
+    int[] stream = new int[length];
+    for (int i = 0; i < length; i++) {
+      stream[i] = i;
+    }
+    return stream;
+  }
+}

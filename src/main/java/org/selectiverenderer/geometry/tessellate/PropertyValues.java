@@ -1,0 +1,111 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/** Reads the values of the property nodes of a geometry: colours, normals, texture coordinates. */
+final class PropertyValues {
+  private PropertyValues() {}
+
+  /** The values of {@code color} as r, g, b, a between 0 and 1; null when there are none. */
+  static float @Nullable [] colors(TessellationJob job) {
+    NodeView color = job.node().node("color");
+    if (color == null) {
+      return null;
+    }
+    switch (color.type().name()) {
+      case "Color", "ColorRGBA" -> {}
+      default -> {
+        job.problem("has a " + color.type().name() + ", which is not supported; it is left out");
+        return null;
+      }
+    }
+    float[] given = color.floats("color");
+    if (color.type().name().equals("ColorRGBA")) {
+      return inUnit(given) ? given : clamp(given.clone());
+    }
+    float[] rgba = new float[given.length / 3 * 4];
+    for (int i = 0, j = 0; i + 2 < given.length; i += 3, j += 4) {
+      rgba[j] = given[i];
+      rgba[j + 1] = given[i + 1];
+      rgba[j + 2] = given[i + 2];
+      rgba[j + 3] = 1;
+    }
+    return clamp(rgba);
+  }
+
+  private static boolean inUnit(float[] values) {
+    for (float value : values) {
+      if (!(value >= 0 && value <= 1)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Out of range or NaN: the catalogue's range has been reported by whoever read the file. */
+  private static float[] clamp(float[] values) {
+    for (int i = 0; i < values.length; i++) {
+      values[i] = values[i] >= 0 ? Math.min(values[i], 1) : 0;
+    }
+    return values;
+  }
+
+  /**
+   * The vectors of {@code normal}, normalised; null when there are none. A vector without a
+   * direction comes out as zeros.
+   */
+  static float @Nullable [] normals(TessellationJob job) {
+    NodeView normal = job.node().node("normal");
+    if (normal == null || !normal.type().name().equals("Normal")) {
+      return null;
+    }
+    float[] given = normal.floats("vector");
+    float[] unit = null;
+    for (int i = 0; i + 2 < given.length; i += 3) {
+      double x = given[i];
+      double y = given[i + 1];
+      double z = given[i + 2];
+      double square = x * x + y * y + z * z;
+      if (!(Math.abs(square - 1) < 1e-5)) {
+        unit = unit == null ? given.clone() : unit;
+        double scale = square > 1e-60 && square < 1e80 ? 1 / Math.sqrt(square) : 0;
+        unit[i] = scale == 0 ? 0 : (float) (x * scale);
+        unit[i + 1] = scale == 0 ? 0 : (float) (y * scale);
+        unit[i + 2] = scale == 0 ? 0 : (float) (z * scale);
+      }
+    }
+    return unit == null ? given : unit;
+  }
+
+  /**
+   * The points of {@code texCoord}, of its first child when it is a MultiTextureCoordinate; null
+   * when there are none, so that the geometry's own coordinates are used.
+   */
+  static float @Nullable [] texCoords(TessellationJob job) {
+    NodeView texCoord = job.node().node("texCoord");
+    if (texCoord != null && texCoord.type().name().equals("MultiTextureCoordinate")) {
+      var children = texCoord.nodes("texCoord");
+      texCoord = children.isEmpty() ? null : children.get(0);
+    }
+    if (texCoord == null) {
+      return null;
+    }
+    if (!texCoord.type().name().equals("TextureCoordinate")) {
+      job.problem(
+          "has a "
+              + texCoord.type().name()
+              + ", which is not supported; default texture coordinates are used");
+      return null;
+    }
+    float[] given = texCoord.floats("point");
+    for (float value : given) {
+      if (!(Math.abs(value) < Float.POSITIVE_INFINITY)) {
+        job.problem(
+            "has texture coordinates that are not finite; default texture coordinates are used");
+        return null;
+      }
+    }
+    return given;
+  }
+}

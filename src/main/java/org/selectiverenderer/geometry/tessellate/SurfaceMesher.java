@@ -1,0 +1,171 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/** The last steps from triangles to a mesh, common to all surfaces made of faces. */
+final class SurfaceMesher {
+  /** The index streams of a node that has its own for each property; empty: those of the points. */
+  record Indices(int[] color, int[] normal, int[] texCoord) {
+    static final Indices NONE = new Indices(new int[0], new int[0], new int[0]);
+  }
+
+  private final TessellationJob job;
+  private final Points points;
+  private final TriangleList triangles;
+  private final int faceCount;
+  private final int[] corners;
+
+  /**
+   * Turns the triangles round if the node's {@code ccw} is FALSE, and leaves out the degenerate.
+   *
+   * @param triangles of points in range and finite
+   * @param faceCount above all face numbers of the triangles
+   */
+  SurfaceMesher(TessellationJob job, Points points, TriangleList triangles, int faceCount) {
+    this.job = job;
+    this.points = points;
+    this.triangles = triangles;
+    this.faceCount = faceCount;
+    if (!job.node().bool("ccw")) {
+      triangles.reverse();
+    }
+    job.countDegenerate(triangles.dropDegenerate(points.xyz()));
+    this.corners = triangles.points();
+  }
+
+  /**
+   * The mesh of a node with the fields of X3DComposedGeometryNode (X3D 4.0, 11.3.2).
+   *
+   * @param creaseAngle radians, for nodes that give no normals
+   * @param ownTexCoords what the node takes when it gives no texture coordinates; null for those of
+   *     {@link DefaultTextureCoordinates}
+   */
+  Mesh composed(Indices indices, double creaseAngle, @Nullable VertexAttribute ownTexCoords) {
+    boolean colorPerVertex = job.node().bool("colorPerVertex");
+    boolean normalPerVertex = job.node().bool("normalPerVertex");
+    VertexAttribute colors =
+        attribute(
+            "colors", PropertyValues.colors(job), 4, indices.color(), colorPerVertex, "left out");
+    VertexAttribute given =
+        attribute(
+            "normals",
+            PropertyValues.normals(job),
+            3,
+            indices.normal(),
+            normalPerVertex,
+            "generated");
+    VertexAttribute texCoords =
+        attribute(
+            "texture coordinates",
+            PropertyValues.texCoords(job),
+            2,
+            indices.texCoord(),
+            true,
+            "generated");
+    VertexAttribute normals = given == null ? null : complete(given);
+    return mesh(colors, normals, texCoords == null ? ownTexCoords : texCoords, creaseAngle);
+  }
+
+  /** The mesh with given properties; normals that are null are generated. */
+  Mesh mesh(
+      @Nullable VertexAttribute colors,
+      @Nullable VertexAttribute normals,
+      @Nullable VertexAttribute texCoords,
+      double creaseAngle) {
+    VertexAttribute shaded =
+        normals != null
+            ? normals
+            : GeneratedNormals.of(points.xyz(), corners, triangles.faces(), faceCount, creaseAngle);
+    return new Welder(points.xyz(), corners, shaded, colors, texCoords)
+        .mesh(Mesh.Primitive.TRIANGLES, job.node().bool("solid"), true);
+  }
+
+  private @Nullable VertexAttribute attribute(
+      String what,
+      float @Nullable [] values,
+      int components,
+      int[] index,
+      boolean perVertex,
+      String otherwise) {
+    if (values == null) {
+      return null;
+    }
+    int count = values.length / components;
+    int[] ids = perVertex ? perVertex(index, count) : perFace(index, count);
+    if (ids == null && !(perVertex && index.length == 0 && covers(count))) {
+      job.problem("has too few " + what + " for its faces; they are " + otherwise);
+      return null;
+    }
+    return new VertexAttribute(values, components, ids);
+  }
+
+  /** Whether each point that is used has a tuple of its own number. */
+  private boolean covers(int count) {
+    if (count >= points.count()) {
+      return true;
+    }
+    for (int point : corners) {
+      if (point >= count) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private int @Nullable [] perVertex(int[] index, int count) {
+    if (index.length == 0) {
+      return null;
+    }
+    int[] positions = triangles.corners();
+    int[] ids = new int[corners.length];
+    for (int corner = 0; corner < ids.length; corner++) {
+      int position = positions[corner];
+      int id = position < index.length ? index[position] : -1;
+      if (id < 0 || id >= count) {
+        return null;
+      }
+      ids[corner] = id;
+    }
+    return ids;
+  }
+
+  private int @Nullable [] perFace(int[] index, int count) {
+    int[] faces = triangles.faces();
+    int[] ids = new int[corners.length];
+    for (int corner = 0; corner < ids.length; corner++) {
+      int face = faces[corner / 3];
+      int id = index.length == 0 ? face : face < index.length ? index[face] : -1;
+      if (id < 0 || id >= count) {
+        return null;
+      }
+      ids[corner] = id;
+    }
+    return ids;
+  }
+
+  /** Puts the face's normal wherever the given one has no direction. */
+  private VertexAttribute complete(VertexAttribute given) {
+    float[] values = given.values();
+    int[] ids = given.ids();
+    int[] completed = null;
+    for (int corner = 0; corner < corners.length; corner++) {
+      int id = ids == null ? corners[corner] : ids[corner];
+      if (values[3 * id] == 0 && values[3 * id + 1] == 0 && values[3 * id + 2] == 0) {
+        if (completed == null) {
+          completed = ids == null ? corners.clone() : ids;
+        }
+        completed[corner] = given.count() + triangles.faces()[corner / 3];
+      }
+    }
+    if (completed == null) {
+      return given;
+    }
+    job.problem("has normals of length 0; the normals of the faces are used instead");
+    float[] faceNormals = FaceNormals.of(points.xyz(), corners, triangles.faces(), faceCount);
+    float[] all = new float[3 * given.count() + faceNormals.length];
+    System.arraycopy(values, 0, all, 0, 3 * given.count());
+    System.arraycopy(faceNormals, 0, all, 3 * given.count(), faceNormals.length);
+    return new VertexAttribute(all, 3, completed);
+  }
+}

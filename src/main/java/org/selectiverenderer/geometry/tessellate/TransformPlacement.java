@@ -1,0 +1,47 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/** Where a Transform places its children (X3D 4.0, 10.4.4). */
+public final class TransformPlacement {
+  private TransformPlacement() {}
+
+  /**
+   * From the children's coordinates over those of a Transform or CADPart, T C R SR S -SR -C, to
+   * those that the parent's placement leads to.
+   */
+  public static Matrix4d of(NodeView transform, Matrix4dc parent) {
+    return of(
+        new Matrix4d(parent),
+        transform.floats("translation"),
+        transform.floats("center"),
+        transform.floats("rotation"),
+        transform.floats("scale"),
+        transform.floats("scaleOrientation"));
+  }
+
+  /**
+   * Likewise, of the fields' values.
+   *
+   * @param matrix the parent's, which is changed and returned
+   * @param r an axis of any length but 0, which turns nothing, and an angle in radians
+   */
+  public static Matrix4d of(
+      Matrix4d matrix, float[] t, float[] c, float[] r, float[] s, float[] sr) {
+    matrix.translate(t[0] + (double) c[0], t[1] + (double) c[1], t[2] + (double) c[2]);
+    rotate(matrix, r, 1);
+    rotate(matrix, sr, 1);
+    matrix.scale(s[0], s[1], s[2]);
+    rotate(matrix, sr, -1);
+    return matrix.translate(-(double) c[0], -(double) c[1], -(double) c[2]);
+  }
+
+  private static void rotate(Matrix4d matrix, float[] r, int sign) {
+    double length = Math.sqrt(r[0] * (double) r[0] + r[1] * (double) r[1] + r[2] * (double) r[2]);
+    if (length > 0 && r[3] != 0) {
+      matrix.rotate(sign * (double) r[3], r[0] / length, r[1] / length, r[2] / length);
+    }
+  }
+}

@@ -1,0 +1,110 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/**
+ * The triangle and quadrilateral sets (X3D 4.0, 11.4.7 to 11.4.9, 11.4.13 to 11.4.15, 32.4.4,
+ * 32.4.5). Faces, for {@code colorPerVertex} and {@code normalPerVertex} FALSE, are their triangles
+ * or quadrilaterals in order.
+ */
+final class TriangleSets {
+  private final TessellationJob job;
+  private final Points points;
+  private final int[] stream;
+  private final TriangleList triangles;
+  private final FaceCorners check;
+  private int faces;
+
+  private TriangleSets(TessellationJob job, boolean indexed) {
+    this.job = job;
+    this.points = Points.of(job);
+    this.stream = indexed ? job.node().ints("index") : IndexRuns.identity(points.count());
+    this.triangles = new TriangleList(stream, stream.length / 3);
+    this.check = new FaceCorners(stream, points, 3);
+  }
+
+  static Mesh triangles(TessellationJob job) {
+    return new TriangleSets(job, false).single(3);
+  }
+
+  static Mesh indexedTriangles(TessellationJob job) {
+    return new TriangleSets(job, true).single(3);
+  }
+
+  static Mesh quads(TessellationJob job) {
+    return new TriangleSets(job, false).single(4);
+  }
+
+  static Mesh indexedQuads(TessellationJob job) {
+    return new TriangleSets(job, true).single(4);
+  }
+
+  static Mesh strips(TessellationJob job) {
+    TriangleSets set = new TriangleSets(job, false);
+    return set.strips(IndexRuns.counted(job, "stripCount", 3, set.points.count()));
+  }
+
+  static Mesh indexedStrips(TessellationJob job) {
+    TriangleSets set = new TriangleSets(job, true);
+    return set.strips(IndexRuns.separated(set.stream));
+  }
+
+  static Mesh fans(TessellationJob job) {
+    TriangleSets set = new TriangleSets(job, false);
+    return set.fans(IndexRuns.counted(job, "fanCount", 3, set.points.count()));
+  }
+
+  static Mesh indexedFans(TessellationJob job) {
+    TriangleSets set = new TriangleSets(job, true);
+    return set.fans(IndexRuns.separated(set.stream));
+  }
+
+  /** Faces of {@code size} points each, one after the other. */
+  private Mesh single(int size) {
+    if (stream.length % size != 0) {
+      job.problem("has " + stream.length % size + " extra points at its end; they are left out");
+    }
+    FaceSplitter splitter = new FaceSplitter(points.xyz(), triangles);
+    for (int i = 0; i + size <= stream.length; i += size) {
+      if (check.accepts(i, i + size)) {
+        splitter.split(i, i + size, faces);
+      }
+      faces++;
+    }
+    return finish();
+  }
+
+  private Mesh strips(IndexRuns runs) {
+    for (int run = 0; run < runs.count(); run++) {
+      for (int i = runs.from(run); i + 2 < runs.to(run); i++) {
+        boolean even = (i - runs.from(run)) % 2 == 0;
+        add(even ? i : i + 1, even ? i + 1 : i, i + 2);
+      }
+    }
+    return finish();
+  }
+
+  private Mesh fans(IndexRuns runs) {
+    for (int run = 0; run < runs.count(); run++) {
+      for (int i = runs.from(run) + 1; i + 1 < runs.to(run); i++) {
+        add(runs.from(run), i, i + 1);
+      }
+    }
+    return finish();
+  }
+
+  private void add(int a, int b, int c) {
+    if (check.accepts(a, b, c)) {
+      triangles.add(a, b, c, faces);
+    }
+    faces++;
+  }
+
+  /** Without normals, {@code normalPerVertex} TRUE asks for smooth ones (X3D 4.0, 11.2.3). */
+  private Mesh finish() {
+    check.report(job, "face");
+    double creaseAngle = job.node().bool("normalPerVertex") ? Math.PI : 0;
+    return new SurfaceMesher(job, points, triangles, faces)
+        .composed(SurfaceMesher.Indices.NONE, creaseAngle, null);
+  }
+}

@@ -1,0 +1,17 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Colours, normals or texture coordinates and which of them each corner takes.
+ *
+ * @param values the tuples one after the other
+ * @param components floats per tuple
+ * @param ids the tuple of each corner; null when the corner takes the tuple of its point's number
+ */
+record VertexAttribute(float[] values, int components, int @Nullable [] ids) {
+
+  int count() {
+    return values.length / components;
+  }
+}

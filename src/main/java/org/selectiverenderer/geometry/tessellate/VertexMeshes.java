@@ -1,0 +1,59 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+
+/** Meshes of vertices and triangles, as other programs' files and recipes give them. */
+public final class VertexMeshes {
+  private VertexMeshes() {}
+
+  /**
+   * The mesh of triangles whose corners take all their values from one vertex. Triangles without
+   * area are left out. Without normals, those are generated as for an IndexedFaceSet (X3D 4.0,
+   * 11.2.3), equal positions counting as one point.
+   *
+   * @param form the vertices, all finite, and the triangles
+   * @param normals x, y, z per vertex, of unit length, or null
+   * @param colors r, g, b, a per vertex, or null
+   * @param texCoords s, t per vertex, or null
+   * @param creaseAngle radians; edges of triangles that meet at less are smooth; for no normals
+   * @return a mesh with normals
+   */
+  public static Mesh of(
+      TriangleMesh form,
+      float @Nullable [] normals,
+      float @Nullable [] colors,
+      float @Nullable [] texCoords,
+      double creaseAngle,
+      boolean solid) {
+    float[] positions = form.positions();
+    int[] triangles = form.triangles();
+    ValueWelder points = new ValueWelder(positions.length / 3, positions, null, null, null);
+    points.weld();
+    float[] xyz = points.compact(positions, 3);
+    int[] welded = triangles.clone();
+    points.rename(welded);
+    TriangleList list = new TriangleList(welded, welded.length / 3);
+    for (int i = 0; i + 2 < welded.length; i += 3) {
+      list.add(i, i + 1, i + 2, i / 3);
+    }
+    list.dropDegenerate(xyz);
+    int[] corners = list.points();
+    int[] vertices = new int[corners.length];
+    for (int i = 0; i < vertices.length; i++) {
+      vertices[i] = triangles[list.corners()[i]];
+    }
+    VertexAttribute shaded =
+        normals != null
+            ? new VertexAttribute(normals, 3, vertices)
+            : GeneratedNormals.of(xyz, corners, list.faces(), welded.length / 3, creaseAngle);
+    return new Welder(
+            xyz,
+            corners,
+            shaded,
+            colors == null ? null : new VertexAttribute(colors, 4, vertices),
+            texCoords == null ? null : new VertexAttribute(texCoords, 2, vertices))
+        .mesh(Mesh.Primitive.TRIANGLES, solid, false);
+  }
+}

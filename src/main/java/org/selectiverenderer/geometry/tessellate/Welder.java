@@ -1,0 +1,210 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/**
+ * Makes vertices of corners: corners that take the same point, normal, colour and texture
+ * coordinate become one vertex. First by number, which is fast and finds most of them, then by
+ * value, for files that write the same point or normal many times.
+ */
+final class Welder {
+  private final float[] points;
+  private final int[] corners;
+  private final @Nullable VertexAttribute normals;
+  private final @Nullable VertexAttribute colors;
+  private final @Nullable VertexAttribute texCoords;
+
+  // Of each vertex: its point, and a corner that it stands for.
+  private int[] vertexPoint = {};
+  private int[] vertexCorner = {};
+  private int vertexCount;
+
+  /**
+   * @param points x, y, z per point
+   * @param corners point per corner
+   */
+  Welder(
+      float[] points,
+      int[] corners,
+      @Nullable VertexAttribute normals,
+      @Nullable VertexAttribute colors,
+      @Nullable VertexAttribute texCoords) {
+    this.points = points;
+    this.corners = corners;
+    this.normals = normals;
+    this.colors = colors;
+    this.texCoords = texCoords;
+  }
+
+  /**
+   * The mesh of the corners in their order.
+   *
+   * @param defaultTexCoords whether to generate texture coordinates when none were given
+   */
+  Mesh mesh(Mesh.Primitive primitive, boolean solid, boolean defaultTexCoords) {
+    int[] indices = byPoint() ? weldPoints() : mostlyUnique() ? keepAll() : weldTuples();
+    float[] positions = gather(points, 3, null);
+    float[] normal = gather(normals);
+    float[] color = gather(colors);
+    float[] texCoord = gather(texCoords);
+    ValueWelder byValue = new ValueWelder(vertexCount, positions, normal, color, texCoord);
+    int unique = byValue.weld();
+    if (unique < vertexCount) {
+      byValue.rename(indices);
+      positions = byValue.compact(positions, 3);
+      normal = normal == null ? null : byValue.compact(normal, 3);
+      color = color == null ? null : byValue.compact(color, 4);
+      texCoord = texCoord == null ? null : byValue.compact(texCoord, 2);
+    }
+    float[] bounds = bounds(positions);
+    if (texCoord == null && defaultTexCoords) {
+      texCoord = DefaultTextureCoordinates.of(positions, bounds);
+    }
+    return new Mesh(primitive, positions, normal, color, texCoord, indices, solid, bounds);
+  }
+
+  private boolean byPoint() {
+    return byPoint(normals) && byPoint(colors) && byPoint(texCoords);
+  }
+
+  private static boolean byPoint(@Nullable VertexAttribute attribute) {
+    return attribute == null || attribute.ids() == null;
+  }
+
+  /** All attributes go with the point: the points that are used are the vertices. */
+  private int[] weldPoints() {
+    int[] vertexOf = new int[points.length / 3];
+    for (int point : corners) {
+      vertexOf[point] = 1;
+    }
+    vertexPoint = new int[Math.min(vertexOf.length, corners.length)];
+    for (int point = 0; point < vertexOf.length; point++) {
+      if (vertexOf[point] != 0) {
+        vertexPoint[vertexCount] = point;
+        vertexOf[point] = vertexCount++;
+      }
+    }
+    int[] indices = new int[corners.length];
+    for (int i = 0; i < indices.length; i++) {
+      indices[i] = vertexOf[corners[i]];
+    }
+    return indices;
+  }
+
+  /** Whether there are so many normals, one per triangle, that few corners can share a number. */
+  private boolean mostlyUnique() {
+    return normals != null && normals.ids() != null && 3 * normals.count() >= corners.length;
+  }
+
+  /** Each corner is a vertex until its values tell. */
+  private int[] keepAll() {
+    int[] indices = IndexRuns.identity(corners.length);
+    vertexPoint = corners;
+    vertexCorner = indices.clone();
+    vertexCount = corners.length;
+    return indices;
+  }
+
+  private int[] weldTuples() {
+    int[] indices = new int[corners.length];
+    vertexPoint = new int[Math.max(16, corners.length / 4)];
+    vertexCorner = new int[vertexPoint.length];
+    int[] table = new int[Integer.highestOneBit(vertexPoint.length) * 4];
+    for (int corner = 0; corner < corners.length; corner++) {
+      if (2 * vertexCount >= table.length) {
+        table = grow(table);
+      }
+      int mask = table.length - 1;
+      int slot = hash(corner) & mask;
+      while (table[slot] != 0 && !same(vertexCorner[table[slot] - 1], corner)) {
+        slot = (slot + 1) & mask;
+      }
+      if (table[slot] == 0) {
+        table[slot] = add(corner) + 1;
+      }
+      indices[corner] = table[slot] - 1;
+    }
+    return indices;
+  }
+
+  private int add(int corner) {
+    if (vertexCount == vertexCorner.length) {
+      vertexPoint = Arrays.copyOf(vertexPoint, 2 * vertexCount);
+      vertexCorner = Arrays.copyOf(vertexCorner, 2 * vertexCount);
+    }
+    vertexPoint[vertexCount] = corners[corner];
+    vertexCorner[vertexCount] = corner;
+    return vertexCount++;
+  }
+
+  private int[] grow(int[] table) {
+    int[] larger = new int[2 * table.length];
+    int mask = larger.length - 1;
+    for (int vertex = 0; vertex < vertexCount; vertex++) {
+      int slot = hash(vertexCorner[vertex]) & mask;
+      while (larger[slot] != 0) {
+        slot = (slot + 1) & mask;
+      }
+      larger[slot] = vertex + 1;
+    }
+    return larger;
+  }
+
+  private int hash(int corner) {
+    int h = corners[corner];
+    h = h * 31 + id(normals, corner);
+    h = h * 31 + id(colors, corner);
+    h = h * 31 + id(texCoords, corner);
+    h *= 0x9E3779B1;
+    return h ^ h >>> 15;
+  }
+
+  private boolean same(int a, int b) {
+    return corners[a] == corners[b]
+        && id(normals, a) == id(normals, b)
+        && id(colors, a) == id(colors, b)
+        && id(texCoords, a) == id(texCoords, b);
+  }
+
+  private static int id(@Nullable VertexAttribute attribute, int corner) {
+    return attribute == null || attribute.ids() == null ? 0 : attribute.ids()[corner];
+  }
+
+  private float @Nullable [] gather(@Nullable VertexAttribute attribute) {
+    return attribute == null
+        ? null
+        : gather(attribute.values(), attribute.components(), attribute.ids());
+  }
+
+  /** The tuples of the vertices in order; the given array itself when that is what it holds. */
+  private float[] gather(float[] values, int components, int @Nullable [] ids) {
+    if (ids == null
+        && values.length == components * vertexCount
+        && (vertexCount == 0 || vertexPoint[vertexCount - 1] == vertexCount - 1)
+        && byPoint()) {
+      return values;
+    }
+    float[] gathered = new float[components * vertexCount];
+    for (int vertex = 0, to = 0; vertex < vertexCount; vertex++) {
+      int from = components * (ids == null ? vertexPoint[vertex] : ids[vertexCorner[vertex]]);
+      for (int i = 0; i < components; i++) {
+        gathered[to++] = values[from + i];
+      }
+    }
+    return gathered;
+  }
+
+  private static float[] bounds(float[] positions) {
+    float[] b = Mesh.boundsOf(positions, new int[0]);
+    for (int i = 0; i < positions.length; i += 3) {
+      for (int axis = 0; axis < 3; axis++) {
+        float value = positions[i + axis];
+        b[axis] = Math.min(b[axis], value);
+        b[axis + 3] = Math.max(b[axis + 3], value);
+      }
+    }
+    return b;
+  }
+}

@@ -1,0 +1,40 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A part of the scene to be counted.
+ *
+ * @param objects the enriched Switches in it, each once, in document order
+ * @param sensors the items of all areas that stand in it, in document order
+ */
+record CountScope(
+    String name, CountedItem item, List<CountedItem> objects, Set<CountedItem> sensors) {
+  static CountScope of(String name, CountedItem item) {
+    List<CountedItem> objects = new ArrayList<>();
+    Set<CountedItem> sensors = new LinkedHashSet<>();
+    collect(item, objects, sensors, new HashSet<>());
+    return new CountScope(name, item, List.copyOf(objects), sensors);
+  }
+
+  private static void collect(
+      CountedItem item,
+      List<CountedItem> objects,
+      Set<CountedItem> sensors,
+      Set<CountedItem> seen) {
+    if (!seen.add(item)) {
+      return;
+    }
+    if (item.versions.isPresent()) {
+      objects.add(item);
+    }
+    if (item.area.isPresent()) {
+      sensors.add(item);
+    }
+    item.children.forEach(child -> collect(child, objects, sensors, seen));
+  }
+}

@@ -1,0 +1,24 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+
+/**
+ * A file whose geometry has been measured, with the files that its Inlines name. Compared by
+ * identity: a file that is inlined several times is one object.
+ */
+public interface CountedFile {
+  X3dFile file();
+
+  /** What a geometry node of this file comes to; {@link Size#NOTHING} for one that is not drawn. */
+  Size size(ParsedNode geometry);
+
+  /** The file in an Inline; empty if it is not to be loaded or could not be read. */
+  Optional<? extends CountedFile> content(ParsedNode inline);
+
+  /** What is wrong with the file, in document order. */
+  List<Problem> problemList();
+}

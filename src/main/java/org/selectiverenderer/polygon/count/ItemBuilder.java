@@ -1,0 +1,146 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.joml.Matrix4d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.tessellate.TransformPlacement;
+import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * Makes items of files that are read, and reports the problems of each file when it is first met.
+ * The metadata of an inlined file is not looked at, since the controller does not see it either:
+ * its Switches show what the file says.
+ */
+final class ItemBuilder {
+  private final CountedFile main;
+  private final Problems problems;
+  private final Map<ParsedNode, CountedItem> items = new IdentityHashMap<>();
+  private final Map<CountedFile, CountedItem> contents = new IdentityHashMap<>();
+  private final Set<CountedFile> open = new HashSet<>();
+  private final Map<String, Integer> numbers = new HashMap<>();
+  private final CountedItem root;
+
+  /** Builds at once. */
+  ItemBuilder(CountedFile main, Problems problems) {
+    this.main = main;
+    this.problems = problems;
+    this.root = content(main);
+  }
+
+  /** The scene's top. */
+  CountedItem root() {
+    return root;
+  }
+
+  /** The item of every node that has one. */
+  Map<ParsedNode, CountedItem> all() {
+    return Collections.unmodifiableMap(items);
+  }
+
+  /** The item of a node of the scene's own file; empty for what is not drawn and no area. */
+  Optional<CountedItem> of(@Nullable ParsedNode node) {
+    return Optional.ofNullable(items.get(node));
+  }
+
+  private CountedItem content(CountedFile file) {
+    CountedItem known = contents.get(file);
+    if (known != null) {
+      return known;
+    }
+    file.problemList().forEach(problems::add);
+    open.add(file);
+    CountedItem made =
+        new CountedItem.Builder(null).children(items(file.file().nodes(), file)).build();
+    open.remove(file);
+    contents.put(file, made);
+    return made;
+  }
+
+  private List<CountedItem> items(List<ParsedNode> nodes, CountedFile file) {
+    List<CountedItem> made = new ArrayList<>(nodes.size());
+    for (ParsedNode node : nodes) {
+      made.add(item(node, file));
+    }
+    return made;
+  }
+
+  private CountedItem item(ParsedNode node, CountedFile file) {
+    CountedItem known = items.get(node);
+    if (known == null) {
+      known = make(node, file);
+      items.put(node, known);
+    }
+    return known;
+  }
+
+  private CountedItem make(ParsedNode node, CountedFile file) {
+    String name = nameOf(node);
+    CountedItem.Builder builder = new CountedItem.Builder(node).name(name);
+    if (Structure.isShape(node)) {
+      Structure.geometry(node).ifPresent(geometry -> builder.size(file.size(geometry)));
+    } else if (Structure.isInline(node)) {
+      fill(node, file, builder);
+    } else {
+      List<ParsedNode> children = Structure.children(node);
+      if (file == main) {
+        enrich(node, name, children.size(), builder);
+      }
+      builder.children(items(children, file));
+      if (node.type().name().equals("Transform") || node.type().name().equals("CADPart")) {
+        builder.placement(TransformPlacement.of(node, new Matrix4d()));
+      }
+    }
+    return builder.build();
+  }
+
+  private void fill(ParsedNode inline, CountedFile file, CountedItem.Builder builder) {
+    CountedFile content = file.content(inline).orElse(null);
+    if (content == null) {
+      return;
+    }
+    if (open.contains(content)) {
+      problems.error(
+          inline.location(),
+          "Inline %s includes itself and is left out".formatted(content.file().source()));
+      return;
+    }
+    builder.children(List.of(content(content)));
+    double scale = content.file().unitLength() / file.file().unitLength();
+    if (scale != 1) {
+      builder.placement(new Matrix4d().scale(scale));
+    }
+  }
+
+  private void enrich(ParsedNode node, String name, int children, CountedItem.Builder builder) {
+    SchemaReader reader =
+        new SchemaReader(
+            problem ->
+                problems.warning(
+                    ((NodeMetadata) problem.metadata()).node().location(),
+                    name + ": " + problem.message()));
+    if (Structure.isSwitch(node)) {
+      builder.versions(NodeMetadata.of(node).flatMap(data -> reader.switchNode(data, children)));
+    } else if (Structure.isSensor(node)) {
+      builder.area(NodeMetadata.of(node).flatMap(reader::sensor));
+    }
+  }
+
+  /** The DEF name, else type and number, as the controller names nodes. */
+  private String nameOf(ParsedNode node) {
+    String type = node.type().name();
+    int number = numbers.merge(type, 1, Integer::sum);
+    String name = node.name();
+    return name != null ? name.strip() : type + "#" + number;
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+
+/** Where in the world items stand: the coordinates that hold them, one for each place. */
+final class ItemInstances {
+  /** Places of all items together beyond which no more are looked for. */
+  static final int LIMIT = 10_000;
+
+  private final Set<CountedItem> wanted;
+  private final Map<CountedItem, List<Matrix4dc>> places = new IdentityHashMap<>();
+  private final Map<CountedItem, Boolean> leads = new IdentityHashMap<>();
+  private int count;
+  private boolean complete = true;
+
+  ItemInstances(CountedItem root, Set<CountedItem> wanted) {
+    this.wanted = wanted;
+    visit(root, new Matrix4d());
+  }
+
+  /** From the coordinates that hold the item to the world, in document order. */
+  List<Matrix4dc> of(CountedItem item) {
+    return places.getOrDefault(item, List.of());
+  }
+
+  /** Whether there are no more than these. */
+  boolean complete() {
+    return complete;
+  }
+
+  private void visit(CountedItem item, Matrix4dc world) {
+    if (!leads(item)) {
+      return;
+    }
+    if (count >= LIMIT) {
+      complete = false;
+      return;
+    }
+    if (wanted.contains(item)) {
+      places.computeIfAbsent(item, key -> new ArrayList<>()).add(world);
+      count++;
+    }
+    Matrix4dc content =
+        item.placement.isEmpty() ? world : world.mul(item.placement.get(), new Matrix4d());
+    item.children.forEach(child -> visit(child, content));
+  }
+
+  private boolean leads(CountedItem item) {
+    Boolean known = leads.get(item);
+    if (known == null) {
+      known = wanted.contains(item) || item.children.stream().anyMatch(this::leads);
+      leads.put(item, known);
+    }
+    return known;
+  }
+}

@@ -1,0 +1,109 @@
+package org.selectiverenderer.polygon.count;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
+import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
+import org.selectiverenderer.schema.SwitchSchemas;
+
+/** Counts the polygons of a scene. */
+public final class PolygonStatistics {
+  private final Problems problems;
+  private final List<CountScope> scopes;
+  private final boolean scopesChosen;
+  private final CountedItem root;
+  private final List<CountedItem> objects;
+  private final AreaFinder areas;
+  private final PolygonCounter high;
+
+  private PolygonStatistics(SceneFile file, List<String> scopeNames, Problems problems) {
+    this.problems = problems;
+    ItemBuilder items = new ItemBuilder(file, problems);
+    root = items.root();
+    objects = CountScope.of(SceneStatistics.WHOLE_SCENE, root).objects();
+    ScopeFinder finder = new ScopeFinder(items, file.file().named());
+    scopesChosen = !scopeNames.isEmpty();
+    scopes = scopeNames.isEmpty() ? finder.outermost() : finder.named(scopeNames);
+    areas = new AreaFinder(root, scopes);
+    Map<CountedItem, Integer> choices = new LinkedHashMap<>();
+    objects.forEach(object -> choices.put(object, object.versions.orElseThrow().mostDetailed()));
+    high = new PolygonCounter(choices);
+  }
+
+  /**
+   * Reads a scene with everything that it inlines, on all processors, and counts.
+   *
+   * @param scopes DEF names of the groups to be counted; none for the outermost named groups that
+   *     hold objects in versions, or the whole scene where there are none
+   * @param problems hears what is wrong with the files, in document order
+   * @throws IOException if the scene itself cannot be read, with a message of one line
+   * @throws ScopeException if there is no group of a name
+   */
+  public static SceneStatistics of(Path scene, List<String> scopes, Problems problems)
+      throws IOException {
+    SceneFile file = SceneFiles.read(scene);
+    return new PolygonStatistics(file, scopes, problems).count(scene.toString());
+  }
+
+  private SceneStatistics count(String scene) {
+    if (objects.isEmpty()) {
+      problems.info(
+          Location.of(scene),
+          "no Switch has schema metadata, so there are no versions to compare; the "
+              + "polygons that the scene shows are counted");
+    }
+    if (!areas.complete()) {
+      problems.warning(
+          Location.of(scene),
+          "sensors and scopes occur at more than %d places; the rest are left out"
+              .formatted(ItemInstances.LIMIT));
+    }
+    StateFinder states = new StateFinder(objects, areas.all());
+    List<ScopeCount> counts = new ArrayList<>();
+    for (CountScope scope : scopes) {
+      long all = high.of(scope.item());
+      AreaSets sets = new AreaSets(areas.in(scope, scopes));
+      if (!sets.complete()) {
+        problems.warning(
+            Location.of(scene),
+            "the areas of %s overlap in more than %d ways; the rest are left out"
+                .formatted(scope.name(), AreaSets.LIMIT));
+      }
+      counts.add(new ScopeCount(scope.name(), all, states.states(scope, all, sets.sets())));
+    }
+    return new SceneStatistics(scene, high.of(root), objectCounts(), counts);
+  }
+
+  private List<ObjectCount> objectCounts() {
+    List<ObjectCount> counts = new ArrayList<>();
+    Set<CountedItem> outside = new LinkedHashSet<>(objects);
+    for (CountScope scope : scopes) {
+      for (CountedItem object : scope.objects()) {
+        counts.add(count(object, Optional.of(scope.name())));
+        outside.remove(object);
+      }
+    }
+    if (!scopesChosen) {
+      outside.forEach(object -> counts.add(count(object, Optional.empty())));
+    }
+    return counts;
+  }
+
+  private ObjectCount count(CountedItem object, Optional<String> scope) {
+    SwitchSchemas versions = object.versions.orElseThrow();
+    return new ObjectCount(
+        object.name,
+        scope,
+        object.children.stream().map(high::of).toList(),
+        versions.mostDetailed());
+  }
+}

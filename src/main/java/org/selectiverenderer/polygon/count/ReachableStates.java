@@ -1,0 +1,92 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.schema.Activation;
+
+/**
+ * Walks through the areas of a scene in all ways, entering and leaving, until nothing new turns up.
+ * Finds what an area leaves behind that has no exit schema, which a single visit does not show.
+ */
+final class ReachableStates {
+  /** States beyond which no more are looked for; many areas in one place make 2^n. */
+  static final int LIMIT = 1000;
+
+  private record Step(Area area, boolean enters) {}
+
+  private record Key(List<Area> entered, Map<CountedItem, Integer> shown) {}
+
+  private final List<CountedItem> objects;
+  private final List<Area> areas;
+
+  /** Of a whole scene. */
+  ReachableStates(List<CountedItem> objects, List<Area> areas) {
+    this.objects = objects;
+    this.areas = areas;
+  }
+
+  /** The states of a part, as loaded first, then by the number of areas entered and left. */
+  List<SceneModel.State> states(CountedItem part) {
+    List<SceneModel.State> states = new ArrayList<>();
+    Set<Key> known = new HashSet<>();
+    Deque<List<Step>> pending = new ArrayDeque<>();
+    pending.add(List.of());
+    while (!pending.isEmpty() && known.size() < LIMIT) {
+      List<Step> walk = pending.remove();
+      Activation<Area, CountedItem> activation = after(walk);
+      if (known.add(new Key(activation.enteredAreas(), activation.shown()))) {
+        states.add(
+            new SceneModel.State(
+                schemas(activation), new PolygonCounter(activation.shown()).of(part)));
+        next(activation.enteredAreas()).forEach(step -> pending.add(with(walk, step)));
+      }
+    }
+    return states;
+  }
+
+  private Activation<Area, CountedItem> after(List<Step> walk) {
+    Activation<Area, CountedItem> activation = StateFinder.activation(objects, areas);
+    for (Step step : walk) {
+      if (step.enters) {
+        activation.enter(step.area);
+      } else {
+        activation.exit(step.area);
+      }
+    }
+    return activation;
+  }
+
+  private List<Step> next(List<Area> entered) {
+    List<Step> steps = new ArrayList<>();
+    for (Area area : areas) {
+      if (entered.contains(area)) {
+        steps.add(new Step(area, false));
+      } else {
+        List<Area> wider = new ArrayList<>(entered);
+        wider.add(area);
+        if (AreaSets.share(wider)) {
+          steps.add(new Step(area, true));
+        }
+      }
+    }
+    return steps;
+  }
+
+  private static List<Step> with(List<Step> walk, Step step) {
+    List<Step> longer = new ArrayList<>(walk);
+    longer.add(step);
+    return longer;
+  }
+
+  private static List<String> schemas(Activation<Area, CountedItem> activation) {
+    Set<String> schemas = new LinkedHashSet<>();
+    activation.enteredAreas().forEach(area -> schemas.addAll(area.schemas.enter()));
+    return List.copyOf(schemas);
+  }
+}

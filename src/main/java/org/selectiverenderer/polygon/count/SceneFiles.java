@@ -1,0 +1,143 @@
+package org.selectiverenderer.polygon.count;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dReader;
+
+/**
+ * Reads a scene and everything it inlines and measures its geometry, on all processors. Textures
+ * are not opened. One object serves one scene.
+ */
+final class SceneFiles {
+  private final X3dReader reader = new X3dReader(NodeCatalogue.load());
+  private final Tessellator tessellator = new Tessellator();
+  private final Map<Path, CompletableFuture<Optional<SceneFile>>> files = new ConcurrentHashMap<>();
+  private final ConcurrentLinkedQueue<CompletableFuture<?>> tasks = new ConcurrentLinkedQueue<>();
+  private final ExecutorService executor;
+  private final ContentRoot root;
+  private final Path nameFolder;
+
+  private SceneFiles(Path nameFolder, ExecutorService executor) {
+    this.nameFolder = nameFolder;
+    this.executor = executor;
+    this.root = new ContentRoot(nameFolder);
+  }
+
+  /**
+   * Reads a scene.
+   *
+   * @throws IOException if the file itself cannot be read, with a message of one line
+   */
+  static SceneFile read(Path scene) throws IOException {
+    ExecutorService executor =
+        Executors.newFixedThreadPool(
+            Runtime.getRuntime().availableProcessors(),
+            task -> {
+              Thread thread = new Thread(task, "polygon-counter");
+              thread.setDaemon(true);
+              return thread;
+            });
+    try {
+      Path parent = scene.getParent();
+      return new SceneFiles(parent == null ? Path.of("") : parent, executor).load(scene);
+    } finally {
+      executor.shutdownNow();
+    }
+  }
+
+  private SceneFile load(Path scene) throws IOException {
+    Problems problems = new Problems();
+    SceneFile first = new SceneFile(reader.read(scene, problems), problems);
+    files.put(scene.toRealPath(), CompletableFuture.completedFuture(Optional.of(first)));
+    follow(first, nameFolder);
+    for (CompletableFuture<?> task = tasks.poll(); task != null; task = tasks.poll()) {
+      task.join();
+    }
+    return first;
+  }
+
+  /** Starts a task for each geometry and each Inline of a file. */
+  private void follow(SceneFile file, Path folder) {
+    Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    file.file().nodes().forEach(node -> follow(node, file, folder, seen));
+  }
+
+  private void follow(ParsedNode node, SceneFile file, Path folder, Set<ParsedNode> seen) {
+    if (!seen.add(node)) {
+      return;
+    }
+    if (Structure.isInline(node)) {
+      if (node.bool("load")) {
+        inline(node, file, folder);
+      }
+    } else if (Structure.isShape(node)) {
+      Structure.geometry(node).filter(seen::add).ifPresent(geometry -> measure(geometry, file));
+    } else {
+      Structure.children(node).forEach(child -> follow(child, file, folder, seen));
+    }
+  }
+
+  private void inline(ParsedNode inline, SceneFile file, Path folder) {
+    UrlChoice choice = UrlChoice.of(inline, root, folder, "the Inline is left out");
+    if (choice instanceof UrlChoice.File found) {
+      file.inlines().put(inline, content(found.path(), inline, file));
+    } else {
+      file.problems().add(((UrlChoice.None) choice).problem());
+    }
+  }
+
+  private void measure(ParsedNode geometry, SceneFile file) {
+    tasks.add(
+        CompletableFuture.runAsync(
+            () ->
+                tessellator
+                    .tessellate(geometry, file.problems())
+                    .ifPresent(mesh -> file.sizes().put(geometry, Size.of(mesh))),
+            executor));
+  }
+
+  private CompletableFuture<Optional<SceneFile>> content(
+      Path path, ParsedNode inline, SceneFile requester) {
+    return files.computeIfAbsent(
+        path,
+        wanted -> {
+          CompletableFuture<Optional<SceneFile>> reading =
+              CompletableFuture.supplyAsync(
+                  () -> inlined(wanted, inline.location(), requester.problems()), executor);
+          tasks.add(reading);
+          return reading;
+        });
+  }
+
+  private Optional<SceneFile> inlined(Path path, Location requestedBy, Problems requester) {
+    String name = root.display(path);
+    Problems problems = new Problems();
+    try (var in = java.nio.file.Files.newInputStream(path)) {
+      SceneFile file = new SceneFile(reader.read(name, in, problems), problems);
+      Path folder = path.getParent();
+      follow(file, folder == null ? path : folder);
+      return Optional.of(file);
+    } catch (IOException e) {
+      requester.error(
+          requestedBy, "%s cannot be read and is left out (%s)".formatted(name, e.getMessage()));
+      return Optional.empty();
+    }
+  }
+}

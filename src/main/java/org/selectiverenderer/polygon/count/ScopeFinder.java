@@ -1,0 +1,108 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/** Finds the parts of a scene that are counted, such as its rooms. */
+final class ScopeFinder {
+  private final ItemBuilder items;
+  private final Map<String, ParsedNode> named;
+
+  /**
+   * @param named DEF name to node of the scene's own file
+   */
+  ScopeFinder(ItemBuilder items, Map<String, ParsedNode> named) {
+    this.items = items;
+    this.named = named;
+  }
+
+  /**
+   * The groups of these names, each once.
+   *
+   * @throws ScopeException if there is no group of a name
+   */
+  List<CountScope> named(List<String> names) {
+    return names.stream()
+        .map(String::strip)
+        .distinct()
+        .map(name -> CountScope.of(name, group(name)))
+        .toList();
+  }
+
+  /**
+   * The outermost named groups that hold enriched Switches. The whole scene instead, if there is no
+   * such group, or if there are several of a single object each: then a group is what places one
+   * object, not a part of the scene.
+   */
+  List<CountScope> outermost() {
+    List<CountedItem> groups = new ArrayList<>();
+    outermost(items.root(), groups, new HashSet<>());
+    List<CountScope> scopes =
+        groups.stream().map(group -> CountScope.of(group.name, group)).toList();
+    boolean ofOneObject =
+        scopes.size() > 1 && scopes.stream().allMatch(scope -> scope.objects().size() == 1);
+    return scopes.isEmpty() || ofOneObject
+        ? List.of(CountScope.of(SceneStatistics.WHOLE_SCENE, items.root()))
+        : scopes;
+  }
+
+  private static void outermost(CountedItem item, List<CountedItem> found, Set<CountedItem> seen) {
+    if (!item.varies || item.versions.isPresent() || !seen.add(item)) {
+      return;
+    }
+    if (item.isNamed()) {
+      found.add(item);
+    } else {
+      item.children.forEach(child -> outermost(child, found, seen));
+    }
+  }
+
+  private CountedItem group(String name) {
+    ParsedNode node = named.get(name);
+    if (node == null) {
+      throw new ScopeException("the scene has no group '%s'%s".formatted(name, suggestion(name)));
+    }
+    if (!Structure.isGroup(node.type())) {
+      throw new ScopeException(
+          "%s: %s is a %s, not a group".formatted(node.location(), name, node.type().name()));
+    }
+    return items
+        .of(node)
+        .orElseThrow(
+            () ->
+                new ScopeException(
+                    "%s: group %s is not in a part of the scene that is drawn"
+                        .formatted(node.location(), name)));
+  }
+
+  private String suggestion(String name) {
+    List<String> groups =
+        named.entrySet().stream()
+            .filter(entry -> Structure.isGroup(entry.getValue().type()))
+            .map(Map.Entry::getKey)
+            .toList();
+    return Spelling.nearest(name, groups)
+        .map("; did you mean %s?"::formatted)
+        .orElseGet(() -> some(groups));
+  }
+
+  /** The groups most likely meant: those that hold several objects in versions. */
+  private String some(List<String> groups) {
+    List<String> first =
+        groups.stream()
+            .filter(
+                group -> items.of(named.get(group)).filter(ScopeFinder::holdsSeveral).isPresent())
+            .limit(5)
+            .toList();
+    return first.isEmpty() ? "" : "; there are " + String.join(", ", first);
+  }
+
+  private static boolean holdsSeveral(CountedItem item) {
+    return item.varies && CountScope.of(item.name, item).objects().size() > 1;
+  }
+}

@@ -1,0 +1,117 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
+import org.selectiverenderer.schema.Activation;
+import org.selectiverenderer.schema.SwitchSchemas;
+
+/**
+ * The states that a scope can be in: as loaded, in each area, and in each set of areas that share a
+ * place. In every state the versions shown are what {@link Activation} says after the viewer has
+ * entered the areas one after the other, in document order. Where another order of entering gives
+ * another number of polygons, because areas claim an object for different versions, it is a state
+ * of its own.
+ */
+final class StateFinder {
+  private static final int MAX_ORDERED = 4;
+
+  private final List<CountedItem> objects;
+  private final List<Area> areas;
+
+  /**
+   * @param objects of the whole scene
+   * @param areas of the whole scene
+   */
+  StateFinder(List<CountedItem> objects, List<Area> areas) {
+    this.objects = objects;
+    this.areas = areas;
+  }
+
+  /**
+   * @param sets of areas of the scope, each in document order
+   */
+  List<StateCount> states(CountScope scope, long high, Collection<List<Area>> sets) {
+    List<StateCount> states = new ArrayList<>();
+    long loaded = count(scope, activation(objects, areas));
+    states.add(StateCount.of(mainSchemas(scope), loaded, high));
+    Set<List<String>> listed = new HashSet<>();
+    listed.add(states.get(0).schemas());
+    for (List<Area> set : sets) {
+      Set<Long> counts = new HashSet<>();
+      for (List<Area> order : orders(set)) {
+        Activation<Area, CountedItem> activation = activation(objects, areas);
+        order.forEach(activation::enter);
+        long polygons = count(scope, activation);
+        if (counts.add(polygons) && listed.add(activation.activeSchemas())) {
+          states.add(StateCount.of(activation.activeSchemas(), polygons, high));
+        }
+      }
+    }
+    return states;
+  }
+
+  /** A scene as loaded, before the viewer has entered any area. */
+  static Activation<Area, CountedItem> activation(List<CountedItem> objects, List<Area> areas) {
+    Activation<Area, CountedItem> activation = new Activation<>();
+    areas.forEach(area -> activation.putArea(area, area.schemas));
+    for (CountedItem object : objects) {
+      activation.putSwitch(object, object.versions.orElseThrow(), object.whichChoice());
+    }
+    return activation;
+  }
+
+  private static long count(CountScope scope, Activation<Area, CountedItem> activation) {
+    return new PolygonCounter(activation.shown()).of(scope.item());
+  }
+
+  /**
+   * The schemas that all objects follow which know them; without those of areas, unless no other is
+   * left.
+   */
+  private List<String> mainSchemas(CountScope scope) {
+    Map<String, Boolean> followed = new LinkedHashMap<>();
+    for (CountedItem object : scope.objects()) {
+      SwitchSchemas versions = object.versions.orElseThrow();
+      versions
+          .choiceBySchema()
+          .forEach(
+              (schema, choice) ->
+                  followed.merge(schema, choice == object.whichChoice(), Boolean::logicalAnd));
+    }
+    followed.values().removeIf(all -> !all);
+    Set<String> entered = new HashSet<>();
+    areas.forEach(area -> entered.addAll(area.schemas.enter()));
+    List<String> main = followed.keySet().stream().filter(s -> !entered.contains(s)).toList();
+    return main.isEmpty() ? List.copyOf(followed.keySet()) : main;
+  }
+
+  /** All orders of a small set, the given one first; of a large one only that. */
+  private static List<List<Area>> orders(List<Area> set) {
+    if (set.size() > MAX_ORDERED) {
+      return List.of(set);
+    }
+    List<List<Area>> orders = new ArrayList<>();
+    permute(List.of(), new LinkedHashSet<>(set), orders);
+    return orders;
+  }
+
+  private static void permute(List<Area> begun, Set<Area> rest, List<List<Area>> orders) {
+    if (rest.isEmpty()) {
+      orders.add(begun);
+    }
+    for (Area next : rest) {
+      List<Area> longer = new ArrayList<>(begun);
+      longer.add(next);
+      Set<Area> others = new LinkedHashSet<>(rest);
+      others.remove(next);
+      permute(longer, others, orders);
+    }
+  }
+}

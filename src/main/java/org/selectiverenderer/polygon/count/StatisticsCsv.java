@@ -1,0 +1,59 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.List;
+import java.util.Locale;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
+import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
+import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
+
+/**
+ * Polygon counts as CSV with the header {@code kind,scope,name,version,polygons,percent}, one row
+ * for each
+ *
+ * <ul>
+ *   <li>{@code total}: the scene, its name the file's;
+ *   <li>{@code object}: a version of an object, numbered from 1, in percent of the original;
+ *   <li>{@code high}: a scope with all objects high;
+ *   <li>{@code state}: a scope with schemas activated, its name the schemas, {@code +} between
+ *       them.
+ * </ul>
+ */
+public final class StatisticsCsv {
+  private StatisticsCsv() {}
+
+  /** Lines that end with LF. */
+  public static String of(SceneStatistics statistics) {
+    CsvText csv = new CsvText();
+    csv.row("kind", "scope", "name", "version", "polygons", "percent");
+    csv.row("total", "", statistics.scene(), "", statistics.totalHigh(), "100.00");
+    for (ObjectCount object : statistics.objects()) {
+      print(csv, object);
+    }
+    for (ScopeCount scope : statistics.scopes()) {
+      csv.row("high", scope.scope(), "", "", scope.high(), "100.00");
+      for (StateCount state : scope.states()) {
+        String name = String.join("+", state.schemas());
+        csv.row("state", scope.scope(), name, "", state.polygons(), percent(state.percent()));
+      }
+    }
+    return csv.toString();
+  }
+
+  private static void print(CsvText csv, ObjectCount object) {
+    List<Long> versions = object.versions();
+    for (int i = 0; i < versions.size(); i++) {
+      csv.row(
+          "object",
+          object.scope().orElse(""),
+          object.switchName(),
+          i + 1,
+          versions.get(i),
+          percent(object.percent(i)));
+    }
+  }
+
+  private static String percent(double value) {
+    return String.format(Locale.ROOT, "%.2f", value);
+  }
+}

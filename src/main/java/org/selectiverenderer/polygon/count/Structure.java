@@ -1,0 +1,71 @@
+package org.selectiverenderer.polygon.count;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/** Which nodes of a file hold what is drawn: the same that the embedded browser draws. */
+final class Structure {
+  private static final Set<String> GROUPS =
+      Set.of(
+          "Group",
+          "StaticGroup",
+          "Anchor",
+          "CADAssembly",
+          "CADLayer",
+          "CADPart",
+          "PickableGroup",
+          "ViewpointGroup",
+          "Transform",
+          "Switch",
+          "LOD",
+          "Billboard",
+          "Collision");
+
+  private Structure() {}
+
+  /** Whether nodes of a type hold others that are drawn. */
+  static boolean isGroup(NodeType type) {
+    return GROUPS.contains(type.name())
+        || type.name().equals("CADFace")
+        || type.name().equals("Inline");
+  }
+
+  static boolean isInline(ParsedNode node) {
+    return node.type().name().equals("Inline");
+  }
+
+  static boolean isShape(ParsedNode node) {
+    return node.type().name().equals("Shape");
+  }
+
+  static boolean isSwitch(ParsedNode node) {
+    return node.type().name().equals("Switch");
+  }
+
+  static boolean isSensor(ParsedNode node) {
+    return node.type().name().equals("ProximitySensor");
+  }
+
+  /** The nodes in a group of the same file, shown or not; none for what is no group. */
+  static List<ParsedNode> children(ParsedNode node) {
+    if (GROUPS.contains(node.type().name())) {
+      return node.nodes("children").stream().map(ParsedNode.class::cast).toList();
+    }
+    if (node.type().name().equals("CADFace") && node.node("shape") instanceof ParsedNode shape) {
+      return List.of(shape);
+    }
+    return List.of();
+  }
+
+  static Optional<ParsedNode> geometry(ParsedNode shape) {
+    return Optional.ofNullable((ParsedNode) shape.node("geometry"));
+  }
+
+  /** The field {@code visible} (X3D 4.0); true for what has none. */
+  static boolean visible(ParsedNode node) {
+    return node.type().field("visible").map(f -> (Boolean) node.value(f.index())).orElse(true);
+  }
+}

@@ -1,0 +1,64 @@
+package org.selectiverenderer.polygon.model;
+
+import org.joml.Matrix3d;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/** Meshes put where a Transform places its children. */
+final class MeshPlacement {
+  private MeshPlacement() {}
+
+  /** The mesh in its parent's frame; a mirror turns the triangles, so that the front stays. */
+  static Mesh place(Mesh mesh, Matrix4dc placement) {
+    if (new Matrix4d().equals(placement)) {
+      return mesh;
+    }
+    float[] positions = mesh.positions().clone();
+    Vector3d v = new Vector3d();
+    for (int i = 0; i < positions.length; i += 3) {
+      placement.transformPosition(v.set(positions[i], positions[i + 1], positions[i + 2]));
+      put(v, positions, i);
+    }
+    int[] indices = mesh.indices();
+    if (placement.determinant3x3() < 0) {
+      indices = indices.clone();
+      for (int i = 0; i < indices.length; i += 3) {
+        int kept = indices[i + 1];
+        indices[i + 1] = indices[i + 2];
+        indices[i + 2] = kept;
+      }
+    }
+    return new Mesh(
+        mesh.primitive(),
+        positions,
+        normals(mesh.normals(), placement),
+        mesh.colors(),
+        mesh.texCoords(),
+        indices,
+        mesh.solid(),
+        Mesh.boundsOf(positions, indices));
+  }
+
+  private static float @Nullable [] normals(float @Nullable [] given, Matrix4dc placement) {
+    if (given == null) {
+      return null;
+    }
+    Matrix3d matrix = placement.normal(new Matrix3d());
+    float[] normals = given.clone();
+    Vector3d v = new Vector3d();
+    for (int i = 0; i < normals.length; i += 3) {
+      matrix.transform(v.set(normals[i], normals[i + 1], normals[i + 2]));
+      put(v.lengthSquared() > 0 && v.isFinite() ? v.normalize() : v.set(0, 1, 0), normals, i);
+    }
+    return normals;
+  }
+
+  private static void put(Vector3d v, float[] values, int at) {
+    values[at] = (float) v.x;
+    values[at + 1] = (float) v.y;
+    values[at + 2] = (float) v.z;
+  }
+}

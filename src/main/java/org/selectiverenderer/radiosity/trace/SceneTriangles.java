@@ -1,0 +1,69 @@
+package org.selectiverenderer.radiosity.trace;
+
+import org.selectiverenderer.geometry.TriangleMath;
+
+/**
+ * Triangles in world coordinates.
+ *
+ * @param corners nine numbers per triangle: x, y, z of its three corners, counter-clockwise seen
+ *     from its front; all finite
+ * @param twoSided per triangle: whether it is seen from behind, too
+ * @param transmittance per triangle: the share of light that goes straight through
+ * @param version per triangle: the version of an object that it belongs to, {@link Versions#FIXED}
+ *     for none
+ */
+public record SceneTriangles(
+    float[] corners, boolean[] twoSided, float[] transmittance, int[] version) {
+
+  public int count() {
+    return twoSided.length;
+  }
+
+  /** Unit normal of a triangle into {@code out}; returns its area. */
+  public double normal(int triangle, double[] out) {
+    int at = 9 * triangle;
+    TriangleMath.normal(corners, at, at + 3, at + 6, out);
+    return TriangleMath.normalize(out) / 2;
+  }
+
+  /** A point of a triangle by the weights of its second and third corner. */
+  public void point(int triangle, double u, double v, double[] out) {
+    int at = 9 * triangle;
+    double w = 1 - u - v;
+    for (int axis = 0; axis < 3; axis++) {
+      out[axis] = w * corners[at + axis] + u * corners[at + 3 + axis] + v * corners[at + 6 + axis];
+    }
+  }
+
+  /**
+   * The weights of a triangle's second and third corner at a point in its plane, inside of it.
+   *
+   * @param corners nine numbers per triangle
+   * @param out gets two numbers
+   * @return how far outside the point lies, in weights; 0 for inside
+   */
+  public static double weights(float[] corners, int triangle, double[] point, double[] out) {
+    double bb = 0;
+    double bc = 0;
+    double cc = 0;
+    double pb = 0;
+    double pc = 0;
+    int at = 9 * triangle;
+    for (int axis = 0; axis < 3; axis++) {
+      double b = (double) corners[at + 3 + axis] - corners[at + axis];
+      double c = (double) corners[at + 6 + axis] - corners[at + axis];
+      double p = point[axis] - corners[at + axis];
+      bb += b * b;
+      bc += b * c;
+      cc += c * c;
+      pb += p * b;
+      pc += p * c;
+    }
+    double scale = bb * cc - bc * bc;
+    double u = scale > 0 ? (cc * pb - bc * pc) / scale : 0;
+    double v = scale > 0 ? (bb * pc - bc * pb) / scale : 0;
+    out[0] = Math.max(0, Math.min(1, u));
+    out[1] = Math.max(0, Math.min(1 - out[0], v));
+    return Math.abs(out[0] - u) + Math.abs(out[1] - v);
+  }
+}

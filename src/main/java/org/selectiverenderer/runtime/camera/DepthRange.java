@@ -1,0 +1,49 @@
+package org.selectiverenderer.runtime.camera;
+
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+
+/**
+ * Distances of the near and far plane.
+ *
+ * @param near above 0
+ * @param far above {@code near}
+ */
+public record DepthRange(double near, double far) {
+  /** Beyond this ratio a depth buffer of 24 bits has too few steps far away. */
+  private static final double MOST = 1e5;
+
+  /**
+   * From half the avatar's collision distance to the visibility limit, or as far as anything shown
+   * (X3D 4.0, 23.4.4: NavigationInfo).
+   *
+   * @param avatarRadius the first element of avatarSize
+   * @param visibilityLimit 0 for none
+   */
+  public static DepthRange of(
+      InstanceTree tree, Vector3dc eye, double avatarRadius, double visibilityLimit) {
+    double near = Math.max(avatarRadius / 2, 1e-6);
+    if (visibilityLimit > near) {
+      return new DepthRange(near, visibilityLimit);
+    }
+    double farthest = 0;
+    for (ShapeInstance shape : tree.shapes()) {
+      if (shape.shown()) {
+        farthest = Math.max(farthest, farthest(shape.bounds(), eye));
+      }
+    }
+    double far = Math.max(near * 100, Math.sqrt(farthest) * 1.01);
+    return new DepthRange(Math.max(near, far / MOST), far);
+  }
+
+  private static double farthest(double[] box, Vector3dc eye) {
+    if (box[0] > box[3]) {
+      return 0;
+    }
+    double x = Math.max(Math.abs(box[0] - eye.x()), Math.abs(box[3] - eye.x()));
+    double y = Math.max(Math.abs(box[1] - eye.y()), Math.abs(box[4] - eye.y()));
+    double z = Math.max(Math.abs(box[2] - eye.z()), Math.abs(box[5] - eye.z()));
+    return x * x + y * y + z * z;
+  }
+}

@@ -1,0 +1,161 @@
+package org.selectiverenderer.runtime.collide;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.ToLongFunction;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tree.MeshTree;
+import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.instance.Instance;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.nodes.group.CollisionNode;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * What the viewer bumps into and stands on (X3D 4.0, 23.2.4 and 23.4.2): every shape shown, from
+ * both sides, except lines and points, what is below a Collision node that is not enabled, and what
+ * a proxy stands for. Belongs to the thread that steps the world; follows the tree's updates.
+ */
+public final class Colliders {
+  private final InstanceTree tree;
+  private final Assets assets;
+  private final MeshTrees meshes;
+  private final Map<CollisionNode, InstanceTree> proxies = new IdentityHashMap<>();
+  private PlacedIndex<PlacedMesh> index;
+  private long structure = -1;
+  private long placement;
+
+  /**
+   * @param assets makes the meshes of proxies
+   */
+  public Colliders(InstanceTree tree, Assets assets, MeshTrees meshes) {
+    this.tree = tree;
+    this.assets = assets;
+    this.meshes = meshes;
+    index = new PlacedIndex<>(List.of(), meshes);
+  }
+
+  /** Follows what changed in the scene and in proxies. */
+  private void refresh() {
+    long structureNow = tree.structureVersion();
+    long placementNow = tree.placementVersion();
+    for (InstanceTree proxy : proxies.values()) {
+      proxy.update();
+      structureNow += proxy.structureVersion();
+      placementNow += proxy.placementVersion();
+    }
+    if (structureNow != structure) {
+      List<PlacedMesh> all = new ArrayList<>();
+      collect(tree.root(), List.of(), all);
+      index = new PlacedIndex<>(all, meshes);
+      // The new proxies' versions are in these sums from the next call on.
+      structure = versions(InstanceTree::structureVersion);
+      placement = versions(InstanceTree::placementVersion);
+    } else if (placementNow != placement) {
+      placement = placementNow;
+      index.refresh();
+    }
+  }
+
+  private long versions(ToLongFunction<InstanceTree> version) {
+    return version.applyAsLong(tree) + proxies.values().stream().mapToLong(version).sum();
+  }
+
+  private void collect(Instance instance, List<CollisionNode> above, List<PlacedMesh> all) {
+    if (instance instanceof ShapeInstance shape) {
+      all.add(new PlacedMesh.OfShape(shape, above));
+    } else if (instance instanceof GroupInstance group) {
+      if (group.node() instanceof CollisionNode collision) {
+        List<CollisionNode> with = new ArrayList<>(above);
+        with.add(collision);
+        List<CollisionNode> collisions = List.copyOf(with);
+        if (collision.proxy().isPresent()) {
+          for (ShapeInstance part : proxy(collision, collision.proxy().get()).shapes()) {
+            all.add(new PlacedMesh.OfProxy(group, part, collisions));
+          }
+        } else {
+          group.children().forEach(child -> collect(child, collisions, all));
+        }
+      } else {
+        group.children().forEach(child -> collect(child, above, all));
+      }
+    }
+  }
+
+  private InstanceTree proxy(CollisionNode collision, Node proxy) {
+    return proxies.computeIfAbsent(
+        collision,
+        node -> {
+          GroupingNode holder = new GroupingNode(node.type(), null, node.location());
+          holder.init(node.type().indexOf("children"), List.of(proxy));
+          return new InstanceTree(holder, assets);
+        });
+  }
+
+  /**
+   * How far something is along a ray.
+   *
+   * @param direction of unit length, in the world
+   */
+  public OptionalDouble distance(Vector3dc origin, Vector3dc direction, double limit) {
+    refresh();
+    return index
+        .ray(origin, direction, limit, false)
+        .map(hit -> OptionalDouble.of(hit.at().distance()))
+        .orElse(OptionalDouble.empty());
+  }
+
+  /**
+   * Gathers the triangles that touch a box.
+   *
+   * @param frame takes the coordinates in which box and triangles are given to the world; the
+   *     origin is the same
+   * @param box min x, y, z, max x, y, z
+   */
+  public void gather(Quaterniondc frame, double[] box, NearTriangles into) {
+    refresh();
+    into.clear();
+    Matrix4d toWorld = new Matrix4d().rotation(frame);
+    Matrix4d toFrame = toWorld.transpose(new Matrix4d());
+    index.overlap(transform(box, toWorld), placed -> gather(placed, toFrame, box, into));
+  }
+
+  private void gather(PlacedMesh placed, Matrix4dc toFrame, double[] box, NearTriangles into) {
+    Mesh mesh = placed.mesh().orElse(null);
+    Matrix4d local = toFrame.mul(placed.world(), new Matrix4d());
+    Matrix4d inverse = local.invertAffine(new Matrix4d());
+    if (mesh == null || mesh.polygons() == 0 || !inverse.isFinite()) {
+      return;
+    }
+    MeshTree bvh = meshes.of(mesh);
+    Vector3d a = new Vector3d();
+    Vector3d b = new Vector3d();
+    Vector3d c = new Vector3d();
+    bvh.inBox(
+        transform(box, inverse),
+        triangle -> {
+          local.transformPosition(bvh.corner(triangle, 0, a));
+          local.transformPosition(bvh.corner(triangle, 1, b));
+          local.transformPosition(bvh.corner(triangle, 2, c));
+          into.add(a, b, c, placed);
+        });
+  }
+
+  private static double[] transform(double[] box, Matrix4dc by) {
+    Vector3d min = new Vector3d();
+    Vector3d max = new Vector3d();
+    by.transformAab(box[0], box[1], box[2], box[3], box[4], box[5], min, max);
+    return new double[] {min.x, min.y, min.z, max.x, max.y, max.z};
+  }
+}

@@ -1,0 +1,47 @@
+package org.selectiverenderer.runtime.collide;
+
+import java.util.Arrays;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** Triangles gathered around the viewer, and what each is part of; filled anew for every step. */
+public final class NearTriangles {
+  private double[] coordinates = new double[9 * 64];
+  private PlacedMesh[] owners = new PlacedMesh[64];
+  private int size;
+
+  void clear() {
+    size = 0;
+  }
+
+  int size() {
+    return size;
+  }
+
+  void add(Vector3dc a, Vector3dc b, Vector3dc c, PlacedMesh owner) {
+    if (size == owners.length) {
+      coordinates = Arrays.copyOf(coordinates, 2 * coordinates.length);
+      owners = Arrays.copyOf(owners, 2 * size);
+    }
+    put(9 * size, a);
+    put(9 * size + 3, b);
+    put(9 * size + 6, c);
+    owners[size++] = owner;
+  }
+
+  private void put(int at, Vector3dc p) {
+    coordinates[at] = p.x();
+    coordinates[at + 1] = p.y();
+    coordinates[at + 2] = p.z();
+  }
+
+  /** A corner of a triangle; corner is 0, 1 or 2. Returns {@code out}. */
+  Vector3d corner(int triangle, int corner, Vector3d out) {
+    int at = 9 * triangle + 3 * corner;
+    return out.set(coordinates[at], coordinates[at + 1], coordinates[at + 2]);
+  }
+
+  PlacedMesh owner(int triangle) {
+    return owners[triangle];
+  }
+}

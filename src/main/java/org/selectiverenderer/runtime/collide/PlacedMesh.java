@@ -1,0 +1,120 @@
+package org.selectiverenderer.runtime.collide;
+
+import java.util.List;
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.nodes.group.CollisionNode;
+
+/** A mesh somewhere in the world, which a ray may hit or the viewer bump into. */
+public sealed interface PlacedMesh {
+  Optional<Mesh> mesh();
+
+  /** From the mesh's local coordinates to the world. */
+  Matrix4dc world();
+
+  /** Its box in the world; the same array until it moves or gets another mesh. */
+  double[] bounds();
+
+  /** Whether it is there now. */
+  boolean present();
+
+  /** The Collision nodes above it, which hear when the viewer bumps into it. */
+  List<CollisionNode> collisions();
+
+  private static boolean enabled(List<CollisionNode> collisions) {
+    for (CollisionNode collision : collisions) {
+      if (!collision.enabled()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** A shape of the scene, as it is drawn. */
+  record OfShape(ShapeInstance shape, List<CollisionNode> collisions) implements PlacedMesh {
+    @Override
+    public Optional<Mesh> mesh() {
+      return shape.mesh();
+    }
+
+    @Override
+    public Matrix4dc world() {
+      return shape.world();
+    }
+
+    @Override
+    public double[] bounds() {
+      return shape.bounds();
+    }
+
+    @Override
+    public boolean present() {
+      return shape.shown() && enabled(collisions);
+    }
+  }
+
+  /** A shape of a Collision node's proxy: in no instance tree of the scene, so never drawn. */
+  final class OfProxy implements PlacedMesh {
+    private final GroupInstance collision;
+    private final ShapeInstance part;
+    private final List<CollisionNode> collisions;
+    private @Nullable Matrix4dc placedBy;
+    private double[] partBounds = {};
+    private double[] bounds = {};
+    private final Matrix4d world = new Matrix4d();
+
+    /**
+     * @param collision the instance of the Collision node
+     * @param part a shape in the tree made of its proxy
+     */
+    OfProxy(GroupInstance collision, ShapeInstance part, List<CollisionNode> collisions) {
+      this.collision = collision;
+      this.part = part;
+      this.collisions = collisions;
+    }
+
+    @Override
+    public Optional<Mesh> mesh() {
+      return part.mesh();
+    }
+
+    @Override
+    public Matrix4dc world() {
+      return collision.content().mul(part.world(), world);
+    }
+
+    @Override
+    public double[] bounds() {
+      if (placedBy != collision.content() || partBounds != part.bounds()) {
+        placedBy = collision.content();
+        partBounds = part.bounds();
+        bounds = partBounds[0] > partBounds[3] ? partBounds.clone() : placed(placedBy);
+      }
+      return bounds;
+    }
+
+    private double[] placed(Matrix4dc by) {
+      Vector3d min = new Vector3d();
+      Vector3d max = new Vector3d();
+      double[] b = partBounds;
+      by.transformAab(b[0], b[1], b[2], b[3], b[4], b[5], min, max);
+      return new double[] {min.x, min.y, min.z, max.x, max.y, max.z};
+    }
+
+    @Override
+    public boolean present() {
+      return collision.shown() && part.shown() && enabled(collisions);
+    }
+
+    @Override
+    public List<CollisionNode> collisions() {
+      return collisions;
+    }
+  }
+}

@@ -1,0 +1,112 @@
+package org.selectiverenderer.runtime.collide;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Moves a ball along a barrier. It keeps its radius away from every piece, pushed out along the
+ * shortest way, so that the part of the motion along a wall stays. Where it already is too near (a
+ * wall has appeared, a door closes), it may not get nearer and moves away little by little.
+ *
+ * <p>A step must be shorter than the radius. No step ever leads through a piece.
+ */
+public final class Slide {
+  /** Pushes in one step: corners of several walls need a few. */
+  private static final int PUSHES = 24;
+
+  private final Barrier barrier;
+  private final double radius;
+  private final double[] kept;
+  private final Vector3d[] away;
+  private final Vector3d q = new Vector3d();
+
+  private Slide(Barrier barrier, Vector3dc from, double radius) {
+    this.barrier = barrier;
+    this.radius = radius;
+    kept = new double[barrier.size()];
+    away = new Vector3d[barrier.size()];
+    for (int i = 0; i < kept.length; i++) {
+      barrier.nearest(i, from, q);
+      kept[i] = Math.min(radius, from.distance(q));
+      away[i] = from.sub(q, new Vector3d());
+    }
+  }
+
+  /**
+   * Where a step ends.
+   *
+   * @param by the step wanted
+   * @param relax how far it may move away, in this step, from what it is too near to
+   */
+  public static Vector3d step(
+      Vector3dc from, Vector3dc by, double radius, double relax, Barrier barrier) {
+    Slide slide = new Slide(barrier, from, radius);
+    Vector3d to = new Vector3d();
+    if (slide.tryStep(from, by, relax, to) || slide.tryStep(from, by, 0, to)) {
+      return to;
+    }
+    return to.set(from);
+  }
+
+  private boolean tryStep(Vector3dc from, Vector3dc by, double relax, Vector3d to) {
+    from.add(by, to);
+    for (int push = 0; push < PUSHES && pushOut(from, relax, to); push++) {
+      // Until nothing pushes any more.
+    }
+    double tolerance = 1e-6 * radius;
+    for (int i = 0; i < kept.length; i++) {
+      barrier.nearest(i, to, q);
+      if (q.distance(to) < kept[i] - tolerance || passes(i, from, to)) {
+        barrier.touched(i);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether a piece lies between; one that the ball's centre stands on cannot tell. */
+  private boolean passes(int piece, Vector3dc from, Vector3dc to) {
+    return kept[piece] > 1e-9 * radius && barrier.crossed(piece, from, to);
+  }
+
+  /** Moves out of the piece that is deepest in the ball; false when none is. */
+  private boolean pushOut(Vector3dc from, double relax, Vector3d to) {
+    double deepest = 1e-9 * radius;
+    int piece = -1;
+    boolean through = false;
+    for (int i = 0; i < kept.length; i++) {
+      double required = Math.min(radius, kept[i] + relax);
+      boolean passed = passes(i, from, to);
+      barrier.nearest(i, to, q);
+      double distance = q.distance(to);
+      double depth = passed ? required + distance : required - distance;
+      if (depth > deepest) {
+        deepest = depth;
+        piece = i;
+        through = passed;
+      }
+    }
+    if (piece < 0) {
+      return false;
+    }
+    barrier.touched(piece);
+    double required = Math.min(radius, kept[piece] + relax);
+    if (through) {
+      // Back to the side it came from, seen from where it was nearest.
+      Vector3d n = away[piece].normalize(new Vector3d());
+      Vector3d surface = from.sub(away[piece], new Vector3d());
+      to.fma(required - to.sub(surface, surface).dot(n), n);
+      return true;
+    }
+    barrier.nearest(piece, to, q);
+    Vector3d n = to.sub(q, new Vector3d());
+    if (n.lengthSquared() < 1e-24 * radius * radius) {
+      n.set(away[piece]);
+    }
+    if (n.lengthSquared() == 0) {
+      return false;
+    }
+    to.fma(deepest, n.normalize());
+    return true;
+  }
+}

@@ -1,0 +1,48 @@
+package org.selectiverenderer.runtime.nodes.bind;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.runtime.scene.Cascade;
+
+/** The stack of one kind of bindable node; the topmost is bound (X3D 4.0, 7.2.2). */
+final class BindStack {
+  private final List<BindableNode> stack = new ArrayList<>();
+
+  Optional<BindableNode> top() {
+    return stack.isEmpty() ? Optional.empty() : Optional.of(stack.get(stack.size() - 1));
+  }
+
+  /** Brings a node to the top: first the one bound till then is told, then the node. */
+  void bind(BindableNode node, Cascade cascade) {
+    Optional<BindableNode> before = top();
+    if (before.isPresent() && before.get() == node) {
+      return;
+    }
+    stack.remove(node);
+    stack.add(node);
+    before.ifPresent(old -> old.sendBound(false, cascade));
+    node.sendBound(true, cascade);
+  }
+
+  /** Takes a node out; if it was bound, it is told, then the one that is now. */
+  void unbind(BindableNode node, Cascade cascade) {
+    boolean bound = top().filter(topmost -> topmost == node).isPresent();
+    stack.remove(node);
+    if (bound) {
+      node.sendBound(false, cascade);
+      top().ifPresent(next -> next.sendBound(true, cascade));
+    }
+  }
+
+  /** Takes out nodes that are gone, as if they were unbound; what is bound then is told once. */
+  void retain(Set<BindableNode> present, Cascade cascade) {
+    Optional<BindableNode> before = top();
+    stack.removeIf(node -> !present.contains(node));
+    if (before.isPresent() && !present.contains(before.get())) {
+      before.get().sendBound(false, cascade);
+      top().ifPresent(next -> next.sendBound(true, cascade));
+    }
+  }
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.runtime.nodes.bind;
+
+import java.util.Optional;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Rotations;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Viewpoint and OrthoViewpoint (X3D 4.0, 23.4.6, 23.4.5): a place to look from, in the node's local
+ * coordinates. The NavigationInfo in it is bound and unbound with it.
+ */
+public final class ViewpointNode extends BindableNode {
+  /** The default of Viewpoint's {@code fieldOfView}. */
+  private static final double DEFAULT_FIELD_OF_VIEW = Math.PI / 4;
+
+  private final int navigationInfo;
+  private final int fieldOfView;
+
+  public ViewpointNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    navigationInfo = type.indexOf("navigationInfo");
+    fieldOfView = type.indexOf("fieldOfView");
+  }
+
+  public Vector3d position() {
+    float[] p = floats("position");
+    return new Vector3d(p[0], p[1], p[2]);
+  }
+
+  /** Takes the viewer's frame, looking along -Z, to the local coordinates. */
+  public Quaterniond orientation() {
+    return Rotations.read(floats("orientation"), 0, new Quaterniond());
+  }
+
+  /** The smaller viewing angle in radians; the default for an OrthoViewpoint, which has none. */
+  public double fieldOfView() {
+    return value(fieldOfView) instanceof Float angle ? angle : DEFAULT_FIELD_OF_VIEW;
+  }
+
+  /** Whether binding it takes the viewer there. */
+  public boolean jump() {
+    return bool("jump");
+  }
+
+  Optional<BindableNode> navigationInfo() {
+    return value(navigationInfo) instanceof BindableNode info
+        ? Optional.of(info)
+        : Optional.empty();
+  }
+
+  @Override
+  void sendBound(boolean bound, Cascade cascade) {
+    super.sendBound(bound, cascade);
+    navigationInfo().ifPresent(info -> cascade.send(info, info.setBind(), bound));
+  }
+}

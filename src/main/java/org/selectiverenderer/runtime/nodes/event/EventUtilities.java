@@ -1,0 +1,88 @@
+package org.selectiverenderer.runtime.nodes.event;
+
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeMaker;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** The filters and triggers of X3D 4.0, 30.4: each answers one input with an event of its own. */
+public final class EventUtilities {
+  private EventUtilities() {}
+
+  public static final Map<String, NodeMaker> MAKERS =
+      Map.of(
+          "BooleanFilter", answering("set_boolean", EventUtilities::filter),
+          "BooleanToggle", answering("set_boolean", EventUtilities::toggle),
+          "BooleanTrigger", answering("set_triggerTime", EventUtilities::triggerTrue),
+          "IntegerTrigger", answering("set_boolean", EventUtilities::triggerInteger),
+          "TimeTrigger", answering("set_boolean", EventUtilities::triggerTime));
+
+  @FunctionalInterface
+  private interface Answer {
+    void to(Object value, Node node, Cascade cascade);
+  }
+
+  private static NodeMaker answering(String input, Answer answer) {
+    return (type, name, location) -> new AnsweringNode(type, name, location, input, answer);
+  }
+
+  private static final class AnsweringNode extends Node {
+    private final int input;
+    private final Answer answer;
+
+    AnsweringNode(
+        NodeType type, @Nullable String name, Location location, String input, Answer answer) {
+      super(type, name, location);
+      this.input = type.indexOf(input);
+      this.answer = answer;
+    }
+
+    @Override
+    protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+      if (field.index() == input && value != null) {
+        answer.to(value, this, cascade);
+      } else {
+        super.receive(field, value, cascade);
+      }
+    }
+  }
+
+  /** 30.4.1: passes TRUE on as inputTrue, FALSE as inputFalse, and either negated. */
+  private static void filter(Object value, Node node, Cascade cascade) {
+    boolean is = (Boolean) value;
+    send(node, is ? "inputTrue" : "inputFalse", is, cascade);
+    send(node, "inputNegate", !is, cascade);
+  }
+
+  /** 30.4.3: TRUE turns the toggle over, FALSE does nothing. */
+  private static void toggle(Object value, Node node, Cascade cascade) {
+    if ((Boolean) value) {
+      send(node, "toggle", !node.bool("toggle"), cascade);
+    }
+  }
+
+  /** 30.4.4. */
+  private static void triggerTrue(Object value, Node node, Cascade cascade) {
+    send(node, "triggerTrue", true, cascade);
+  }
+
+  /** 30.4.6: TRUE sends the key; what FALSE does the standard leaves open: nothing. */
+  private static void triggerInteger(Object value, Node node, Cascade cascade) {
+    if ((Boolean) value) {
+      send(node, "triggerValue", node.integer("integerKey"), cascade);
+    }
+  }
+
+  /** 30.4.7: any value sends the time at which it came. */
+  private static void triggerTime(Object value, Node node, Cascade cascade) {
+    send(node, "triggerTime", cascade.time(), cascade);
+  }
+
+  private static void send(Node node, String field, Object value, Cascade cascade) {
+    node.emit(node.type().indexOf(field), value, cascade);
+  }
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.runtime.nodes.group;
+
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** Turns its children's +Z towards the viewer about an axis, or freely (X3D 4.0, 23.4.1). */
+public final class BillboardNode extends GroupingNode implements ViewerDependent {
+  private final int axisOfRotation;
+  private final Matrix4d placement = new Matrix4d();
+
+  public BillboardNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    axisOfRotation = type.indexOf("axisOfRotation");
+  }
+
+  @Override
+  public Optional<Matrix4d> placement() {
+    return Optional.of(new Matrix4d(placement));
+  }
+
+  @Override
+  public Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade) {
+    float[] a = (float[]) value(axisOfRotation);
+    Vector3d axis = new Vector3d(a[0], a[1], a[2]);
+    Matrix4d next =
+        axis.lengthSquared() == 0 ? facing(viewer, up) : turned(axis.normalize(), viewer);
+    if (next.equals(placement, 1e-9)) {
+      return Effect.NONE;
+    }
+    placement.set(next);
+    return Effect.PLACEMENT;
+  }
+
+  /** About an axis: the viewer's direction projected onto the plane that the axis is normal to. */
+  private static Matrix4d turned(Vector3d axis, Vector3dc viewer) {
+    Vector3d to = new Vector3d(viewer).fma(-axis.dot(viewer), axis);
+    Vector3d front = new Vector3d(0, 0, 1).fma(-axis.z, axis);
+    if (to.lengthSquared() < 1e-18 || front.lengthSquared() < 1e-18) {
+      return new Matrix4d();
+    }
+    double angle = Math.atan2(front.cross(to, new Vector3d()).dot(axis), front.dot(to));
+    return new Matrix4d().rotate(angle, axis);
+  }
+
+  /** Without an axis: +Z to the viewer, +Y along the viewer's up as far as that allows. */
+  private static Matrix4d facing(Vector3dc viewer, Vector3dc up) {
+    Vector3d z = new Vector3d(viewer).normalize();
+    Vector3d x = up.cross(z, new Vector3d()).normalize();
+    Vector3d y = z.cross(x, new Vector3d());
+    Matrix4d facing =
+        new Matrix4d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1);
+    return facing.isFinite() ? facing : new Matrix4d();
+  }
+}

@@ -1,0 +1,27 @@
+package org.selectiverenderer.runtime.nodes.group;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** Holds one shape of a CAD part, in a field of its own (X3D 4.0, 32.4.2). */
+public final class CadFaceNode extends GroupingNode {
+  private final int shape;
+
+  public CadFaceNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    shape = type.indexOf("shape");
+  }
+
+  @Override
+  public List<Node> children() {
+    return value(shape) instanceof Node node ? List.of(node) : List.of();
+  }
+
+  @Override
+  public Effect effectOf(int field) {
+    return field == shape ? Effect.STRUCTURE : super.effectOf(field);
+  }
+}

@@ -1,0 +1,65 @@
+package org.selectiverenderer.runtime.nodes.group;
+
+import java.util.List;
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** Holds the scene of another file (X3D 4.0, 9.4.2). */
+public final class InlineNode extends GroupingNode {
+  private final int load;
+  private final int url;
+  private @Nullable Scene content;
+  private double scale = 1;
+
+  public InlineNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    load = type.indexOf("load");
+    url = type.indexOf("url");
+  }
+
+  /** The loaded scene; empty until it is there, and when it could not be read. */
+  public Optional<Scene> content() {
+    return Optional.ofNullable(content);
+  }
+
+  /**
+   * Fills the Inline.
+   *
+   * @param newScale units of the including scene per unit of the content (X3D 4.0, 4.3.6)
+   */
+  public void fill(@Nullable Scene newContent, double newScale) {
+    content = newContent;
+    scale = newScale;
+  }
+
+  /** Fills it while the world runs: observers see other children, no event is sent. */
+  public void refill(@Nullable Scene newContent, double newScale) {
+    fill(newContent, newScale);
+    tellObservers(load);
+  }
+
+  @Override
+  public List<Node> children() {
+    return content == null || !(Boolean) value(load) ? List.of() : List.of(content.root());
+  }
+
+  @Override
+  public Optional<Matrix4d> placement() {
+    return scale == 1 ? Optional.empty() : Optional.of(new Matrix4d().scale(scale));
+  }
+
+  /** The index of the field {@code url}. */
+  public int urlField() {
+    return url;
+  }
+
+  @Override
+  public Effect effectOf(int field) {
+    return field == load ? Effect.STRUCTURE : super.effectOf(field);
+  }
+}

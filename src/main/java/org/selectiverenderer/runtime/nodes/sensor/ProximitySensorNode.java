@@ -1,0 +1,81 @@
+package org.selectiverenderer.runtime.nodes.sensor;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Rotations;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Notices the viewer entering, moving in and leaving a box (X3D 4.0, 22.4.1; the areas of the
+ * thesis). The eye is taken into the box's own coordinates, so that the answer is exact under any
+ * transformation above it; the boundary belongs to the box. A sensor that is USEd senses the union
+ * of its boxes. It does not matter whether a Switch shows the branch that it stands in.
+ *
+ * <p>The pose sent is the one in the place entered; that stays until the viewer leaves its box.
+ * Events carry the frame's time: crossings between two frames are not interpolated.
+ */
+public final class ProximitySensorNode extends RegionSensorNode {
+  private final int centerOfRotationChanged;
+  private final PoseReport pose;
+  private final List<LocalFrame> locals = new ArrayList<>(1);
+  private final Vector3d eye = new Vector3d();
+  private final Vector3d forward = new Vector3d();
+  private final Vector3d up = new Vector3d();
+  private int last;
+
+  public ProximitySensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    centerOfRotationChanged = type.indexOf("centerOfRotation_changed");
+    pose = new PoseReport(this);
+  }
+
+  @Override
+  public void frame(Frame frame, Cascade cascade) {
+    int at = enabled() && hasVolume() ? find(frame) : -1;
+    boolean before = active();
+    sense(at >= 0, cascade);
+    if (at >= 0 && enabled()) { // An answer to isActive may have disabled it.
+      last = at;
+      report(frame, locals.get(at), !before, cascade);
+    }
+  }
+
+  /** The index of the place whose box holds the eye, the last one first; -1 for none. */
+  private int find(Frame frame) {
+    List<? extends Matrix4dc> places = frame.places(this);
+    int count = places.size();
+    while (locals.size() < count) {
+      locals.add(new LocalFrame());
+    }
+    if (last < count && holds(places, last, frame.eye())) {
+      return last;
+    }
+    for (int i = 0; i < count; i++) {
+      if (holds(places, i, frame.eye())) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private boolean holds(List<? extends Matrix4dc> places, int place, Vector3dc worldEye) {
+    LocalFrame local = locals.get(place);
+    return local.follow(places.get(place)) && contains(local.point(worldEye, eye));
+  }
+
+  private void report(Frame frame, LocalFrame local, boolean always, Cascade cascade) {
+    Rotations.forward(frame.orientation(), forward);
+    Rotations.up(frame.orientation(), up);
+    pose.send(local, eye, forward, up, always, cascade);
+    Vector3dc center = frame.centerOfRotation();
+    if (center != null && enabled()) {
+      pose.sendPoint(centerOfRotationChanged, local.point(center, eye), always, cascade);
+    }
+  }
+}

@@ -1,0 +1,87 @@
+package org.selectiverenderer.runtime.nodes.sensor;
+
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * A sensor of a box (X3D 4.0, X3DEnvironmentalSensorNode, 22.3.1). Entering sends {@code isActive
+ * TRUE}, then {@code enterTime}; leaving sends {@code isActive FALSE}, then {@code exitTime}; both
+ * with the time stamp of the frame. An active sensor that is disabled leaves at once, with the time
+ * stamp of the event that disabled it.
+ */
+abstract class RegionSensorNode extends Node implements FrameNode {
+  private final int enabled;
+  private final int center;
+  private final int size;
+  private final int isActive;
+  private final int enterTime;
+  private final int exitTime;
+
+  RegionSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    enabled = type.indexOf("enabled");
+    center = type.indexOf("center");
+    size = type.indexOf("size");
+    isActive = type.indexOf("isActive");
+    enterTime = type.indexOf("enterTime");
+    exitTime = type.indexOf("exitTime");
+  }
+
+  final boolean enabled() {
+    return (Boolean) value(enabled);
+  }
+
+  final boolean active() {
+    return (Boolean) value(isActive);
+  }
+
+  final float[] center() {
+    return (float[]) value(center);
+  }
+
+  final float[] size() {
+    return (float[]) value(size);
+  }
+
+  /** Whether the box has an inside: all of its sizes are positive. */
+  final boolean hasVolume() {
+    float[] s = size();
+    return s[0] > 0 && s[1] > 0 && s[2] > 0;
+  }
+
+  /** Whether a point in local coordinates is in the box or on its boundary; never for NaN. */
+  final boolean contains(Vector3dc local) {
+    float[] c = center();
+    float[] s = size();
+    return Math.abs(local.x() - c[0]) <= s[0] / 2.0
+        && Math.abs(local.y() - c[1]) <= s[1] / 2.0
+        && Math.abs(local.z() - c[2]) <= s[2] / 2.0;
+  }
+
+  /**
+   * Sends what a change of state calls for. An answer to its own isActive that disables it is heard
+   * at the next frame: isActive sends one event in a cascade.
+   */
+  final void sense(boolean inside, Cascade cascade) {
+    if (inside == active()) {
+      return;
+    }
+    emit(isActive, inside, cascade);
+    if (inside == active()) {
+      emit(inside ? enterTime : exitTime, cascade.time(), cascade);
+    }
+  }
+
+  @Override
+  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    super.receive(field, value, cascade);
+    if (field.index() == enabled && !enabled()) {
+      sense(false, cascade);
+    }
+  }
+}

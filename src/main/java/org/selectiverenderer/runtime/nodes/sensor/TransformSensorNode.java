@@ -1,0 +1,70 @@
+package org.selectiverenderer.runtime.nodes.sensor;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Notices an object entering, moving in and leaving a box (X3D 4.0, 22.4.2). The object counts as
+ * being where the origin of its local coordinates is, its own transformation included.
+ */
+public final class TransformSensorNode extends RegionSensorNode {
+  private final int targetObject;
+  private final PoseReport pose;
+  private final List<LocalFrame> locals = new ArrayList<>(1);
+  private final Matrix4d target = new Matrix4d();
+  private final Vector3d origin = new Vector3d();
+  private final Vector3d local = new Vector3d();
+  private final Vector3d forward = new Vector3d();
+  private final Vector3d up = new Vector3d();
+
+  public TransformSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    targetObject = type.indexOf("targetObject");
+    pose = new PoseReport(this);
+  }
+
+  @Override
+  public void frame(Frame frame, Cascade cascade) {
+    Node object = (Node) value(targetObject);
+    LocalFrame found = object == null || !enabled() || !hasVolume() ? null : find(object, frame);
+    boolean before = active();
+    sense(found != null, cascade);
+    if (found != null && enabled()) {
+      target.transformDirection(forward.set(0, 0, -1));
+      target.transformDirection(up.set(0, 1, 0));
+      pose.send(found, local, forward, up, !before, cascade);
+    }
+  }
+
+  /** The first place of the box that holds the first place of the object that is in one. */
+  private @Nullable LocalFrame find(Node object, Frame frame) {
+    List<? extends Matrix4dc> boxes = frame.places(this);
+    List<? extends Matrix4dc> objects = frame.places(object);
+    while (locals.size() < boxes.size()) {
+      locals.add(new LocalFrame());
+    }
+    for (int o = 0; o < objects.size(); o++) {
+      target.set(objects.get(o));
+      if (object instanceof GroupingNode group) {
+        group.placement().ifPresent(target::mul);
+      }
+      target.getTranslation(origin);
+      for (int b = 0; b < boxes.size(); b++) {
+        LocalFrame box = locals.get(b);
+        if (box.follow(boxes.get(b)) && contains(box.point(origin, local))) {
+          return box;
+        }
+      }
+    }
+    return null;
+  }
+}

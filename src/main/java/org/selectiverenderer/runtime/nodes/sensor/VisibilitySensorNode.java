@@ -1,0 +1,76 @@
+package org.selectiverenderer.runtime.nodes.sensor;
+
+import java.util.List;
+import org.joml.FrustumIntersection;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Notices a box coming into and going out of what the viewer can see (X3D 4.0, 22.4.3). The box is
+ * tested as it stands in the world, corner by corner against the planes of the view; one that
+ * crosses no plane alone but passes a corner of the view may count as visible, as the standard
+ * allows. What hides it from view is not considered.
+ */
+public final class VisibilitySensorNode extends RegionSensorNode {
+  private static final int PLANES = 6;
+
+  private final Vector3d[] corners = new Vector3d[8];
+
+  public VisibilitySensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    for (int i = 0; i < corners.length; i++) {
+      corners[i] = new Vector3d();
+    }
+  }
+
+  @Override
+  public void frame(Frame frame, Cascade cascade) {
+    boolean visible = false;
+    if (enabled() && hasExtent()) {
+      List<? extends Matrix4dc> places = frame.places(this);
+      for (int i = 0; i < places.size() && !visible; i++) {
+        visible = sees(frame.frustum(), places.get(i));
+      }
+    }
+    sense(visible, cascade);
+  }
+
+  /** A box may be flat, but not a point, and no size is negative. */
+  private boolean hasExtent() {
+    float[] s = size();
+    return s[0] >= 0 && s[1] >= 0 && s[2] >= 0 && s[0] + s[1] + s[2] > 0;
+  }
+
+  private boolean sees(FrustumIntersection frustum, Matrix4dc place) {
+    float[] c = center();
+    float[] s = size();
+    for (int i = 0; i < corners.length; i++) {
+      double x = c[0] + ((i & 1) == 0 ? -0.5 : 0.5) * s[0];
+      double y = c[1] + ((i & 2) == 0 ? -0.5 : 0.5) * s[1];
+      double z = c[2] + ((i & 4) == 0 ? -0.5 : 0.5) * s[2];
+      place.transformPosition(corners[i].set(x, y, z));
+    }
+    for (int plane = 0; plane < PLANES; plane++) {
+      if (!anyInFrontOf(frustum, plane)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean anyInFrontOf(FrustumIntersection frustum, int plane) {
+    for (Vector3d corner : corners) {
+      float x = (float) corner.x;
+      float y = (float) corner.y;
+      float z = (float) corner.z;
+      if (frustum.distanceToPlane(x, y, z, x, y, z, plane) >= 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * Sensors: nodes that a frame drives. {@link org.selectiverenderer.runtime.nodes.sensor.FrameNode}s
+ * look at the {@link org.selectiverenderer.runtime.nodes.sensor.Frame}, its time and viewer, and a
+ * TouchSensor is told what the pointing device touches.
+ *
+ * <p>In: frames. Out: events. Uses {@code runtime.nodes.group}, {@code runtime.scene}, {@code
+ * x3d.catalogue} and {@code base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.nodes.sensor;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,26 @@
+package org.selectiverenderer.runtime.render;
+
+import java.util.Optional;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.walk.Navigation;
+
+/**
+ * What the bound NavigationInfo decides about a picture (X3D 4.0, 23.4.4).
+ *
+ * @param range of depths that are drawn
+ * @param headlight whether the viewer carries a light
+ */
+public record VisibleRange(DepthRange range, boolean headlight) {
+  public static VisibleRange of(World world) {
+    Optional<Node> info = world.bindables().bound("NavigationInfo");
+    DepthRange range =
+        DepthRange.of(
+            world.instances(),
+            world.viewer().position(),
+            info.map(Navigation::of).orElse(Navigation.WALKING).radius(),
+            info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
+    return new VisibleRange(range, info.map(node -> node.bool("headlight")).orElse(true));
+  }
+}

@@ -1,0 +1,89 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import org.joml.Matrix4d;
+import org.joml.Vector4d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.render.gpu.Program;
+
+/** Draws sky and ground behind what is drawn already (X3D 4.0, 24.4.1). */
+final class BackdropPainter {
+  private static final int MAX_STOPS = 32;
+
+  private @Nullable Program program;
+  private int emptyArray;
+
+  /** Clears the viewport, which the caller has set as scissor box, to the backdrop's colour. */
+  static void clear(GL3 gl, Backdrop backdrop) {
+    float opacity = 1 - backdrop.transparency();
+    float[] sky = backdrop.skyColor();
+    float[] color = sky.length < 3 ? new float[3] : sky;
+    gl.glClearColor(color[0] * opacity, color[1] * opacity, color[2] * opacity, 1);
+    gl.glDepthMask(true);
+    gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
+  }
+
+  /** Fills what nothing was drawn on, unless clearing did that. */
+  void paint(GL3 gl, Backdrop backdrop, Camera camera) {
+    if (backdrop.plain()) {
+      return;
+    }
+    if (program == null) {
+      program = new Program(gl, "backdrop", List.of("MAX_STOPS " + MAX_STOPS));
+      int[] array = new int[1];
+      gl.glGenVertexArrays(1, array, 0);
+      emptyArray = array[0];
+    }
+    program.use(gl);
+    gl.glUniform3fv(program.uniform(gl, "unproject"), 3, unproject(camera), 0);
+    stops(gl, program, "sky", backdrop.skyColor(), backdrop.skyAngle());
+    stops(gl, program, "ground", backdrop.groundColor(), backdrop.groundAngle());
+    gl.glUniform1f(program.uniform(gl, "opacity"), 1 - backdrop.transparency());
+    gl.glBindVertexArray(emptyArray);
+    gl.glDisable(GL.GL_CULL_FACE);
+    gl.glDepthFunc(GL.GL_LEQUAL);
+    gl.glDepthMask(false);
+    gl.glDrawArrays(GL.GL_TRIANGLES, 0, 3);
+    gl.glDepthMask(true);
+    gl.glDepthFunc(GL.GL_LESS);
+  }
+
+  /** The directions, in the world, of the centre and of one unit right and up at the far plane. */
+  private static float[] unproject(Camera camera) {
+    Matrix4d rotation = new Matrix4d(camera.view()).setTranslation(0, 0, 0);
+    Matrix4d inverse = camera.projection().mul(rotation, new Matrix4d()).invert();
+    Vector4d centre = inverse.transform(new Vector4d(0, 0, 1, 1));
+    Vector4d right = inverse.transform(new Vector4d(1, 0, 0, 0));
+    Vector4d up = inverse.transform(new Vector4d(0, 1, 0, 0));
+    double scale = 1 / Math.sqrt(centre.x * centre.x + centre.y * centre.y + centre.z * centre.z);
+    double sign = centre.w < 0 ? -scale : scale;
+    return new float[] {
+      (float) (right.x * sign), (float) (right.y * sign), (float) (right.z * sign),
+      (float) (up.x * sign), (float) (up.y * sign), (float) (up.z * sign),
+      (float) (centre.x * sign), (float) (centre.y * sign), (float) (centre.z * sign)
+    };
+  }
+
+  private static void stops(GL3 gl, Program program, String name, float[] colors, float[] angles) {
+    int count = Math.min(MAX_STOPS, Math.min(colors.length / 3, angles.length + 1));
+    float[] stops = new float[4 * Math.max(1, count)];
+    for (int i = 0; i < count; i++) {
+      System.arraycopy(colors, 3 * i, stops, 4 * i, 3);
+      stops[4 * i + 3] = i == 0 ? 0 : angles[i - 1];
+    }
+    gl.glUniform4fv(program.uniform(gl, name), stops.length / 4, stops, 0);
+    gl.glUniform1i(program.uniform(gl, name + "Stops"), count);
+  }
+
+  void dispose(GL3 gl) {
+    if (program != null) {
+      program.dispose(gl);
+      gl.glDeleteVertexArrays(1, new int[] {emptyArray}, 0);
+      program = null;
+    }
+  }
+}

@@ -1,0 +1,127 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.render.gpu.GpuMesh;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
+
+/** Draws items for one eye, changing only the GL state that differs from the item before. */
+final class ItemPainter {
+  private final GL3 gl;
+  private final Visible visible;
+  private final Camera camera;
+  private final EyeLights lights;
+  private final float pointSize;
+  private final Matrix4d toEye = new Matrix4d();
+  private final Matrix4d toClip = new Matrix4d();
+  private final Matrix4d normals = new Matrix4d();
+  private final float[] object = new float[40];
+  private @Nullable ShapeProgram program;
+  private @Nullable GpuTexture texture;
+  private @Nullable GpuMesh mesh;
+
+  ItemPainter(GL3 gl, Visible visible, Camera camera, EyeLights lights, float pointSize) {
+    this.pointSize = pointSize;
+    this.gl = gl;
+    this.visible = visible;
+    this.camera = camera;
+    this.lights = lights;
+  }
+
+  /** Opaque items. */
+  void paint(int from, int to) {
+    for (int i = from; i < to; i++) {
+      DrawItem item = visible.items.get(i);
+      if (visible.firstRange[i] == visible.firstRange[i + 1]) {
+        continue;
+      }
+      bind(item);
+      cull(item.mesh().solid() ? GL.GL_BACK : 0);
+      elements(i);
+    }
+  }
+
+  /** Items that are blended; of those seen from both sides the far side first. */
+  void blend(int from, int to) {
+    program = null;
+    texture = null;
+    mesh = null;
+    for (int i = from; i < to; i++) {
+      DrawItem item = visible.items.get(i);
+      bind(item);
+      if (!item.mesh().solid()) {
+        cull(GL.GL_FRONT);
+        elements(i);
+      }
+      cull(GL.GL_BACK);
+      elements(i);
+    }
+  }
+
+  private void cull(int side) {
+    if (side == 0) {
+      gl.glDisable(GL.GL_CULL_FACE);
+    } else {
+      gl.glEnable(GL.GL_CULL_FACE);
+      gl.glCullFace(side);
+    }
+  }
+
+  private void bind(DrawItem item) {
+    EyeLights.Packed packed = lights.of(item.lights());
+    ShapeProgram needed = item.programs().get(gl, packed.count());
+    if (needed != program) {
+      program = needed;
+      needed.use(gl, pointSize);
+    }
+    if (item.texture() != null && item.texture() != texture) {
+      texture = item.texture();
+      item.texture().bind(gl);
+    }
+    if (item.mesh() != mesh) {
+      mesh = item.mesh();
+      item.mesh().bind(gl);
+    }
+    needed.material(gl, item.numbers(), item.textureTransform());
+    needed.lights(gl, packed.numbers());
+    place(item.shape().world());
+    needed.object(gl, object);
+    gl.glFrontFace(toEye.determinant3x3() < 0 ? GL.GL_CW : GL.GL_CCW);
+  }
+
+  /** Composes in double precision; the large translations cancel before they become floats. */
+  private void place(Matrix4dc world) {
+    camera.view().mul(world, toEye);
+    camera.projection().mul(toEye, toClip);
+    toClip.get(object);
+    put(16, toEye);
+    toEye.normal(normals);
+    put(28, normals);
+  }
+
+  /** Writes three rows. */
+  private void put(int at, Matrix4d m) {
+    for (int row = 0; row < 3; row++) {
+      for (int column = 0; column < 4; column++) {
+        object[at + 4 * row + column] = (float) m.get(column, row);
+      }
+    }
+  }
+
+  private void elements(int i) {
+    GpuMesh drawn = visible.items.get(i).mesh();
+    int from = visible.firstRange[i];
+    int count = visible.firstRange[i + 1] - from;
+    if (count == 1) {
+      gl.glDrawElements(drawn.mode(), visible.count(from), drawn.indexType(), visible.offset(from));
+    } else if (count > 1) {
+      gl.glMultiDrawElements(
+          drawn.mode(), visible.counts(from), drawn.indexType(), visible.offsets(from), count);
+    }
+  }
+}

@@ -1,0 +1,91 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+
+/**
+ * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
+ * #draw} once per eye. Belongs to the thread that owns the context.
+ *
+ * <p>What was measured, in CPU time per frame of the heavy scene (784,000 triangles, 1024 x 768,
+ * llvmpipe): 14 ms on the render thread, of which culling takes 0.3 ms, and 45 ms spread over the
+ * rasteriser's threads. It was 69 ms before the fragment shader wrote lights out one by one (see
+ * {@link org.selectiverenderer.runtime.render.gpu.ShapeVariant}). Clusters of triangles do nothing
+ * for that scene's objects of 11,200 triangles; they are for larger ones (see {@code MeshPacker}).
+ */
+public final class SceneRenderer {
+  private final GpuAssets assets = new GpuAssets();
+  private final DrawList list = new DrawList(assets);
+  private final BackdropPainter backdropPainter = new BackdropPainter();
+  private final Visible visible = new Visible();
+  private final float pointSize;
+
+  /**
+   * @param pointSize side of a point of a PointSet in pixels
+   */
+  public SceneRenderer(float pointSize) {
+    this.pointSize = pointSize;
+  }
+
+  /**
+   * Follows the tree after its update. All shapes are uploaded, shown or not, so that a Switch that
+   * changes its choice uploads nothing.
+   */
+  public void prepare(GL3 gl, InstanceTree tree) {
+    list.follow(gl, tree);
+  }
+
+  /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
+  public List<DrawItem> items() {
+    return list.items();
+  }
+
+  /** What the eyes can see of the tree last prepared. The result is reused by the next call. */
+  public Visible cull(List<Camera> eyes) {
+    Culler.cull(list.items(), eyes, visible);
+    return visible;
+  }
+
+  /** Clears the camera's viewport and draws into it. */
+  public void draw(GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
+    gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
+    gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
+    gl.glEnable(GL.GL_SCISSOR_TEST);
+    BackdropPainter.clear(gl, backdrop);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    gl.glDepthFunc(GL.GL_LESS);
+    gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
+    ItemPainter painter =
+        new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize);
+    painter.paint(0, seen.opaque);
+    backdropPainter.paint(gl, backdrop, camera);
+    if (seen.opaque < seen.items.size()) {
+      gl.glEnable(GL.GL_BLEND);
+      gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
+      gl.glDepthMask(false);
+      painter.blend(seen.opaque, seen.items.size());
+      gl.glDepthMask(true);
+      gl.glDisable(GL.GL_BLEND);
+    }
+    gl.glBindVertexArray(0);
+    gl.glDisable(GL.GL_SCISSOR_TEST);
+    gl.glDisable(GL.GL_CULL_FACE);
+    gl.glFrontFace(GL.GL_CCW);
+    gl.glDisable(GL.GL_DEPTH_TEST);
+  }
+
+  /** Meshes and textures sent to the graphics card since the start. */
+  public long uploads() {
+    return assets.uploads();
+  }
+
+  /** Frees everything on the graphics card. */
+  public void dispose(GL3 gl) {
+    assets.dispose(gl);
+    backdropPainter.dispose(gl);
+  }
+}

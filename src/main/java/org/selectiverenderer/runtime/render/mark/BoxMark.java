@@ -1,0 +1,17 @@
+package org.selectiverenderer.runtime.render.mark;
+
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+
+/**
+ * A box drawn over a scene: edges, fainter where something is before them, and translucent sides.
+ *
+ * @param place takes the cube of side 1 about the origin to the world
+ * @param edges r, g, b, a of the edges, each 0..1
+ * @param sides r, g, b, a of the sides
+ */
+public record BoxMark(Matrix4dc place, float[] edges, float[] sides) {
+  public BoxMark {
+    place = new Matrix4d(place);
+  }
+}

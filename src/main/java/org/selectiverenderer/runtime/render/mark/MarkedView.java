@@ -1,0 +1,109 @@
+package org.selectiverenderer.runtime.render.mark;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2GL3;
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLException;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.VisibleRange;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.draw.SceneRenderer;
+import org.selectiverenderer.runtime.render.draw.Visible;
+
+/**
+ * Pictures of worlds for an author's tool, of any size and with marks over them, without a window:
+ * the toolkit shows them as it likes. The thread that opens it owns its GL context and makes all
+ * calls.
+ */
+public final class MarkedView implements AutoCloseable {
+  private final OffscreenContext context;
+  private final SceneRenderer renderer = new SceneRenderer(2);
+  private final MarkPainter marks = new MarkPainter();
+  private @Nullable OffscreenTarget target;
+
+  private int samples;
+
+  private MarkedView(OffscreenContext context) {
+    this.context = context;
+  }
+
+  /**
+   * Opens a context.
+   *
+   * @throws GlUnavailableException if there is no display or no OpenGL 3.3
+   */
+  public static MarkedView open() {
+    return new MarkedView(OffscreenContext.open());
+  }
+
+  /**
+   * Draws a picture of a world as its viewer sees it and waits until it is complete.
+   *
+   * @param width in pixels, above 0
+   * @param height in pixels, above 0
+   * @param wantedSamples per pixel for anti-aliasing; 0 for none
+   * @throws GlUnavailableException if a picture of that size cannot be drawn
+   */
+  public MarkedPicture draw(
+      World world, Marking marking, int width, int height, int wantedSamples) {
+    GL3 gl = context.gl();
+    OffscreenTarget drawn = target(gl, width, height, wantedSamples);
+    drawn.bind(gl);
+    MarkedPicture[] picture = new MarkedPicture[1];
+    world.hold(() -> picture[0] = drawHeld(gl, drawn, world, marking));
+    return picture[0];
+  }
+
+  private OffscreenTarget target(GL3 gl, int width, int height, int wantedSamples) {
+    if (target != null
+        && (target.width() != width || target.height() != height || samples != wantedSamples)) {
+      target.dispose(gl);
+      target = null;
+    }
+    if (target == null) {
+      try {
+        target = new OffscreenTarget(gl, width, height, wantedSamples);
+        samples = wantedSamples;
+      } catch (GLException e) {
+        throw new GlUnavailableException(
+            "a picture of that size cannot be drawn: " + e.getMessage(), e);
+      }
+    }
+    return target;
+  }
+
+  private MarkedPicture drawHeld(GL3 gl, OffscreenTarget on, World world, Marking marking) {
+    renderer.prepare(gl, world.instances());
+    VisibleRange sight = VisibleRange.of(world);
+    Camera camera =
+        Camera.of(
+            world.viewer(), on.width(), on.height(), sight.range().near(), sight.range().far());
+    Visible seen = renderer.cull(List.of(camera));
+    if (marking.wireframe()) {
+      gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
+    }
+    renderer.draw(
+        gl, seen, camera, marking.backdrop().orElseGet(world::backdrop), sight.headlight());
+    gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
+    marks.boxes(gl, marking.boxes(), camera);
+    marks.mask(gl, renderer.items(), marking.masked(), camera);
+    return new MarkedPicture(on.read(gl), camera, new Drawn(seen.shapes(), seen.indices() / 3));
+  }
+
+  @Override
+  public void close() {
+    GL3 gl = context.gl();
+    renderer.dispose(gl);
+    marks.dispose(gl);
+    if (target != null) {
+      target.dispose(gl);
+    }
+    context.close();
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * Pictures with marks: boxes around what is chosen, drawn into the scene; for an editor's preview.
+ *
+ * <p>In: a world, a camera, a {@link org.selectiverenderer.runtime.render.mark.Marking}. Out:
+ * {@link org.selectiverenderer.runtime.render.mark.MarkedPicture}s. Uses {@code runtime}, {@code
+ * runtime.instance}, {@code runtime.camera}, the renderer's {@code context}, {@code draw}, {@code
+ * gpu} and {@code mesh}, and {@code geometry.mesh}.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.render.mark;
+
+import org.jspecify.annotations.NullMarked;

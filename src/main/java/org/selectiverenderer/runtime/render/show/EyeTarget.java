@@ -1,0 +1,71 @@
+package org.selectiverenderer.runtime.render.show;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.context.PictureCopy;
+
+/**
+ * A target as wide as two windows: the main window shows its left half, a copy of the right half
+ * goes to the other eye's window. Belongs to the render thread.
+ */
+final class EyeTarget {
+  private final int samples;
+  private @Nullable OffscreenTarget target;
+
+  EyeTarget(int samples) {
+    this.samples = samples;
+  }
+
+  /** Makes it what is drawn to: twice as wide as an eye's window. */
+  void bind(GL3 gl, int width, int height) {
+    OffscreenTarget known = target;
+    if (known == null || known.width() != 2 * width || known.height() != height) {
+      dispose(gl);
+      known = new OffscreenTarget(gl, 2 * width, height, samples);
+      target = known;
+    }
+    known.bind(gl);
+  }
+
+  /** Shows the left half in the window's own buffer and copies the right half. */
+  void split(GL3 gl, int window, PictureCopy right) {
+    OffscreenTarget drawn = target;
+    if (drawn == null) {
+      return;
+    }
+    int half = drawn.width() / 2;
+    drawn.resolve(gl);
+    right.take(gl, half, 0, half, drawn.height());
+    gl.glBindFramebuffer(GL3.GL_DRAW_FRAMEBUFFER, window);
+    gl.glBlitFramebuffer(
+        0,
+        0,
+        half,
+        drawn.height(),
+        0,
+        0,
+        half,
+        drawn.height(),
+        GL.GL_COLOR_BUFFER_BIT,
+        GL.GL_NEAREST);
+    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, window);
+  }
+
+  /** Makes both halves what is read from. */
+  void read(GL3 gl) {
+    OffscreenTarget drawn = target;
+    if (drawn != null) {
+      drawn.resolve(gl);
+    }
+  }
+
+  void dispose(GL3 gl) {
+    OffscreenTarget known = target;
+    if (known != null) {
+      known.dispose(gl);
+      target = null;
+    }
+  }
+}

@@ -1,0 +1,100 @@
+package org.selectiverenderer.runtime.render.show;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.EyeView;
+import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.VisibleRange;
+import org.selectiverenderer.runtime.render.draw.SceneRenderer;
+import org.selectiverenderer.runtime.render.draw.Visible;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
+
+/**
+ * Draws a world as its viewer sees it: the bound NavigationInfo decides about headlight and depth
+ * range, the bound Background about what is behind. Belongs to the thread that owns the context.
+ */
+final class WorldPainter {
+  private final SceneRenderer renderer = new SceneRenderer(2);
+  private final SketchPainter sketch = new SketchPainter(new TextMesher());
+  private final ViewLayout layout;
+  private Drawn drawn = new Drawn(0, 0);
+
+  WorldPainter(ViewLayout layout) {
+    this.layout = layout;
+  }
+
+  /** Sends all meshes and textures of the world to the graphics card. */
+  void prepare(GL3 gl, World world) {
+    world.hold(() -> renderer.prepare(gl, world.instances()));
+  }
+
+  /**
+   * Draws over a whole target of that size while no other thread changes the world; returns what
+   * was drawn.
+   */
+  Drawn paint(GL3 gl, World world, int width, int height) {
+    world.hold(() -> drawn = paintHeld(gl, world, width, height));
+    return drawn;
+  }
+
+  private Drawn paintHeld(GL3 gl, World world, int width, int height) {
+    renderer.prepare(gl, world.instances());
+    VisibleRange sight = VisibleRange.of(world);
+    List<EyeView> views = layout.views(world, width, height, sight.range());
+    Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());
+    if (!layout.showsWorld() || !covered(views, width, height)) {
+      gl.glClearColor(0, 0, 0, 1);
+      gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+    }
+    for (int i = 0; i < views.size(); i++) {
+      Camera camera = views.get(i).camera();
+      direct(gl, views.get(i).channel());
+      if (layout.showsWorld()) {
+        renderer.draw(gl, seen, camera, world.backdrop(), sight.headlight());
+      }
+      List<Mark> marks = layout.marks(i, camera.width(), camera.height());
+      sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());
+    }
+    undirect(gl, views.get(views.size() - 1).channel());
+    return new Drawn(seen.shapes(), views.size() * seen.indices() / 3);
+  }
+
+  /** Whether some view or all of them together fill the target; else the rest is to be cleared. */
+  private static boolean covered(List<EyeView> views, int width, int height) {
+    long area = 0;
+    for (EyeView view : views) {
+      area += (long) view.camera().width() * view.camera().height();
+    }
+    return area >= (long) width * height;
+  }
+
+  private static void direct(GL3 gl, EyeView.Channel channel) {
+    switch (channel) {
+      case RED -> gl.glColorMask(true, false, false, true);
+      case CYAN -> gl.glColorMask(false, true, true, true);
+      case LEFT_BUFFER -> gl.glDrawBuffer(GL3.GL_BACK_LEFT);
+      case RIGHT_BUFFER -> gl.glDrawBuffer(GL3.GL_BACK_RIGHT);
+      case ALL -> {
+        // As it was.
+      }
+    }
+  }
+
+  private static void undirect(GL3 gl, EyeView.Channel last) {
+    gl.glColorMask(true, true, true, true);
+    if (last == EyeView.Channel.RIGHT_BUFFER) {
+      gl.glDrawBuffer(GL.GL_BACK);
+    }
+  }
+
+  void dispose(GL3 gl) {
+    renderer.dispose(gl);
+    sketch.dispose(gl);
+  }
+}

@@ -1,0 +1,211 @@
+package org.selectiverenderer.runtime.render.show;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.PictureCopy;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
+import org.selectiverenderer.runtime.render.window.FrameSize;
+import org.selectiverenderer.runtime.render.window.FrameSource;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.render.window.RenderWindow;
+import org.selectiverenderer.runtime.render.window.SideWindow;
+
+/** The windows onto a world. Their render thread is the one that steps the world. */
+public final class WorldWindow {
+  private final WorldHost host;
+  private final RunWindows stage;
+  private final RenderWindow window;
+  private final @Nullable OperatorWindow operator;
+  private volatile @Nullable Screenshot last;
+  private volatile @Nullable GlInfo info;
+
+  public WorldWindow(RunWindows stage, WorldHost host) {
+    this.host = host;
+    this.stage = stage;
+    PictureCopy right = new PictureCopy();
+    List<SideWindow> sides = new ArrayList<>();
+    stage.rightEye().ifPresent(options -> sides.add(new SideWindow(options, new EyeWindow(right))));
+    operator = stage.operator().isPresent() ? new OperatorWindow(host) : null;
+    if (operator != null) {
+      sides.add(new SideWindow(stage.operator().get(), operator));
+    }
+    Frames frames = new Frames(right);
+    window = new RenderWindow(stage.main(), frames, frames::input, sides);
+  }
+
+  /**
+   * Shows the world until the user closes the window or the host is finished.
+   *
+   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
+   *     display or no OpenGL 3.3
+   * @throws InterruptedException if the waiting thread is interrupted; the window is closed
+   */
+  public void run() throws InterruptedException {
+    window.run();
+  }
+
+  /** What draws; empty before the window opened. */
+  public Optional<GlInfo> info() {
+    return Optional.ofNullable(info);
+  }
+
+  /**
+   * The last picture of the world, without the overlay, both eyes' where there are two; empty when
+   * it was never drawn.
+   */
+  public Optional<Screenshot> lastPicture() {
+    return Optional.ofNullable(last);
+  }
+
+  /** The last picture of the operator's window. */
+  public Optional<Screenshot> lastOperatorPicture() {
+    return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
+  }
+
+  private final class Frames implements FrameSource {
+    private final WorldPainter painter = new WorldPainter(stage.layout());
+    private final EyeTarget eyes = new EyeTarget(stage.main().samples());
+    private final boolean split = stage.rightEye().isPresent();
+    private final Overlay overlay = new Overlay(new TextMesher());
+    private final SketchPainter veil = new SketchPainter(new TextMesher());
+    private final PointerTracker pointer = new PointerTracker();
+    private final PictureCopy right;
+    private Optional<World> world = Optional.empty();
+    private @Nullable FrameSize size;
+
+    Frames(PictureCopy right) {
+      this.right = right;
+    }
+
+    void input(InputEvent event) {
+      host.input(event);
+      // Of two pictures neither is the one that the pointer is on.
+      if (world.isPresent() && size != null && stage.layout() == ViewLayout.MONO) {
+        pointer.input(event, world.get(), size);
+      }
+    }
+
+    @Override
+    public void start(GL3 gl) {
+      info = GlInfo.of(gl);
+      host.started();
+    }
+
+    @Override
+    public boolean step() {
+      world = host.step();
+      return !host.finished();
+    }
+
+    @Override
+    public boolean closing() {
+      return host.closing();
+    }
+
+    @Override
+    public void draw(GL3 gl, FrameSize frame) {
+      size = frame;
+      if (world.isEmpty()) {
+        black(gl, frame);
+        List<String> waiting = host.waiting();
+        if (!waiting.isEmpty()) {
+          overlay.draw(gl, waiting, frame.width(), frame.height(), frame.scale());
+        }
+        return;
+      }
+      Drawn drawn = paint(gl, world.get(), frame);
+      mirror(gl, frame);
+      List<String> lines = host.overlay();
+      if (!lines.isEmpty()) {
+        overlay.draw(gl, lines, frame.width(), frame.height(), frame.scale());
+      }
+      host.drawn(drawn);
+    }
+
+    /** Nothing, for both eyes and in the operator's copy. */
+    private void black(GL3 gl, FrameSize frame) {
+      int[] bound = new int[1];
+      gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+      if (split) {
+        eyes.bind(gl, frame.width(), frame.height());
+      }
+      gl.glClearColor(0, 0, 0, 1);
+      gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+      if (split) {
+        eyes.split(gl, bound[0], right);
+      }
+      mirror(gl, frame);
+    }
+
+    private Drawn paint(GL3 gl, World shown, FrameSize frame) {
+      if (!split) {
+        Drawn drawn = painter.paint(gl, shown, frame.width(), frame.height());
+        darken(gl, frame.width(), frame.height());
+        return drawn;
+      }
+      int[] bound = new int[1];
+      gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+      eyes.bind(gl, frame.width(), frame.height());
+      Drawn drawn = painter.paint(gl, shown, 2 * frame.width(), frame.height());
+      darken(gl, 2 * frame.width(), frame.height());
+      eyes.split(gl, bound[0], right);
+      return drawn;
+    }
+
+    private void darken(GL3 gl, int width, int height) {
+      int alpha = (int) Math.round(255 * Math.max(0, Math.min(1, host.darkness())));
+      if (alpha > 0) {
+        veil.draw(
+            gl, List.of(Mark.rectangle(0, 0, width, height, alpha << 24)), 0, 0, width, height);
+      }
+    }
+
+    private void mirror(GL3 gl, FrameSize frame) {
+      if (operator == null || !operator.due()) {
+        return;
+      }
+      if (split) {
+        int[] bound = new int[1];
+        gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+        eyes.read(gl);
+        operator.take(gl, 2 * frame.width(), frame.height());
+        gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, bound[0]);
+      } else {
+        operator.take(gl, frame.width(), frame.height());
+      }
+    }
+
+    @Override
+    public void submitted() {
+      if (world.isPresent()) {
+        host.submitted();
+      }
+    }
+
+    @Override
+    public void stop(GL3 gl) {
+      if (world.isPresent() && size != null) {
+        paint(gl, world.get(), size);
+        if (split) {
+          eyes.read(gl);
+        }
+        last = Screenshot.read(gl, (split ? 2 : 1) * size.width(), size.height());
+      }
+      overlay.dispose(gl);
+      veil.dispose(gl);
+      eyes.dispose(gl);
+      painter.dispose(gl);
+    }
+  }
+}

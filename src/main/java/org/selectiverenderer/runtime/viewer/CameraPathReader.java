@@ -1,0 +1,48 @@
+package org.selectiverenderer.runtime.viewer;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.csv.NumberTable;
+import org.selectiverenderer.base.csv.TableForm;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * Reads a {@link CameraPath} from CSV: a header {@code t,x,y,z} or {@code t,x,y,z,yaw,pitch,roll}
+ * in any order, then one row per time; seconds, metres, degrees. Other columns are passed over. See
+ * {@link NumberTable}.
+ *
+ * <p>A path with any fault is not played: the faults are reported, each with its place.
+ */
+public final class CameraPathReader {
+  private static final TableForm FORM =
+      new TableForm(
+          "the path",
+          "the path is not played",
+          List.of("t", "x", "y", "z"),
+          List.of("yaw", "pitch", "roll"),
+          true,
+          false);
+
+  private CameraPathReader() {}
+
+  /**
+   * Reads a file.
+   *
+   * @return empty when it has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<CameraPath> read(Path path, Problems problems) throws IOException {
+    return NumberTable.read(FORM, path, problems).map(CameraPath::new);
+  }
+
+  /**
+   * Reads a text.
+   *
+   * @param file its name, for messages
+   */
+  public static Optional<CameraPath> parse(String file, String text, Problems problems) {
+    return NumberTable.parse(FORM, file, text, problems).map(CameraPath::new);
+  }
+}

@@ -1,0 +1,41 @@
+package org.selectiverenderer.runtime.viewer;
+
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+
+/**
+ * Where an upright viewer looks: yaw about the up axis, positive to the left, and pitch, positive
+ * up, at most 90 degrees either way (thesis 6.1.1: 360 degrees about, 180 vertically). Radians.
+ */
+public record Heading(double yaw, double pitch) {
+  /** Beyond it, looking nearly straight up or down, the right side tells the yaw better. */
+  private static final double STEEP = 0.99999;
+
+  /** That of an orientation; its roll is left out. */
+  public static Heading of(Quaterniondc orientation) {
+    Vector3d front = orientation.transform(new Vector3d(0, 0, -1));
+    double pitch = Math.asin(Math.max(-1, Math.min(1, front.y)));
+    if (Math.abs(front.y) < STEEP) {
+      return new Heading(Math.atan2(-front.x, -front.z), pitch);
+    }
+    Vector3d right = orientation.transform(new Vector3d(1, 0, 0));
+    return new Heading(Math.atan2(-right.z, right.x), pitch);
+  }
+
+  public Heading turned(double moreYaw, double morePitch) {
+    double limit = Math.PI / 2;
+    return new Heading(yaw + moreYaw, Math.max(-limit, Math.min(limit, pitch + morePitch)));
+  }
+
+  public Quaterniond orientation() {
+    return Viewer.orientation(yaw, pitch, 0);
+  }
+
+  /** Forward and to the right in the horizontal plane. */
+  public Vector3d level(double forward, double right) {
+    double sin = Math.sin(yaw);
+    double cos = Math.cos(yaw);
+    return new Vector3d(-sin * forward + cos * right, 0, -cos * forward - sin * right);
+  }
+}

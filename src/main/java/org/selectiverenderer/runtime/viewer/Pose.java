@@ -1,0 +1,37 @@
+package org.selectiverenderer.runtime.viewer;
+
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Where a viewer is and looks, in the world.
+ *
+ * @param orientation takes the viewer's frame, looking along -Z, to the world's
+ * @param fieldOfView the smaller viewing angle in radians
+ */
+public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfView) {
+  public Pose {
+    position = new Vector3d(position);
+    orientation = new Quaterniond(orientation).normalize();
+  }
+
+  public static Pose of(Viewer viewer) {
+    return new Pose(viewer.position(), viewer.orientation(), viewer.fieldOfView());
+  }
+
+  public void applyTo(Viewer viewer) {
+    viewer.moveTo(position);
+    viewer.turnTo(orientation);
+    viewer.fieldOfView(fieldOfView);
+  }
+
+  /** Between this pose (0) and another (1): straight ahead, turning the short way round. */
+  public Pose towards(Pose other, double share) {
+    return new Pose(
+        position.lerp(other.position, share, new Vector3d()),
+        orientation.slerp(other.orientation, share, new Quaterniond()),
+        fieldOfView + share * (other.fieldOfView - fieldOfView));
+  }
+}

@@ -1,0 +1,13 @@
+package org.selectiverenderer.runtime.viewer;
+
+/** Moves the viewer, frame by frame: a walker, a recorded path, a change of viewpoint. */
+@FunctionalInterface
+public interface ViewerMotion {
+  /**
+   * Moves the viewer to where it is in a frame.
+   *
+   * @param time the frame's time in seconds
+   * @param dt seconds since the frame before; 0 in the first
+   */
+  void move(Viewer viewer, double time, double dt);
+}

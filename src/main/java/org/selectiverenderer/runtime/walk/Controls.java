@@ -1,0 +1,187 @@
+package org.selectiverenderer.runtime.walk;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Keys and mouse as motion.
+ *
+ * <ul>
+ *   <li>Up/Down or W/S: forward and backward. Left/Right: turn. A/D: sideways. E/Q: up and down
+ *       when flying. Shift: faster.
+ *   <li>A mouse button of the {@link MouseMapping} that is held still for {@value #HOLD} s walks
+ *       until it is released; moving the mouse meanwhile steers. If the mouse moves before that,
+ *       the press only looks around, so that one can look without walking and a click on something
+ *       is no step. Dragging with the middle button always only looks.
+ *   <li>Wheel: changes the speed for good, by a quarter per notch.
+ *   <li>With {@link #looking} off, as under a head tracker, the mouse turns nothing, and a button
+ *       walks at once whatever the hand that holds the mouse does.
+ *   <li>The other keys are {@link NavigationCommand}s.
+ * </ul>
+ *
+ * <p>Toolkits repeat a key that is held: only the first press counts. Not thread-safe: feed it from
+ * the thread that asks it.
+ */
+public final class Controls implements MotionSource {
+  /** Seconds that a button is held still before it walks. */
+  static final double HOLD = 0.15;
+
+  /** Pixels that a hand moves without meaning to. */
+  static final double STILL = 4;
+
+  /** Radians that the view turns per pixel dragged: a quarter of a degree. */
+  static final double LOOK = Math.toRadians(0.25);
+
+  /** Radians per second that an arrow key turns. */
+  static final double TURN = Math.toRadians(60);
+
+  private static final double FASTER = 3;
+  private static final double NOTCH = 1.25;
+  private static final double MOST = 16;
+
+  /** A mouse button that is down. */
+  private static final class Press {
+    private double held;
+    private double dragged;
+    private boolean looksOnly;
+    private boolean walks;
+  }
+
+  private final MouseMapping mapping;
+  private final Set<WalkKey> keys = EnumSet.noneOf(WalkKey.class);
+  private final Map<MouseButton, Press> presses = new EnumMap<>(MouseButton.class);
+  private final List<NavigationCommand> commands = new ArrayList<>();
+  private double lookYaw;
+  private double lookPitch;
+  private double speedFactor = 1;
+  private boolean looking = true;
+
+  public Controls(MouseMapping mapping) {
+    this.mapping = mapping;
+  }
+
+  /** Whether moving the mouse turns the view; it does at first. */
+  public void looking(boolean on) {
+    looking = on;
+  }
+
+  public void keyDown(WalkKey key) {
+    if (keys.add(key)) {
+      command(key).ifPresent(commands::add);
+    }
+  }
+
+  public void keyUp(WalkKey key) {
+    keys.remove(key);
+  }
+
+  private static Optional<NavigationCommand> command(WalkKey key) {
+    return Optional.ofNullable(
+        switch (key) {
+          case HOME -> NavigationCommand.RESET_VIEWPOINT;
+          case END -> NavigationCommand.LAST_VIEWPOINT;
+          case PAGE_UP -> NavigationCommand.PREVIOUS_VIEWPOINT;
+          case PAGE_DOWN -> NavigationCommand.NEXT_VIEWPOINT;
+          case F1 -> NavigationCommand.TOGGLE_OVERLAY;
+          case F2 -> NavigationCommand.NEXT_MODE;
+          case F3 -> NavigationCommand.TOGGLE_COLLISIONS;
+          case F4 -> NavigationCommand.RESET_HEADING;
+          case F11 -> NavigationCommand.TOGGLE_FULL_SCREEN;
+          case ESCAPE -> NavigationCommand.LEAVE;
+          default -> null;
+        });
+  }
+
+  public void buttonDown(MouseButton button) {
+    if (mapping != MouseMapping.OFF) {
+      presses.putIfAbsent(button, new Press());
+    }
+  }
+
+  public void buttonUp(MouseButton button) {
+    presses.remove(button);
+  }
+
+  /**
+   * The mouse moved; without a button down it means nothing.
+   *
+   * @param dx pixels to the right
+   * @param dy pixels down
+   */
+  public void drag(double dx, double dy) {
+    if (presses.isEmpty() || !looking) {
+      return;
+    }
+    for (Press press : presses.values()) {
+      press.dragged += Math.hypot(dx, dy);
+      if (!press.walks && press.dragged > STILL) {
+        press.looksOnly = true;
+      }
+    }
+    lookYaw -= dx * LOOK;
+    lookPitch -= dy * LOOK;
+  }
+
+  /**
+   * The wheel turned.
+   *
+   * @param notches positive away from the user: faster
+   */
+  public void wheel(double notches) {
+    if (mapping != MouseMapping.OFF) {
+      speedFactor = Math.max(1 / MOST, Math.min(MOST, speedFactor * Math.pow(NOTCH, notches)));
+    }
+  }
+
+  /** Lets go of everything, as when the window loses the keyboard. */
+  public void releaseAll() {
+    keys.clear();
+    presses.clear();
+  }
+
+  /** The commands since the last call, in order. */
+  public List<NavigationCommand> takeCommands() {
+    List<NavigationCommand> taken = List.copyOf(commands);
+    commands.clear();
+    return taken;
+  }
+
+  @Override
+  public Motion next(double dt) {
+    int buttons = 0;
+    for (Map.Entry<MouseButton, Press> entry : presses.entrySet()) {
+      Press press = entry.getValue();
+      press.held += dt;
+      press.walks |= !looking || press.held >= HOLD && !press.looksOnly;
+      if (press.walks) {
+        buttons += mapping.forward(entry.getKey());
+      }
+    }
+    double forward = clamp(axis(WalkKey.UP, WalkKey.DOWN) + axis(WalkKey.W, WalkKey.S) + buttons);
+    Motion motion =
+        new Motion(
+            forward,
+            axis(WalkKey.D, WalkKey.A),
+            axis(WalkKey.E, WalkKey.Q),
+            axis(WalkKey.LEFT, WalkKey.RIGHT) * TURN,
+            lookYaw,
+            lookPitch,
+            speedFactor * (keys.contains(WalkKey.SHIFT) ? FASTER : 1));
+    lookYaw = 0;
+    lookPitch = 0;
+    return motion;
+  }
+
+  private int axis(WalkKey positive, WalkKey negative) {
+    return (keys.contains(positive) ? 1 : 0) - (keys.contains(negative) ? 1 : 0);
+  }
+
+  private static double clamp(double value) {
+    return Math.max(-1, Math.min(1, value));
+  }
+}

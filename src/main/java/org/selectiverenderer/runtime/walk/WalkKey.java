@@ -1,0 +1,28 @@
+package org.selectiverenderer.runtime.walk;
+
+/** The keys that mean something to navigation, whatever toolkit reads them. */
+public enum WalkKey {
+  UP,
+  DOWN,
+  LEFT,
+  RIGHT,
+  W,
+  A,
+  S,
+  D,
+  /** Up, when flying. */
+  E,
+  /** Down, when flying. */
+  Q,
+  SHIFT,
+  HOME,
+  END,
+  PAGE_UP,
+  PAGE_DOWN,
+  F1,
+  F2,
+  F3,
+  F4,
+  F11,
+  ESCAPE
+}

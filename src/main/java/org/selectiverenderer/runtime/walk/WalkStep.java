@@ -1,0 +1,138 @@
+package org.selectiverenderer.runtime.walk;
+
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.collide.Colliders;
+import org.selectiverenderer.runtime.collide.NearTriangles;
+import org.selectiverenderer.runtime.collide.PlacedMesh;
+import org.selectiverenderer.runtime.collide.Slide;
+import org.selectiverenderer.runtime.collide.WallBarrier;
+
+/**
+ * A body on the ground (X3D 4.0, 23.2.4): walls hold it up, it goes up steps, falls under gravity,
+ * and stands where nothing is below it. All lengths are the world's; all coordinates those of a
+ * frame whose +Y is up.
+ */
+final class WalkStep {
+  /** Metres per second squared. */
+  static final double GRAVITY = 9.81;
+
+  /** Height gained or lost per distance on the steepest ground that can be walked on. */
+  private static final double SLOPE = Math.tan(Math.acos(WallBarrier.WALKABLE));
+
+  private final Colliders colliders;
+  private final NearTriangles triangles = new NearTriangles();
+  private double fallSpeed;
+  private boolean grounded;
+
+  WalkStep(Colliders colliders) {
+    this.colliders = colliders;
+  }
+
+  /** It was put somewhere: it neither stands nor falls yet. */
+  void landAnew() {
+    fallSpeed = 0;
+    grounded = false;
+  }
+
+  /**
+   * A body's measures.
+   *
+   * @param up takes the frame's directions to the world
+   * @param gravity the world's units per second squared
+   */
+  record Body(Quaterniondc up, double radius, double height, double step, double gravity) {
+    /** What is this little higher than the step still counts as a step. */
+    double ledge() {
+      return step + 1e-4 * height;
+    }
+
+    /** How far it reaches above the eye: half the radius, where the near plane is (23.4.4). */
+    double crown() {
+      return radius / 2;
+    }
+  }
+
+  /**
+   * Makes one step.
+   *
+   * @param eye is moved
+   * @param by level, shorter than the radius
+   * @param dt seconds
+   * @param walls whether anything holds it up
+   * @param bumped is told what did
+   */
+  void step(
+      Body body, Vector3d eye, Vector3dc by, double dt, boolean walls, Set<PlacedMesh> bumped) {
+    double distance = by.length();
+    Vector3d before = new Vector3d(eye);
+    if (distance > 0) {
+      eye.set(walls ? slide(body, eye, by, distance, bumped) : eye.add(by, new Vector3d()));
+    }
+    if (!settle(body, eye, distance, dt, walls)) {
+      eye.set(before);
+      settle(body, eye, 0, dt, walls);
+    }
+  }
+
+  private Vector3d slide(
+      Body body, Vector3dc eye, Vector3dc by, double distance, Set<PlacedMesh> bumped) {
+    double reach = body.radius + 2 * distance;
+    double low = eye.y() - body.height + body.ledge();
+    double high = eye.y() + body.crown();
+    double[] box = {eye.x() - reach, low, eye.z() - reach, eye.x() + reach, high, eye.z() + reach};
+    colliders.gather(body.up, box, triangles);
+    WallBarrier barrier = new WallBarrier(triangles, eye, low, high, bumped);
+    return Slide.step(eye, by, body.radius, distance / 2, barrier);
+  }
+
+  /** Puts the body onto the ground or lets it fall; false when there is no room to step up. */
+  private boolean settle(Body body, Vector3d eye, double distance, double dt, boolean walls) {
+    double feet = eye.y - body.height;
+    double climb = body.ledge() + SLOPE * distance;
+    // One who was just put here may stand up to the eyes in the ground.
+    double from = grounded ? Math.min(body.height, climb) : body.height;
+    OptionalDouble below =
+        ray(body, new Vector3d(eye.x, feet + from, eye.z), -1, Double.POSITIVE_INFINITY);
+    if (below.isEmpty()) {
+      fallSpeed = 0;
+      return true;
+    }
+    double drop = below.getAsDouble() - from;
+    if (drop <= 0) {
+      return stepUp(body, eye, -drop, walls);
+    }
+    if (grounded && drop <= SLOPE * distance + 1e-6 * body.height) {
+      eye.y -= drop;
+      return true;
+    }
+    double fall = fallSpeed * dt + body.gravity * dt * dt / 2;
+    fallSpeed += body.gravity * dt;
+    grounded = fall >= drop;
+    eye.y -= Math.min(fall, drop);
+    if (grounded) {
+      fallSpeed = 0;
+    }
+    return true;
+  }
+
+  private boolean stepUp(Body body, Vector3d eye, double rise, boolean walls) {
+    boolean higher = rise > 1e-6 * body.height;
+    if (walls && grounded && higher && ray(body, eye, 1, rise + body.crown()).isPresent()) {
+      return false;
+    }
+    eye.y += rise;
+    fallSpeed = 0;
+    grounded = true;
+    return true;
+  }
+
+  /** How far the next surface is straight up (1) or down (-1). */
+  private OptionalDouble ray(Body body, Vector3dc from, int up, double limit) {
+    return colliders.distance(
+        body.up.transform(from, new Vector3d()), body.up.transform(new Vector3d(0, up, 0)), limit);
+  }
+}

@@ -1,0 +1,219 @@
+package org.selectiverenderer.runtime.walk;
+
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.collide.Colliders;
+import org.selectiverenderer.runtime.collide.NearTriangles;
+import org.selectiverenderer.runtime.collide.PlacedMesh;
+import org.selectiverenderer.runtime.collide.Slide;
+import org.selectiverenderer.runtime.collide.TriangleBarrier;
+import org.selectiverenderer.runtime.nodes.group.CollisionNode;
+import org.selectiverenderer.runtime.viewer.Heading;
+import org.selectiverenderer.runtime.viewer.NavigationFrame;
+import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+
+/**
+ * Moves the viewer as the user wants and the navigation type says (X3D 4.0, 23.2.2 and 23.4.4).
+ *
+ * <p>WALK: level, on the ground, held up by walls. FLY, EXPLORE: where the viewer looks, held up by
+ * everything. EXAMINE, LOOKAT: about {@link #pivot(Vector3dc)}, through everything. NONE: not at
+ * all. In each of them the view stays upright, pitched at most 90 degrees either way.
+ *
+ * <p>A frame is cut into parts no longer than a 60th of a second and no farther than half the
+ * collision distance, so that neither a slow frame nor a fast viewer gets through a wall, and the
+ * path hardly depends on the frame rate. The same input gives the same path. Belongs to the thread
+ * that steps the world.
+ */
+public final class Walker implements ViewerMotion {
+  /** Longest part of a frame, in seconds. */
+  private static final double PART = 1.0 / 60;
+
+  /** Parts of a frame at most: beyond them the viewer moves less far than it wants. */
+  private static final int MAX_PARTS = 2000;
+
+  private final Colliders colliders;
+  private final MotionSource input;
+  private final WalkStep walking;
+  private final NearTriangles triangles = new NearTriangles();
+  private final Set<PlacedMesh> bumped = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final Vector3d lastEye = new Vector3d(Double.NaN);
+  private final Vector3d pivot = new Vector3d();
+  private Navigation navigation = Navigation.WALKING;
+  private NavigationFrame frame = NavigationFrame.WORLD;
+  private NavigationMode mode = NavigationMode.WALK;
+  private boolean collisions = true;
+
+  public Walker(Colliders colliders, MotionSource input) {
+    this.colliders = colliders;
+    this.input = input;
+    walking = new WalkStep(colliders);
+  }
+
+  /** Follows another NavigationInfo, in its initial mode, as a viewpoint's place scales it. */
+  public void use(Navigation newNavigation, NavigationFrame newFrame) {
+    navigation = newNavigation;
+    frame = newFrame;
+    mode(newNavigation.initial());
+  }
+
+  public Navigation navigation() {
+    return navigation;
+  }
+
+  public NavigationMode mode() {
+    return mode;
+  }
+
+  /** Changes the mode; ANY means WALK. Whether the author allows it is the caller's to ask. */
+  public void mode(NavigationMode newMode) {
+    mode = newMode == NavigationMode.ANY ? NavigationMode.WALK : newMode;
+    walking.landAnew();
+  }
+
+  /** Whether walls hold the viewer up. A walker stays on the ground all the same. */
+  public void collisions(boolean on) {
+    collisions = on;
+  }
+
+  public boolean collisions() {
+    return collisions;
+  }
+
+  /** What EXAMINE turns about, in the world: the viewpoint's centerOfRotation or what it sees. */
+  public void pivot(Vector3dc point) {
+    pivot.set(point);
+  }
+
+  /** The Collision nodes that the viewer bumped into in the last move, for their events. */
+  public Set<CollisionNode> bumped() {
+    Set<CollisionNode> nodes = new LinkedHashSet<>();
+    bumped.forEach(placed -> nodes.addAll(placed.collisions()));
+    return nodes;
+  }
+
+  @Override
+  public void move(Viewer viewer, double time, double dt) {
+    Motion motion = input.next(dt);
+    bumped.clear();
+    if (mode == NavigationMode.NONE) {
+      return;
+    }
+    Quaterniond toFrame = frame.upright().conjugate(new Quaterniond());
+    Vector3d eye = toFrame.transform(viewer.position(), new Vector3d());
+    Heading heading = Heading.of(toFrame.mul(viewer.orientation(), new Quaterniond()));
+    heading =
+        switch (mode) {
+          case EXAMINE, LOOKAT -> orbit(eye, heading, motion, toFrame, dt);
+          case FLY, EXPLORE -> fly(eye, heading, motion, dt);
+          default -> {
+            if (!viewer.position().equals(lastEye)) {
+              walking.landAnew();
+            }
+            yield walk(eye, heading, motion, dt);
+          }
+        };
+    viewer.moveTo(frame.upright().transform(eye));
+    viewer.turnTo(frame.upright().mul(heading.orientation(), new Quaterniond()));
+    lastEye.set(viewer.position());
+  }
+
+  private double radius() {
+    return navigation.radius() * frame.scale();
+  }
+
+  /** Units of the world per second; forward and sideways together are no faster than either. */
+  private double speed(Motion motion) {
+    double wish = new Vector3d(motion.forward(), motion.strafe(), motion.rise()).length();
+    return navigation.speed() * frame.scale() * motion.speedFactor() / Math.max(1, wish);
+  }
+
+  private int parts(double distance, double dt) {
+    double parts = Math.max(dt / PART - 1e-6, distance / (radius() / 2));
+    return (int) Math.max(1, Math.min(MAX_PARTS, Math.ceil(parts)));
+  }
+
+  /** The way of one part, never so far that a wall could be passed. */
+  private Vector3d limited(Vector3d way) {
+    double most = radius() / 2;
+    double length = way.length();
+    return length > most ? way.mul(most / length) : way;
+  }
+
+  private Heading walk(Vector3d eye, Heading start, Motion motion, double dt) {
+    double scale = frame.scale();
+    WalkStep.Body body =
+        new WalkStep.Body(
+            frame.upright(),
+            radius(),
+            navigation.height() * scale,
+            navigation.step() * scale,
+            WalkStep.GRAVITY * scale);
+    Heading heading = start.turned(motion.lookYaw(), motion.lookPitch());
+    double speed =
+        speed(new Motion(motion.forward(), motion.strafe(), 0, 0, 0, 0, motion.speedFactor()));
+    int parts = parts(speed * Math.hypot(motion.forward(), motion.strafe()) * dt, dt);
+    double part = dt / parts;
+    for (int i = 0; i < parts; i++) {
+      heading = heading.turned(motion.turn() * part / 2, 0);
+      Vector3d way = heading.level(motion.forward(), motion.strafe()).mul(speed * part);
+      walking.step(body, eye, limited(way), part, collisions, bumped);
+      heading = heading.turned(motion.turn() * part / 2, 0);
+    }
+    return heading;
+  }
+
+  private Heading fly(Vector3d eye, Heading start, Motion motion, double dt) {
+    Heading heading = start.turned(motion.lookYaw(), motion.lookPitch());
+    double speed = speed(motion);
+    Vector3d wish = new Vector3d(motion.strafe(), motion.rise(), -motion.forward());
+    int parts = parts(speed * wish.length() * dt, dt);
+    double part = dt / parts;
+    for (int i = 0; i < parts; i++) {
+      heading = heading.turned(motion.turn() * part / 2, 0);
+      Vector3d way = new Vector3d(motion.strafe(), 0, -motion.forward());
+      heading.orientation().transform(way).add(0, motion.rise(), 0).mul(speed * part);
+      eye.set(flyStep(eye, limited(way)));
+      heading = heading.turned(motion.turn() * part / 2, 0);
+    }
+    return heading;
+  }
+
+  private Vector3d flyStep(Vector3dc eye, Vector3dc way) {
+    double distance = way.length();
+    if (distance == 0 || !collisions) {
+      return eye.add(way, new Vector3d());
+    }
+    double reach = radius() + 2 * distance;
+    double[] box = {
+      eye.x() - reach,
+      eye.y() - reach,
+      eye.z() - reach,
+      eye.x() + reach,
+      eye.y() + reach,
+      eye.z() + reach
+    };
+    colliders.gather(frame.upright(), box, triangles);
+    return Slide.step(eye, way, radius(), distance / 2, new TriangleBarrier(triangles, bumped));
+  }
+
+  /** Turns about the pivot; forward comes nearer by a share of the distance, never reaching it. */
+  private Heading orbit(
+      Vector3d eye, Heading start, Motion motion, Quaterniond toFrame, double dt) {
+    Vector3d about = toFrame.transform(pivot, new Vector3d());
+    Heading heading = start.turned(motion.lookYaw() + motion.turn() * dt, motion.lookPitch());
+    Vector3d arm = start.orientation().transformInverse(eye.sub(about, new Vector3d()));
+    double speed = speed(motion) / frame.scale();
+    arm.mul(Math.exp(-motion.forward() * speed * dt));
+    double side = arm.length() * speed * dt;
+    eye.set(heading.orientation().transform(arm)).add(about);
+    Vector3d pan = new Vector3d(motion.strafe() * side, motion.rise() * side, 0);
+    eye.add(heading.orientation().transform(pan));
+    return heading;
+  }
+}

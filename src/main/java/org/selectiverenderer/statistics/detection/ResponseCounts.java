@@ -1,0 +1,29 @@
+package org.selectiverenderer.statistics.detection;
+
+import java.util.Collection;
+
+/** Answers sorted into the four fields of the thesis's Fig 91. */
+public record ResponseCounts(int hits, int misses, int falseAlarms, int correctRejections) {
+  /** Counts the answers of a confidence level. */
+  public static ResponseCounts of(
+      Collection<Response> responses, ConfidenceLevel level, Guessing guessing) {
+    int[][] counts = new int[2][2];
+    for (Response response : responses) {
+      boolean admitted = level.admits(response);
+      if (admitted || guessing == Guessing.AS_NO && response.confidence() > 0) {
+        counts[response.present() ? 1 : 0][admitted && response.yes() ? 1 : 0]++;
+      }
+    }
+    return new ResponseCounts(counts[1][1], counts[1][0], counts[0][1], counts[0][0]);
+  }
+
+  /** Answers to objects that were present. */
+  public int signals() {
+    return hits + misses;
+  }
+
+  /** Answers to objects that were absent. */
+  public int noise() {
+    return falseAlarms + correctRejections;
+  }
+}

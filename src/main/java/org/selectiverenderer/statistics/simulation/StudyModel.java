@@ -1,0 +1,56 @@
+package org.selectiverenderer.statistics.simulation;
+
+import java.util.List;
+
+/**
+ * What simulated participants are like: the equal-variance model of signal detection (Macmillan and
+ * Creelman 2005, chapter 1).
+ *
+ * @param conditions participants are dealt to them in turn
+ * @param sensitivities mean d' of each condition
+ * @param criteria mean c of each condition
+ * @param sensitivitySpread standard deviation of d' between participants
+ * @param criterionSpread standard deviation of c between participants
+ * @param typeSensitivity added to d' for inconsistent objects
+ * @param typeCriterion added to c for inconsistent objects; the thesis found a bias towards "no"
+ * @param lists what is asked
+ */
+public record StudyModel(
+    List<String> conditions,
+    List<Double> sensitivities,
+    List<Double> criteria,
+    double sensitivitySpread,
+    double criterionSpread,
+    double typeSensitivity,
+    double typeCriterion,
+    List<ObjectList> lists) {
+  public StudyModel {
+    conditions = List.copyOf(conditions);
+    sensitivities = List.copyOf(sensitivities);
+    criteria = List.copyOf(criteria);
+    lists = List.copyOf(lists);
+    if (conditions.isEmpty()
+        || sensitivities.size() != conditions.size()
+        || criteria.size() != conditions.size()) {
+      throw new IllegalArgumentException("each condition needs a d' and a c");
+    }
+  }
+
+  /** The areas asked about. */
+  public List<String> areas() {
+    return lists.stream().map(ObjectList::area).distinct().toList();
+  }
+
+  /** The same participants asked about one area only. */
+  public StudyModel of(String area) {
+    return new StudyModel(
+        conditions,
+        sensitivities,
+        criteria,
+        sensitivitySpread,
+        criterionSpread,
+        typeSensitivity,
+        typeCriterion,
+        lists.stream().filter(list -> list.area().equals(area)).toList());
+  }
+}

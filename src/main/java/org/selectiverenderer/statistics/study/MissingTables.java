@@ -1,0 +1,77 @@
+package org.selectiverenderer.statistics.study;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.detection.ConfidenceLevel;
+import org.selectiverenderer.statistics.detection.Response;
+
+/**
+ * What data have that leaves a table without its F although no answer is wrong: too few
+ * participants, scores that are all alike. The report has a footnote; this says it aloud, once for
+ * an area, of all its answers (at the higher levels of confidence some participants have too few
+ * answers in any study).
+ */
+public final class MissingTables {
+  private MissingTables() {}
+
+  /** Tells what a study cannot analyse, each at the area's first answer. */
+  public static void tell(StudyAnalysis study, Problems problems) {
+    if (study.conditions().size() == 1) {
+      problems.warning(
+          study.responses().usable().get(0).location(),
+          "there is one condition only, %s; no effect of condition is tested"
+              .formatted(study.conditions().get(0)));
+    }
+    for (String area : study.areas()) {
+      Location place =
+          study.responses().usable().stream()
+              .filter(response -> response.area().equals(area))
+              .map(Response::location)
+              .findFirst()
+              .orElseThrow();
+      Map<String, Set<String>> measures = new LinkedHashMap<>();
+      study
+          .analyses(area)
+          .filter(analysis -> analysis.level() == ConfidenceLevel.ALL)
+          .forEach(
+              analysis ->
+                  reasons(analysis)
+                      .forEach(
+                          reason ->
+                              measures
+                                  .computeIfAbsent(reason, first -> new LinkedHashSet<>())
+                                  .add(analysis.measure().symbol())));
+      measures.forEach(
+          (reason, of) ->
+              problems.warning(
+                  place,
+                  "no F of %s about the area %s: %s"
+                      .formatted(String.join(", ", of), area, reason)));
+    }
+  }
+
+  private static List<String> reasons(AreaAnalysis analysis) {
+    return analysis
+        .anova()
+        .map(MissingTables::reasons)
+        .orElseGet(() -> analysis.design().obstacle().map(List::of).orElse(List.of()));
+  }
+
+  /** Why effects of an analysis have no F, each reason once. */
+  public static List<String> reasons(Anova anova) {
+    return anova.effects().stream()
+        .filter(effect -> !Double.isFinite(effect.f()))
+        .map(Effect::flaw)
+        .flatMap(Optional::stream)
+        .distinct()
+        .toList();
+  }
+}

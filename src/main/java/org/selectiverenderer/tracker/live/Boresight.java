@@ -1,0 +1,44 @@
+package org.selectiverenderer.tracker.live;
+
+import org.selectiverenderer.tracker.PoseSample;
+
+/**
+ * The heading that counts as straight ahead. Yaw is the outermost of the three rotations (order
+ * YXZ), so that taking a number from it turns the world about its vertical axis and nothing else.
+ */
+final class Boresight {
+  private final NewestPose newest;
+  private volatile double ahead;
+  private volatile boolean wanted;
+
+  public Boresight(NewestPose newest) {
+    this.newest = newest;
+  }
+
+  /** Makes the newest pose's heading yaw 0, or that of the first pose when there is none yet. */
+  public void reset() {
+    PoseSample now = new PoseSample();
+    if (newest.read(now)) {
+      ahead = now.yaw();
+    } else {
+      wanted = true;
+    }
+  }
+
+  /** Called with each pose before it is published. */
+  public void arriving(PoseSample sample) {
+    if (wanted) {
+      ahead = sample.yaw();
+      wanted = false;
+    }
+  }
+
+  /** Copies the newest pose, relative to the heading ahead. */
+  public boolean read(PoseSample into) {
+    if (!newest.read(into)) {
+      return false;
+    }
+    into.turn(into.yaw() - ahead, into.pitch(), into.roll());
+    return true;
+  }
+}

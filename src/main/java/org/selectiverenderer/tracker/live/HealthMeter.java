@@ -1,0 +1,97 @@
+package org.selectiverenderer.tracker.live;
+
+import org.selectiverenderer.tracker.TrackerHealth;
+
+/** Counts what arrives. The tracker's thread adds, any thread asks; nothing is allocated to add. */
+final class HealthMeter {
+  private static final int WINDOW = 64;
+
+  /** Records needed before the usual time between two of them counts as known. */
+  private static final int ENOUGH = 16;
+
+  private final long[] arrivals = new long[WINDOW];
+  private final GapCounter gaps = new GapCounter();
+  private long lastGood = System.nanoTime();
+  private long records;
+  private int inWindow;
+  private long bad;
+  private long badSinceGood;
+  private long reconnects;
+
+  synchronized void good(long arrival) {
+    if (inWindow > 0) {
+      double usual = inWindow < ENOUGH ? 0 : span() / (Math.min(inWindow, WINDOW) - 1);
+      gaps.interval((arrival - lastGood) * 1e-9, usual, badSinceGood);
+    }
+    badSinceGood = 0;
+    lastGood = arrival;
+    arrivals[inWindow++ % WINDOW] = arrival;
+    if (inWindow == 2 * WINDOW) {
+      inWindow = WINDOW; // Stays full, and the place in the ring the same.
+    }
+    records++;
+  }
+
+  synchronized void bad() {
+    bad++;
+    badSinceGood++;
+  }
+
+  /** Begins anew after a pause that is not the records' own: figures of times forget what was. */
+  synchronized void pause() {
+    inWindow = 0;
+    badSinceGood = 0;
+    gaps.restart();
+  }
+
+  synchronized void reconnected() {
+    reconnects++;
+  }
+
+  /** Since the last good record, in seconds. */
+  synchronized double silence(long now) {
+    return Math.max(0, (now - lastGood) * 1e-9);
+  }
+
+  /** Bad records since the last good one. */
+  synchronized long badSinceGood() {
+    return badSinceGood;
+  }
+
+  synchronized long records() {
+    return records;
+  }
+
+  synchronized TrackerHealth health(TrackerHealth.State state, long now) {
+    int count = Math.min(inWindow, WINDOW);
+    double mean = count < 2 ? 0 : span() / (count - 1);
+    return new TrackerHealth(
+        state,
+        records,
+        mean > 0 ? 1 / mean : 0,
+        mean > 0 ? deviation(count, mean) * 1e3 : 0,
+        bad,
+        gaps.dropped(),
+        silence(now),
+        reconnects);
+  }
+
+  /** From the first to the last record of the window, in seconds. */
+  private double span() {
+    int count = Math.min(inWindow, WINDOW);
+    return (arrival(inWindow - 1) - arrival(inWindow - count)) * 1e-9;
+  }
+
+  private double deviation(int count, double mean) {
+    double sum = 0;
+    for (int i = inWindow - count + 1; i < inWindow; i++) {
+      double off = (arrival(i) - arrival(i - 1)) * 1e-9 - mean;
+      sum += off * off;
+    }
+    return Math.sqrt(sum / (count - 1));
+  }
+
+  private long arrival(int index) {
+    return arrivals[index % WINDOW];
+  }
+}

@@ -1,0 +1,67 @@
+package org.selectiverenderer.tracker.live;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import org.selectiverenderer.tracker.PoseSample;
+
+/**
+ * The newest pose, written by one thread and read by any, without locks and allocations.
+ *
+ * <p>A sequence lock: the stamp is odd while the writer is at work, and a reader whose stamp
+ * changed meanwhile reads again. The writer never waits for readers. Boehm, "Can seqlocks get along
+ * with programming language memory models?", MSPC 2012.
+ */
+final class NewestPose {
+  private static final VarHandle STAMP = stamp();
+
+  private long stamp;
+  private long number;
+  private long arrival;
+  private double yaw;
+  private double pitch;
+  private double roll;
+
+  private static VarHandle stamp() {
+    try {
+      return MethodHandles.lookup().findVarHandle(NewestPose.class, "stamp", long.class);
+    } catch (ReflectiveOperationException e) {
+      throw new ExceptionInInitializerError(e);
+    }
+  }
+
+  /** Makes a pose the newest; called by one thread. */
+  public void publish(PoseSample sample) {
+    long writing = stamp + 1;
+    STAMP.setOpaque(this, writing);
+    VarHandle.storeStoreFence();
+    number = sample.number();
+    arrival = sample.arrival();
+    yaw = sample.yaw();
+    pitch = sample.pitch();
+    roll = sample.roll();
+    STAMP.setRelease(this, writing + 1);
+  }
+
+  /** Copies the newest pose; false, and {@code into} as it was, when there is none yet. */
+  public boolean read(PoseSample into) {
+    while (true) {
+      long before = (long) STAMP.getAcquire(this);
+      if (before == 0) {
+        return false;
+      }
+      if ((before & 1) == 0) {
+        long readNumber = number;
+        long readArrival = arrival;
+        double readYaw = yaw;
+        double readPitch = pitch;
+        double readRoll = roll;
+        VarHandle.loadLoadFence();
+        if ((long) STAMP.getOpaque(this) == before) {
+          into.set(readNumber, readArrival, readYaw, readPitch, readRoll);
+          return true;
+        }
+      }
+      Thread.onSpinWait();
+    }
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.tracker.live;
+
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerSpec;
+
+/**
+ * A tracker that publishes one pose after the other; readers see the newest, from straight ahead.
+ */
+public abstract class PublishingTracker implements HeadTracker {
+  private final TrackerSpec spec;
+  private final NewestPose newest = new NewestPose();
+  private final Boresight boresight = new Boresight(newest);
+
+  protected PublishingTracker(TrackerSpec spec) {
+    this.spec = spec;
+  }
+
+  /** Makes a pose the newest one; called by one thread. */
+  protected final void publish(PoseSample sample) {
+    boresight.arriving(sample);
+    newest.publish(sample);
+  }
+
+  @Override
+  public final TrackerSpec spec() {
+    return spec;
+  }
+
+  @Override
+  public final boolean read(PoseSample into) {
+    return boresight.read(into);
+  }
+
+  @Override
+  public final void resetHeading() {
+    boresight.reset();
+  }
+}

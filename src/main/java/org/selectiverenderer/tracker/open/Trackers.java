@@ -1,0 +1,73 @@
+package org.selectiverenderer.tracker.open;
+
+import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.TrackerException;
+import org.selectiverenderer.tracker.TrackerListener;
+import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.live.LiveTracker;
+import org.selectiverenderer.tracker.live.PoseSource;
+import org.selectiverenderer.tracker.net.OpenTrackSource;
+import org.selectiverenderer.tracker.net.TcpLinesSource;
+import org.selectiverenderer.tracker.net.VrpnSource;
+import org.selectiverenderer.tracker.replay.ReplayLog;
+import org.selectiverenderer.tracker.replay.ReplaySource;
+import org.selectiverenderer.tracker.serial.FastrakSource;
+import org.selectiverenderer.tracker.serial.InterTrax2Source;
+
+/** Opens trackers of every kind. */
+public final class Trackers {
+  private Trackers() {}
+
+  /**
+   * Opens a tracker and starts to read it.
+   *
+   * @param listener hears of problems, and of each record, on the tracker's thread
+   * @return {@link HeadTracker#close} must be called when done with it
+   * @throws TrackerException for what shows at once: no such port, permission denied, port in use,
+   *     nothing listens, a log that cannot be read. A device that does not answer is told to the
+   *     listener, and asked again until it does
+   */
+  public static HeadTracker open(TrackerSpec spec, TrackerOptions options, TrackerListener listener)
+      throws TrackerException {
+    if (spec instanceof TrackerSpec.None) {
+      return new NoTracker();
+    }
+    return LiveTracker.open(spec, source(spec, listener), options, listener);
+  }
+
+  private static PoseSource source(TrackerSpec spec, TrackerListener listener)
+      throws TrackerException {
+    if (spec instanceof TrackerSpec.InterTrax2 serial) {
+      return new InterTrax2Source(serial.port());
+    } else if (spec instanceof TrackerSpec.Fastrak serial) {
+      return new FastrakSource(serial.port(), serial.baud());
+    } else if (spec instanceof TrackerSpec.OpenTrack udp) {
+      return new OpenTrackSource(udp.port());
+    } else if (spec instanceof TrackerSpec.Vrpn vrpn) {
+      return new VrpnSource(vrpn.tracker(), vrpn.host(), vrpn.port());
+    } else if (spec instanceof TrackerSpec.Tcp tcp) {
+      return new TcpLinesSource(tcp.host(), tcp.port());
+    } else if (spec instanceof TrackerSpec.Replay replay) {
+      return new ReplaySource(log(replay.file(), listener));
+    }
+    throw new IllegalArgumentException("no source for " + spec);
+  }
+
+  private static ReplayLog log(Path file, TrackerListener listener) throws TrackerException {
+    try {
+      return ReplayLog.read(file, new Problems(listener::problem))
+          .orElseThrow(() -> new TrackerException("the log " + file + " has errors"));
+    } catch (TrackerException e) {
+      throw e;
+    } catch (NoSuchFileException e) {
+      throw new TrackerException("there is no log " + file, e);
+    } catch (IOException e) {
+      throw new TrackerException("the log " + file + " cannot be read: " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,122 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import java.util.Locale;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.polygon.count.SceneModel.Version;
+import org.selectiverenderer.polygon.count.SceneModel.VersionedSwitch;
+import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.validation.Findings;
+
+/** The versions of each object against what the metadata says of them. */
+final class ObjectVersionCheck implements EnrichmentPart {
+  private static final double MOST_OFF = 0.02;
+
+  @Override
+  public void check(EnrichedScene scene, Findings findings) {
+    scene
+        .model()
+        .ifPresent(
+            model ->
+                model
+                    .objects()
+                    .forEach(
+                        object -> {
+                          polygons(object, findings);
+                          sizes(object, findings);
+                        }));
+  }
+
+  /** Of the pairs that are the wrong way round the one that differs most. */
+  private static void polygons(VersionedSwitch object, Findings findings) {
+    Pair worst = null;
+    for (Choice a : object.schemas().choices()) {
+      for (Choice b : object.schemas().choices()) {
+        Pair pair = new Pair(object, a, b);
+        if (pair.wrong() && (worst == null || pair.excess() > worst.excess())) {
+          worst = pair;
+        }
+      }
+    }
+    if (worst != null) {
+      findings.add(
+          worst.ranked()
+              ? ObjectVersionRules.DEGREE_AGAINST_POLYGONS
+              : ObjectVersionRules.HEAVIER_REDUCTION,
+          object.node(),
+          worst.lighter.index(),
+          worst.heavier.index(),
+          worst.polygons(worst.lighter),
+          worst.polygons(worst.heavier));
+    }
+  }
+
+  /**
+   * Two versions of an object.
+   *
+   * @param lighter should have fewer polygons
+   */
+  private record Pair(VersionedSwitch object, Choice lighter, Choice heavier) {
+    boolean wrong() {
+      return !frame(lighter)
+          && !frame(heavier)
+          && (ranked() || reduced())
+          && polygons(heavier) > 0
+          && excess() > 0;
+    }
+
+    boolean ranked() {
+      return lighter.consistency() > heavier.consistency();
+    }
+
+    /** Whether the first is a version of the second although the metadata makes them equal. */
+    boolean reduced() {
+      return heavier.index() == object.schemas().mostDetailed()
+          && lighter.index() > heavier.index()
+          && lighter.consistency() == heavier.consistency();
+    }
+
+    long polygons(Choice choice) {
+      return object.versions().get(choice.index()).polygons();
+    }
+
+    long excess() {
+      return polygons(lighter) - polygons(heavier);
+    }
+
+    private static boolean frame(Choice choice) {
+      return choice.type().filter(ConsistencyType.FRAME::equals).isPresent();
+    }
+  }
+
+  private static void sizes(VersionedSwitch object, Findings findings) {
+    int original = object.schemas().mostDetailed();
+    List<Version> versions = object.versions();
+    Version first = versions.get(original);
+    for (int i = 0; i < versions.size(); i++) {
+      Version version = versions.get(i);
+      if (i != original && comparable(first) && comparable(version)) {
+        double off = off(first.bounds(), version.bounds());
+        if (off > MOST_OFF) {
+          String percent = String.format(Locale.ROOT, "%.1f", 100 * off);
+          findings.add(ObjectVersionRules.OTHER_SIZE, object.node(), i, percent, original);
+        }
+      }
+    }
+  }
+
+  private static boolean comparable(Version version) {
+    return version.exact() && !version.bounds().isEmpty();
+  }
+
+  /** How far the sides lie apart at most, as a part of the first's largest extent. */
+  private static double off(Bounds a, Bounds b) {
+    Vector3d low = b.min().sub(a.min()).absolute();
+    Vector3d high = b.max().sub(a.max()).absolute();
+    Vector3d most = low.max(high);
+    double largest = a.extent();
+    return largest > 0 ? most.get(most.maxComponent()) / largest : 0;
+  }
+}

@@ -1,0 +1,130 @@
+package org.selectiverenderer.validation.enrichment;
+
+import java.util.List;
+import org.selectiverenderer.validation.Rule;
+
+/** What can be wrong with the versions themselves and when they are shown. */
+final class ObjectVersionRules {
+  private static final String DESK = Examples.choice("low", "Desk");
+  private static final String OFFICE = Examples.choice("high", "Office");
+  private static final String VERSIONS = Examples.DETAILED + Examples.SIMPLE;
+  private static final String GOOD = Examples.desk() + Examples.LAMP;
+
+  private static final String VIEW = "<Viewpoint position='0 0 8'/>\n";
+
+  static final Rule DEGREE_AGAINST_POLYGONS =
+      Rule.warning(
+              "SR416",
+              "choice {consistent} is more consistent than choice {other}, but has "
+                  + "more polygons: {polygons} instead of {fewer}")
+          .because(
+              """
+              Consistent objects are expected and drawn with few polygons, inconsistent ones \
+              with many. So the version with the higher degree must have fewer polygons. The \
+              listings of Figs 52 and 78 have it the other way round.""")
+          .bad(
+              Examples.desk()
+                  + Examples.lamp("1", DESK + OFFICE, Examples.SIMPLE + Examples.DETAILED))
+          .good(GOOD)
+          .see("thesis 4.2.1");
+
+  static final Rule HEAVIER_REDUCTION =
+      Rule.warning(
+              "SR417",
+              "choice {reduced} is a reduced version of choice {original}, but does "
+                  + "not have fewer polygons: {polygons} and {fewer}")
+          .because("A reduced version must have fewer polygons than the original.")
+          .bad(
+              Examples.desk()
+                  + Examples.lamp(
+                      "1",
+                      DESK + OFFICE.replace("high", "low"),
+                      Examples.SIMPLE + Examples.DETAILED))
+          .good(GOOD)
+          .see("thesis 4.2.1, Fig 67");
+
+  static final Rule OTHER_SIZE =
+      Rule.warning(
+              "SR418",
+              "choice {choice} differs by {percent} % in size or position from "
+                  + "choice {original}")
+          .because(
+              """
+              When one version replaces the other, the object must not jump or grow. The \
+              sides of their bounding boxes may differ by at most 2 % of the object's \
+              largest extent.""")
+          .bad(
+              Examples.desk()
+                  + Examples.lamp(
+                      "1",
+                      DESK + OFFICE,
+                      Examples.DETAILED + "  <Shape><Box size='2 2 2.2'/></Shape>\n"))
+          .good(GOOD)
+          .see("thesis 4.2.1");
+
+  static final Rule NOT_AS_AT_START =
+      Rule.warning(
+              "SR420",
+              "the Switch shows choice {choice} at the start, but {schema}, which is "
+                  + "active at the start viewpoint, shows choice {other}")
+          .because(
+              """
+              The areas around the scene's first viewpoint are entered at once. Outside all \
+              areas the schemas are active that leaving them activates. The file should show \
+              the choices of these schemas.""")
+          .bad(VIEW + Examples.desk() + Examples.lamp("0", DESK + OFFICE, VERSIONS))
+          .good(VIEW + GOOD)
+          .see("thesis 5.4.3, Fig 80");
+
+  static final Rule ORDER_DEPENDENT =
+      Rule.warning(
+              "SR422",
+              "{area} and {other} overlap and show choices {choice} and {otherChoice} of the"
+                  + " Switch; the area entered last wins")
+          .because(
+              """
+              A viewer in both areas sees the version of the area entered last, so the same \
+              place can look different. Give both areas the same choice, or keep the areas \
+              apart.""")
+          .bad(overlap(DESK, Examples.choice("high", "Office\" \"Shelf")))
+          .good(overlap(Examples.choice("low", "Desk\" \"Shelf"), OFFICE))
+          .see("thesis 6.2, Fig 89");
+
+  static final Rule NEVER_SHOWN =
+      Rule.warning("SR424", "choice {choice} of the Switch is never shown: {reason}")
+          .because(
+              """
+              A version that is not shown at the start is shown when a schema is activated \
+              to which it belongs, unless a later schema of the same area shows another \
+              version.""")
+          .bad(
+              Examples.desk()
+                  + Examples.LAMP
+                  + """
+                  <Switch DEF='Cup' whichChoice='0'>
+                    <Inline url='"cup_v1.x3d"'/>
+                    <Inline url='"cup_v2.x3d"'/>
+                  </Switch>
+                  """)
+          .good(GOOD)
+          .see("thesis 4.3, Figs 48 and 49");
+
+  static final List<Rule> ALL =
+      List.of(
+          DEGREE_AGAINST_POLYGONS,
+          HEAVIER_REDUCTION,
+          OTHER_SIZE,
+          NOT_AS_AT_START,
+          ORDER_DEPENDENT,
+          NEVER_SHOWN);
+
+  private ObjectVersionRules() {}
+
+  /** Two areas that overlap. */
+  private static String overlap(String first, String second) {
+    String shelf =
+        Examples.sensor("2 4 2", Examples.string("enterTimeSchema", "Shelf") + Examples.EXIT_OFFICE)
+            .replace("DeskProx", "ShelfProx");
+    return Examples.desk() + shelf + Examples.lamp("1", first + second, VERSIONS);
+  }
+}

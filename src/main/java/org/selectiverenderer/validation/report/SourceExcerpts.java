@@ -1,0 +1,80 @@
+package org.selectiverenderer.validation.report;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.x3d.source.SourceLines;
+
+/**
+ * Shows the lines that findings are about. The files are read again, one at a time and only those
+ * with findings: to keep them all would take memory by their number.
+ */
+final class SourceExcerpts {
+  private static final int WIDTH = 100;
+  private static final int LEFT = 60;
+
+  /**
+   * A part of a line of a file.
+   *
+   * @param before white space as wide as what stands before the place, tabs kept
+   */
+  public record Excerpt(String text, String before) {}
+
+  private final Map<String, SourceFile> files = new HashMap<>();
+  private String open = "";
+  private @Nullable SourceLines lines;
+
+  public SourceExcerpts(List<SourceFile> files) {
+    files.forEach(file -> this.files.put(file.name(), file));
+  }
+
+  /** The line of a place, as much of it as a terminal shows; empty for a file as a whole. */
+  public Optional<Excerpt> at(Location location) {
+    if (location.line() == 0 || location.column() == 0) {
+      return Optional.empty();
+    }
+    SourceLines source = lines(location.file());
+    if (source == null) {
+      return Optional.empty();
+    }
+    int from = location.column() <= WIDTH ? 0 : location.column() - LEFT;
+    return source
+        .line(location.line(), from, WIDTH)
+        .map(SourceExcerpts::printable)
+        .map(
+            text -> {
+              String left =
+                  text.substring(0, Math.min(text.length(), location.column() - 1 - from));
+              return new Excerpt(text.stripTrailing(), left.replaceAll("[^\\t]", " "));
+            });
+  }
+
+  private @Nullable SourceLines lines(String name) {
+    if (!name.equals(open)) {
+      open = name;
+      lines = null;
+      SourceFile file = files.get(name);
+      if (file != null) {
+        try (InputStream in = file.open()) {
+          lines = SourceLines.read(in, file.size());
+        } catch (IOException e) {
+          lines = null; // It was there a moment ago: the finding stands without its line.
+        }
+      }
+    }
+    return lines;
+  }
+
+  private static String printable(String text) {
+    return text.codePoints()
+        .map(c -> c != '\t' && Character.isISOControl(c) ? '?' : c)
+        .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+        .toString();
+  }
+}

@@ -1,0 +1,108 @@
+package org.selectiverenderer.validation.run;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.validation.IgnoreComment;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.XmlDocument;
+
+/**
+ * Findings that an author does not want to hear of: a comment <code>
+ * validate-ignore SR102 SR103: why
+ * </code> before an element is for that element and all within it; before the root element, for the
+ * whole file.
+ */
+final class Suppressions {
+  /**
+   * One comment and its element.
+   *
+   * @param ids of rules, or beginnings of ids
+   * @param outer the one for an element around this one, or for the same; null if there is none
+   */
+  private record Suppression(
+      Set<String> ids, Location from, Location to, @Nullable Suppression outer) {
+    boolean holds(Location at) {
+      return !before(at, from) && !before(to, at);
+    }
+  }
+
+  private final Set<String> whole;
+  private final List<Suppression> list;
+
+  private Suppressions(Set<String> whole, List<Suppression> list) {
+    this.whole = whole;
+    this.list = list;
+  }
+
+  /**
+   * Those of a document.
+   *
+   * @param rules ids of all rules
+   */
+  static Suppressions of(XmlDocument document, Set<String> rules) {
+    Set<String> whole = new HashSet<>();
+    List<Suppression> list = new ArrayList<>();
+    Suppression last = null;
+    for (XmlDocument.Comment comment : document.comments()) {
+      IgnoreComment ignoring = IgnoreComment.of(comment).orElse(null);
+      DocumentElement element = comment.before();
+      if (ignoring == null || element == null) {
+        continue;
+      }
+      Set<String> ids = new HashSet<>(ignoring.ids());
+      ids.removeIf(id -> rules.stream().noneMatch(rule -> rule.startsWith(id)));
+      if (element.parent().isEmpty()) {
+        whole.addAll(ids);
+        continue;
+      }
+      Location from = element.location();
+      Location to =
+          element
+              .last()
+              .orElse(new Location(document.name(), Integer.MAX_VALUE, Integer.MAX_VALUE));
+      while (last != null && !last.holds(from)) {
+        last = last.outer;
+      }
+      last = new Suppression(ids, from, to, last);
+      list.add(last);
+    }
+    return new Suppressions(whole, list);
+  }
+
+  boolean cover(Rule rule, Location at) {
+    String id = rule.id();
+    if (whole.stream().anyMatch(id::startsWith)) {
+      return true;
+    }
+    for (Suppression s = lastBefore(at); s != null; s = s.outer) {
+      if (s.holds(at) && s.ids.stream().anyMatch(id::startsWith)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The last that begins at a place or before; they are in document order, and may be many. */
+  private @Nullable Suppression lastBefore(Location at) {
+    int low = 0;
+    int high = list.size();
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (before(at, list.get(middle).from)) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return low == 0 ? null : list.get(low - 1);
+  }
+
+  private static boolean before(Location a, Location b) {
+    return a.line() != b.line() ? a.line() < b.line() : a.column() < b.column();
+  }
+}

@@ -1,0 +1,162 @@
+package org.selectiverenderer.validation.run;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import org.selectiverenderer.validation.FileOutline;
+import org.selectiverenderer.validation.Finding;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.ReportedNames;
+import org.selectiverenderer.validation.RunCheck;
+import org.selectiverenderer.validation.SceneCheck;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * One run of the validator: begins to check every file as soon as something names it, then checks
+ * the scenes. No task waits for another.
+ */
+final class ValidationRun {
+  /** A scene while its files come in. */
+  private record Scene(
+      FileOutline main,
+      ContentRoot root,
+      Map<ParsedNode, FileOutline> contents,
+      Set<FileOutline> followed) {}
+
+  /** A file of a scene that is being checked, and the Inline that names it. */
+  private record Pending(Scene scene, ParsedNode inline, CompletableFuture<FileResult> file) {}
+
+  private final ValidationSettings settings;
+  private final Path base;
+  private final Executor executor;
+  private final FileChecker checker;
+  private final List<SceneCheck> sceneChecks;
+  private final List<RunCheck> runChecks;
+  private final Map<Path, CompletableFuture<FileResult>> started = new LinkedHashMap<>();
+  private final Queue<Pending> pending = new ArrayDeque<>();
+
+  ValidationRun(RuleCatalogue rules, ValidationSettings settings, Path base, Executor executor) {
+    this.settings = settings;
+    this.base = base;
+    this.executor = executor;
+    this.checker = new FileChecker(rules, settings);
+    this.sceneChecks =
+        rules.groups().stream().flatMap(group -> group.sceneChecks().stream()).toList();
+    this.runChecks = rules.groups().stream().flatMap(group -> group.runChecks().stream()).toList();
+  }
+
+  Report validate(List<SourceFile> files) {
+    List<CompletableFuture<FileResult>> mains = files.stream().map(this::start).toList();
+    List<Scene> scenes = new ArrayList<>();
+    for (CompletableFuture<FileResult> main : new LinkedHashSet<>(mains)) {
+      FileOutline outline = main.join().outline();
+      Scene scene =
+          new Scene(
+              outline,
+              new ContentRoot(outline.file().folder()),
+              new IdentityHashMap<>(),
+              Collections.newSetFromMap(new IdentityHashMap<>()));
+      scenes.add(scene);
+      follow(scene, outline);
+    }
+    for (Pending step = pending.poll(); step != null; step = pending.poll()) {
+      FileOutline inlined = step.file.join().outline();
+      step.scene.contents.put(step.inline, inlined);
+      follow(step.scene, inlined);
+    }
+    return report(scenes);
+  }
+
+  /** Begins to check a file, unless another scene has asked for it already. */
+  private CompletableFuture<FileResult> start(SourceFile file) {
+    return started.computeIfAbsent(
+        file.key(), key -> CompletableFuture.supplyAsync(() -> check(file), executor));
+  }
+
+  private FileResult check(SourceFile file) {
+    try {
+      return checker.check(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Begins to check what a file of a scene inlines. */
+  private void follow(Scene scene, FileOutline outline) {
+    if (!scene.followed.add(outline)) {
+      return;
+    }
+    for (ParsedNode node : outline.nodes()) {
+      if (node.type().name().equals("Inline")
+          && UrlChoice.of(node, scene.root, outline.file().folder(), "")
+              instanceof UrlChoice.File found
+          && java.nio.file.Files.isReadable(found.path())) {
+        pending.add(new Pending(scene, node, start(SourceFile.of(found.path(), base))));
+      }
+    }
+  }
+
+  private Report report(List<Scene> scenes) {
+    // A file of several scenes has its findings once.
+    Set<Finding> all = new HashSet<>();
+    int dropped = 0;
+    Map<String, Suppressions> suppressions = new LinkedHashMap<>();
+    List<SourceFile> files = new ArrayList<>();
+    for (CompletableFuture<FileResult> file : started.values()) {
+      FileResult result = file.join();
+      all.addAll(result.findings());
+      dropped += result.dropped();
+      suppressions.put(result.outline().file().name(), result.suppressions());
+      files.add(result.outline().file());
+    }
+    WantedFindings wanted = new WantedFindings(settings, suppressions);
+    List<CompletableFuture<Findings>> checking =
+        scenes.stream()
+            .map(scene -> CompletableFuture.supplyAsync(() -> check(scene, wanted), executor))
+            .toList();
+    for (CompletableFuture<Findings> scene : checking) {
+      all.addAll(scene.join().list());
+      dropped += scene.join().dropped();
+    }
+    Findings ofRun = new Findings(wanted);
+    Path file = settings.file();
+    RunCheck.Settings given =
+        new RunCheck.Settings(settings, file == null ? "" : ReportedNames.relative(file, base));
+    List<SceneView> views = scenes.stream().map(this::view).toList();
+    runChecks.forEach(check -> check.check(views, given, ofRun));
+    all.addAll(ofRun.list());
+    List<Finding> weighed =
+        all.stream().map(finding -> finding.with(settings.severity(finding.rule()))).toList();
+    return Report.of(files, weighed, dropped);
+  }
+
+  private Findings check(Scene scene, WantedFindings wanted) {
+    Findings findings = new Findings(wanted);
+    SceneView view = view(scene);
+    sceneChecks.forEach(check -> check.check(view, findings));
+    return findings;
+  }
+
+  private SceneView view(Scene scene) {
+    return new SceneView(scene.main, scene.root, scene.contents, settings);
+  }
+}

@@ -1,0 +1,20 @@
+package org.selectiverenderer.validation.run;
+
+import java.util.Map;
+import java.util.function.BiPredicate;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.ValidationSettings;
+
+/** Leaves out what the user does not want to hear of: by the settings, and by comments in files. */
+record WantedFindings(ValidationSettings settings, Map<String, Suppressions> suppressions)
+    implements BiPredicate<Rule, Location> {
+  @Override
+  public boolean test(Rule rule, Location place) {
+    if (settings.ignores(rule.id())) {
+      return false;
+    }
+    Suppressions ofFile = suppressions.get(place.file());
+    return ofFile == null || !ofFile.cover(rule, place);
+  }
+}

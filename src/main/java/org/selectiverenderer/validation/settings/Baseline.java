@@ -1,0 +1,74 @@
+package org.selectiverenderer.validation.settings;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.validation.Report;
+
+/**
+ * The findings of an earlier run, which are not to be heard of again: a report in JSON. A finding
+ * is old if the report has one of that rule, file, node and message, wherever in the file; of two
+ * equal ones where the report has one, the second is new.
+ */
+public final class Baseline {
+  private record Key(String rule, String file, String node, String message) {}
+
+  private final Map<Key, Integer> known = new HashMap<>();
+
+  private Baseline() {}
+
+  /** Of a run without earlier ones. */
+  public static Baseline none() {
+    return new Baseline();
+  }
+
+  /**
+   * Reads a report.
+   *
+   * @throws IOException if it cannot be read or is no report, with a message of one line
+   */
+  public static Baseline read(Path file) throws IOException {
+    JsonNode report = JsonTree.read(file);
+    JsonNode issues = report.get("issues");
+    if (issues == null || !issues.isArray()) {
+      throw new IOException(file + ": is not a report of 'validate --format json'");
+    }
+    Baseline baseline = new Baseline();
+    for (JsonNode issue : issues) {
+      Key key =
+          new Key(
+              issue.path("rule").asText(),
+              issue.path("file").asText(),
+              issue.path("node").asText(),
+              issue.path("message").asText());
+      baseline.known.merge(key, 1, Integer::sum);
+    }
+    return baseline;
+  }
+
+  /** What is new in a report. */
+  public Report without(Report report) {
+    Map<Key, Integer> left = new HashMap<>(known);
+    return new Report(
+        report.files(),
+        report.findings().stream()
+            .filter(
+                finding -> {
+                  Key key =
+                      new Key(
+                          finding.rule().id(),
+                          finding.location().file(),
+                          finding.node(),
+                          finding.message());
+                  int rest = Optional.ofNullable(left.get(key)).orElse(0);
+                  left.put(key, rest - 1);
+                  return rest <= 0;
+                })
+            .toList(),
+        report.dropped());
+  }
+}

@@ -1,0 +1,35 @@
+package org.selectiverenderer.x3d.catalogue;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/**
+ * A field of a node type, as the standard defines it.
+ *
+ * @param index position among the fields of its node type, from 0
+ * @param name for example {@code whichChoice}
+ * @param defaultText the default as X3D text; empty when the standard gives none
+ * @param min lower bound as the catalogue writes it ({@code 0}, {@code >0}); empty when unbounded
+ * @param max upper bound, likewise
+ * @param values the values that the standard allows for a string; empty when any
+ * @param nodeTypes names of the node types that an SFNode or MFNode accepts
+ * @param defaultValue the default, as {@link FieldType} represents it; null for an SFNode
+ */
+public record FieldDefinition(
+    int index,
+    String name,
+    FieldType type,
+    FieldAccess access,
+    String defaultText,
+    String min,
+    String max,
+    List<String> values,
+    List<String> nodeTypes,
+    @Nullable Object defaultValue) {
+
+  @Override
+  public String toString() {
+    return access.spelling() + " " + type + " " + name;
+  }
+}

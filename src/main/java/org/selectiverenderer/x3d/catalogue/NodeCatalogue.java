@@ -1,0 +1,120 @@
+package org.selectiverenderer.x3d.catalogue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.selectiverenderer.base.problem.Spelling;
+
+/**
+ * All concrete node types of X3D 4.0, read from two tables that are part of the program: {@code
+ * x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}. One instance is made at the start and handed
+ * to whoever needs it; any thread may use it. A type is made when it is first asked for, since a
+ * scene has some 20 of the 260 and a program's start should not pay for the others.
+ */
+public final class NodeCatalogue {
+  private static final int COLUMNS = 5;
+
+  private final Map<String, String> rows;
+  private final FieldTable fields;
+  private final Map<String, NodeType> types = new ConcurrentHashMap<>();
+
+  private NodeCatalogue(Map<String, String> rows, FieldTable fields) {
+    this.rows = rows;
+    this.fields = fields;
+  }
+
+  /**
+   * Reads the tables.
+   *
+   * @throws IllegalStateException if a table is missing, which is a fault of the build
+   */
+  public static NodeCatalogue load() {
+    String nodes = resource("x3d-4.0-nodes.tsv");
+    Map<String, String> rows = new LinkedHashMap<>(512);
+    for (int at = nodes.indexOf('\n') + 1; at < nodes.length(); ) {
+      int end = nodes.indexOf('\n', at);
+      rows.put(nodes.substring(at, nodes.indexOf('\t', at)), nodes.substring(at, end));
+      at = end + 1;
+    }
+    return new NodeCatalogue(rows, new FieldTable(resource("x3d-4.0-fields.tsv")));
+  }
+
+  /** The node type of exactly that name. */
+  public Optional<NodeType> find(String name) {
+    NodeType type = types.get(name);
+    return type != null ? Optional.of(type) : make(name);
+  }
+
+  /**
+   * The node type of a name that is known to be in the catalogue; for code that names the
+   * standard's own nodes.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  public NodeType get(String name) {
+    return find(name)
+        .orElseThrow(() -> new IllegalArgumentException("X3D 4.0 has no node " + name));
+  }
+
+  /** All node types in alphabetical order. */
+  public List<NodeType> all() {
+    List<NodeType> all = new ArrayList<>(rows.size());
+    for (String name : rows.keySet()) {
+      all.add(get(name));
+    }
+    return Collections.unmodifiableList(all);
+  }
+
+  /** The names of all node types, in alphabetical order. */
+  public Set<String> names() {
+    return rows.keySet();
+  }
+
+  /** The node that somebody who wrote an unknown name probably meant. */
+  public Optional<String> suggestion(String name) {
+    return Spelling.nearest(name, rows.keySet());
+  }
+
+  private Optional<NodeType> make(String name) {
+    String row = rows.get(name);
+    if (row == null) {
+      return Optional.empty();
+    }
+    String[] cells = FieldTable.cells(row, COLUMNS);
+    NodeType made =
+        new NodeType(
+            name,
+            cells[1],
+            Integer.parseInt(cells[2]),
+            cells[3],
+            new HashSet<>(Arrays.asList(cells[4].split(" "))),
+            fields.of(name));
+    // Types are compared by identity, so the first of two threads wins.
+    NodeType first = types.putIfAbsent(name, made);
+    return Optional.of(first != null ? first : made);
+  }
+
+  private static String resource(String name) {
+    try (InputStream in = NodeCatalogue.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("the program's own table " + name + " is missing");
+      }
+      String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      // A checkout may have changed the ends of the lines.
+      return text.indexOf('\r') < 0 ? text : text.replace("\r\n", "\n");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

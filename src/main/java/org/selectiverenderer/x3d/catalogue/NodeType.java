@@ -1,0 +1,117 @@
+package org.selectiverenderer.x3d.catalogue;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** A concrete node type of the catalogue. Immutable; compare by identity. */
+public final class NodeType {
+  private final String name;
+  private final String component;
+  private final int level;
+  private final String containerField;
+  private final Set<String> ancestors;
+  private final List<FieldDefinition> fields;
+  private final Map<String, FieldDefinition> fieldsByName;
+
+  NodeType(
+      String name,
+      String component,
+      int level,
+      String containerField,
+      Set<String> ancestors,
+      List<FieldDefinition> fields) {
+    this.name = name;
+    this.component = component;
+    this.level = level;
+    this.containerField = containerField;
+    this.ancestors = Set.copyOf(ancestors);
+    this.fields = List.copyOf(fields);
+    this.fieldsByName = new HashMap<>(fields.size() * 2);
+    for (FieldDefinition field : fields) {
+      fieldsByName.put(field.name(), field);
+    }
+  }
+
+  public String name() {
+    return name;
+  }
+
+  /** The component that defines the node, for example {@code Grouping}. */
+  public String component() {
+    return component;
+  }
+
+  /** The level of that component from which the node is supported. */
+  public int level() {
+    return level;
+  }
+
+  /** The field of a parent that takes such a node when the file does not say. */
+  public String containerField() {
+    return containerField;
+  }
+
+  /** Whether the node is of that concrete or abstract type, for example {@code X3DGroupingNode}. */
+  public boolean is(String typeName) {
+    return name.equals(typeName) || ancestors.contains(typeName);
+  }
+
+  /** The abstract types that the node descends from. */
+  public Set<String> ancestors() {
+    return ancestors;
+  }
+
+  public List<FieldDefinition> fields() {
+    return fields;
+  }
+
+  /** The field of exactly that name. */
+  public Optional<FieldDefinition> field(String fieldName) {
+    return Optional.ofNullable(fieldsByName.get(fieldName));
+  }
+
+  /** The field that takes an event sent to that name: {@code size} or {@code set_size}. */
+  public Optional<FieldDefinition> input(String fieldName) {
+    return eventField(fieldName, fieldName.startsWith("set_") ? fieldName.substring(4) : null)
+        .filter(field -> field.access().acceptsEvents());
+  }
+
+  /** The field that sends events under that name: {@code size} or {@code size_changed}. */
+  public Optional<FieldDefinition> output(String fieldName) {
+    return eventField(
+            fieldName,
+            fieldName.endsWith("_changed")
+                ? fieldName.substring(0, fieldName.length() - "_changed".length())
+                : null)
+        .filter(field -> field.access().sendsEvents());
+  }
+
+  private Optional<FieldDefinition> eventField(String fieldName, String stripped) {
+    FieldDefinition field = fieldsByName.get(fieldName);
+    if (field == null && stripped != null) {
+      field = fieldsByName.get(stripped);
+    }
+    return Optional.ofNullable(field);
+  }
+
+  /**
+   * The index of a field that is known to exist; for code that names the standard's own fields.
+   *
+   * @throws IllegalArgumentException if the node type has no such field
+   */
+  public int indexOf(String fieldName) {
+    FieldDefinition field = fieldsByName.get(fieldName);
+    if (field == null) {
+      throw new IllegalArgumentException(name + " has no field " + fieldName);
+    }
+    return field.index();
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+}

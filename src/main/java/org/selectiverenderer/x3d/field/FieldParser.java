@@ -1,0 +1,145 @@
+package org.selectiverenderer.x3d.field;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
+
+/**
+ * Turns the text of a field (X3D 4.0 XML encoding, ISO/IEC 19776-1, clause 5) into the value that
+ * {@link FieldType} describes. What is wrong with the text is told beside the value, and as much of
+ * the value as can be used is kept. Keeps buffers between calls, so one instance serves one thread.
+ */
+public final class FieldParser {
+  /**
+   * Something wrong in a value.
+   *
+   * @param offset of the offending word in the text, from 0
+   * @param message what is wrong and what is done about it
+   */
+  public record Flaw(int offset, Problem.Severity severity, String message) {}
+
+  /**
+   * A value and what is wrong with its text.
+   *
+   * @param value as {@link FieldType} represents it; null when nothing of the text can be used
+   */
+  public record Parsed(@Nullable Object value, List<Flaw> flaws) {}
+
+  private final FloatScanner floats = new FloatScanner();
+  private final DoubleScanner doubles = new DoubleScanner();
+  private final IntScanner ints = new IntScanner();
+
+  /**
+   * Reads a value.
+   *
+   * @throws IllegalArgumentException for SFNode and MFNode, which text cannot express
+   */
+  public Parsed parse(FieldType type, String text) {
+    Flaws flaws = new Flaws();
+    Object value = parse(type, text, flaws);
+    return new Parsed(value, flaws.list());
+  }
+
+  @Nullable
+  public Object parse(FieldType type, String text, Flaws flaws) {
+    if (type.kind() == FieldType.Kind.STRING) {
+      return type.multiple() ? StringScanner.strings(text, flaws) : text;
+    }
+    return parse(type, text.toCharArray(), 0, text.length(), flaws);
+  }
+
+  /** The same from a part of a buffer, for all but strings; offsets count from {@code start}. */
+  @Nullable
+  public Object parse(FieldType type, char[] text, int start, int end, Flaws flaws) {
+    return switch (type.kind()) {
+      case FLOAT -> {
+        int length = tuples(type, floats.scan(text, start, end, flaws), text, start, end, flaws);
+        yield type.multiple()
+            ? floats.copy(length)
+            : length == 0 ? null : length == 1 ? (Object) floats.first() : floats.copy(length);
+      }
+      case DOUBLE -> {
+        int length = tuples(type, doubles.scan(text, start, end, flaws), text, start, end, flaws);
+        yield type.multiple()
+            ? doubles.copy(length)
+            : length == 0 ? null : length == 1 ? (Object) doubles.first() : doubles.copy(length);
+      }
+      case INT -> {
+        int found = ints.scan(text, start, end, flaws);
+        if (type.components() == 0) {
+          yield ImageCheck.check(ints.copy(found), type.multiple(), flaws);
+        }
+        int length = tuples(type, found, text, start, end, flaws);
+        yield type.multiple() ? ints.copy(length) : length == 0 ? null : (Object) ints.first();
+      }
+      case BOOLEAN -> booleans(type, text, start, end, flaws);
+      case STRING -> throw new IllegalArgumentException("strings are not read from a buffer");
+      case NODE -> throw new IllegalArgumentException(type + " has no text form");
+    };
+  }
+
+  /** How many of the numbers found make up whole tuples, or the one tuple of a single value. */
+  private static int tuples(
+      FieldType type, int found, char[] text, int start, int end, Flaws flaws) {
+    int size = type.components();
+    if (type.multiple()) {
+      int over = found % size;
+      if (over != 0) {
+        flaws.error(
+            Tokens.offset(text, start, end, found - over),
+            "the last value has only "
+                + over
+                + " of its "
+                + size
+                + (over == 1 ? " numbers; it is left out" : " numbers; they are left out"));
+      }
+      return found - over;
+    }
+    if (found > size) {
+      flaws.error(
+          Tokens.offset(text, start, end, size),
+          size == 1
+              ? "only one number is needed here; the rest is left out"
+              : size + " numbers are needed here; the rest is left out");
+      return size;
+    }
+    if (found < size) {
+      flaws.unusable(
+          size == 1
+              ? "a number is missing; the default is used"
+              : size + " numbers are needed, not " + found + "; the default is used");
+      return 0;
+    }
+    return size;
+  }
+
+  private static @Nullable Object booleans(
+      FieldType type, char[] text, int start, int end, Flaws flaws) {
+    int count = Tokens.count(text, start, end);
+    if (!type.multiple() && count != 1) {
+      flaws.error(0, "either true or false is needed here; the default is used");
+      return null;
+    }
+    boolean[] values = new boolean[count];
+    int at = start;
+    for (int i = 0; i < count; i++) {
+      at = Tokens.skipSeparators(text, at, end);
+      int stop = Tokens.skipWord(text, at, end);
+      String word = new String(text, at, stop - at);
+      values[i] = word.equalsIgnoreCase("true");
+      if (!word.equals("true") && !word.equals("false")) {
+        if (values[i] || word.equalsIgnoreCase("false")) {
+          flaws.warning(at - start, "'" + word + "' must be written in lower case in X3D");
+        } else if (type.multiple()) {
+          flaws.error(at - start, Tokens.quote(word) + " is neither true nor false; false is used");
+        } else {
+          flaws.error(
+              at - start, Tokens.quote(word) + " is neither true nor false; the default is used");
+          return null;
+        }
+      }
+      at = stop;
+    }
+    return type.multiple() ? values : (Object) values[0];
+  }
+}

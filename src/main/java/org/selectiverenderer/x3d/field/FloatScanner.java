@@ -1,0 +1,107 @@
+package org.selectiverenderer.x3d.field;
+
+import ch.randelshofer.fastdoubleparser.JavaFloatParser;
+import java.util.Arrays;
+
+/**
+ * Reads floats, correctly rounded. Coordinates are most of what a scene's text is, and their usual
+ * form, up to 18 digits and a small exponent, is read without a general parser:
+ *
+ * <p>Up to 2<sup>24</sup> the digits are an exact float, and so are the powers of ten up to 10;
+ * their quotient is then rounded once, that is, correctly. Up to 2<sup>53</sup> and 10<sup>22</sup>
+ * the same holds for doubles; rounding that double to a float again is right unless the double lies
+ * just in the middle between two floats. Everything else is left to FastDoubleParser.
+ */
+final class FloatScanner extends NumberScanner {
+  private static final int FLOAT_DIGITS = 1 << 24;
+  private static final long DOUBLE_DIGITS = 1L << 53;
+  private static final long BELOW_FLOAT = (1L << 29) - 1;
+  private static final long MIDDLE = 1L << 28;
+
+  private static final float[] FLOAT_TENS = {
+    1e0f, 1e1f, 1e2f, 1e3f, 1e4f, 1e5f, 1e6f, 1e7f, 1e8f, 1e9f, 1e10f
+  };
+
+  private float[] values;
+
+  FloatScanner() {
+    super(1024);
+    values = new float[1024];
+  }
+
+  float first() {
+    return values[0];
+  }
+
+  float[] copy(int length) {
+    return Arrays.copyOf(values, length);
+  }
+
+  @Override
+  void grow(int wanted) {
+    values = Arrays.copyOf(values, wanted);
+  }
+
+  @Override
+  int number(char[] text, int start, int word, int end, int index, Flaws flaws) {
+    int at = word;
+    boolean negative = text[at] == '-';
+    if (negative || text[at] == '+') {
+      at++;
+    }
+    int from = at;
+    long number = 0;
+    int digit;
+    while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
+      number = 10 * number + digit;
+      at++;
+    }
+    int digits = at - from;
+    int scale = 0;
+    if (at < end && text[at] == '.') {
+      at++;
+      int point = at;
+      while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
+        number = 10 * number + digit;
+        at++;
+      }
+      scale = at - point;
+      digits += scale;
+    }
+    if ((at == end || Tokens.separates(text[at]))
+        && number <= FLOAT_DIGITS
+        && scale <= 10
+        && digits <= 18
+        && digits > 0) {
+      float value = number / FLOAT_TENS[scale];
+      values[index] = negative ? -value : value;
+      return at;
+    }
+    at = Tokens.skipWord(text, word, end);
+    values[index] = rare(text, start, word, at, number, digits, scale, flaws);
+    return at;
+  }
+
+  /** A number that is long, has an exponent or is none. */
+  private static float rare(
+      char[] text, int start, int word, int end, long number, int digits, int scale, Flaws flaws) {
+    boolean wellFormed = DecimalScan.wellFormed(text, word, end);
+    if (wellFormed && digits <= 18 && number > 0 && number <= DOUBLE_DIGITS) {
+      double value = DecimalScan.exact(text, word, end, number, scale);
+      long bits = Double.doubleToRawLongBits(value);
+      if (Math.abs(value) >= Float.MIN_NORMAL
+          && Math.abs(value) < 1e38
+          && (bits & BELOW_FLOAT) != MIDDLE) {
+        return (float) value;
+      }
+    }
+    if (wellFormed) {
+      float value = JavaFloatParser.parseFloat(text, word, end - word);
+      if (Float.isFinite(value)) {
+        return value;
+      }
+    }
+    flaws.error(word - start, DecimalScan.complaint(text, word, end));
+    return 0;
+  }
+}

@@ -1,0 +1,90 @@
+package org.selectiverenderer.x3d.field;
+
+import java.util.Arrays;
+
+/** Reads whole numbers, decimal or hexadecimal ({@code 0xFF8000}). */
+final class IntScanner extends NumberScanner {
+  private int[] values;
+
+  IntScanner() {
+    super(1024);
+    values = new int[1024];
+  }
+
+  int first() {
+    return values[0];
+  }
+
+  int[] copy(int length) {
+    return Arrays.copyOf(values, length);
+  }
+
+  @Override
+  void grow(int wanted) {
+    values = Arrays.copyOf(values, wanted);
+  }
+
+  @Override
+  int number(char[] text, int start, int word, int end, int index, Flaws flaws) {
+    int at = word;
+    boolean negative = text[at] == '-';
+    if (negative || text[at] == '+') {
+      at++;
+    }
+    int from = at;
+    int number = 0;
+    int digit;
+    while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
+      number = 10 * number + digit;
+      at++;
+    }
+    int digits = at - from;
+    // Nine digits always fit.
+    if (digits > 0 && digits <= 9 && (at == end || Tokens.separates(text[at]))) {
+      values[index] = negative ? -number : number;
+      return at;
+    }
+    at = Tokens.skipWord(text, word, end);
+    values[index] = rare(text, start, word, at, flaws);
+    return at;
+  }
+
+  private static int rare(char[] text, int start, int word, int end, Flaws flaws) {
+    String shown = new String(text, word, Math.min(end - word, 100));
+    if (hexadecimal(shown)) {
+      return Integer.parseUnsignedInt(shown, 2, shown.length(), 16);
+    }
+    if (DecimalScan.wellFormed(text, word, end)) {
+      double value = end - word <= 100 ? Double.parseDouble(shown) : Double.POSITIVE_INFINITY;
+      boolean fits = value >= Integer.MIN_VALUE && value <= Integer.MAX_VALUE;
+      if (!fits) {
+        flaws.error(
+            word - start, Tokens.quote(shown) + " does not fit into 32 bits; 0 is used instead");
+        return 0;
+      }
+      // A double holds every 32-bit number exactly.
+      if (value != Math.rint(value) || shown.indexOf('.') >= 0) {
+        flaws.error(
+            word - start,
+            Tokens.quote(shown) + " is not a whole number; " + (int) value + " is used");
+      }
+      return (int) value;
+    }
+    flaws.error(word - start, Tokens.quote(shown) + " is not a whole number; 0 is used instead");
+    return 0;
+  }
+
+  /** Whether a word is {@code 0x} and one to eight hexadecimal digits. */
+  private static boolean hexadecimal(String word) {
+    if (word.length() < 3 || word.length() > 10 || !word.regionMatches(true, 0, "0x", 0, 2)) {
+      return false;
+    }
+    for (int i = 2; i < word.length(); i++) {
+      char c = word.charAt(i);
+      if (c > 'f' || Character.digit(c, 16) < 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,111 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.Containment;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** Puts the child nodes of one node into its fields (ISO/IEC 19776-1, 4.3.6: containerField). */
+final class Children {
+  private final ParsedNode parent;
+  private final ReadState reading;
+  // Few fields of a node hold lists, so they are looked through instead of hashed.
+  private final List<FieldDefinition> fields = new ArrayList<>(2);
+  private final List<List<ParsedNode>> lists = new ArrayList<>(2);
+
+  Children(ParsedNode parent, ReadState reading) {
+    this.parent = parent;
+    this.reading = reading;
+  }
+
+  /**
+   * Puts a child where its containerField says, or else where a node of its type fits.
+   *
+   * @param containerField as the file gives it, or null
+   */
+  void add(ParsedNode child, @Nullable String containerField, Location location) {
+    FieldDefinition field = wanted(child.type(), containerField);
+    if (field == null) {
+      field = fitting(child.type());
+      if (field == null) {
+        reading.error(
+            location,
+            "a " + child.type() + " is not allowed in a " + parent.type() + "; it is left out");
+        return;
+      }
+      reading.warning(
+          location,
+          "a "
+              + child.type()
+              + " does not fit into "
+              + (containerField == null ? child.type().containerField() : containerField)
+              + " of a "
+              + parent.type()
+              + "; it is used as its "
+              + field.name());
+    }
+    put(field, child, location);
+  }
+
+  /** Puts a child into a field that accepts its type. */
+  void put(FieldDefinition field, ParsedNode child, Location location) {
+    if (field.type().multiple()) {
+      list(field).add(child);
+    } else if (parent.given(field.index())) {
+      reading.error(
+          location,
+          "the "
+              + field.name()
+              + " of a "
+              + parent.type()
+              + " can be only one node, and there is one already; this "
+              + child.type()
+              + " is left out");
+    } else {
+      parent.put(field.index(), child);
+    }
+  }
+
+  /** Makes the lists of nodes values of the parent. */
+  void finish() {
+    for (int i = 0; i < lists.size(); i++) {
+      parent.put(fields.get(i).index(), List.copyOf(lists.get(i)));
+    }
+  }
+
+  private List<ParsedNode> list(FieldDefinition field) {
+    for (int i = 0; i < lists.size(); i++) {
+      if (fields.get(i) == field) {
+        return lists.get(i);
+      }
+    }
+    List<ParsedNode> list = new ArrayList<>(4);
+    fields.add(field);
+    lists.add(list);
+    return list;
+  }
+
+  private @Nullable FieldDefinition wanted(NodeType child, @Nullable String containerField) {
+    return Containment.wanted(parent.type(), child, containerField).orElse(null);
+  }
+
+  private @Nullable FieldDefinition fitting(NodeType child) {
+    FieldDefinition usual = parent.type().field(child.containerField()).orElse(null);
+    if (usual != null && Containment.accepts(usual, child)) {
+      return usual;
+    }
+    FieldDefinition taken = null;
+    for (FieldDefinition field : parent.type().fields()) {
+      if (Containment.accepts(field, child)) {
+        if (field.type().multiple() || !parent.given(field.index())) {
+          return field;
+        }
+        taken = field;
+      }
+    }
+    return taken;
+  }
+}

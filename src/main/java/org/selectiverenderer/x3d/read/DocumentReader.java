@@ -1,0 +1,171 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/** Reads the elements around the nodes: X3D, head, Scene, IMPORT and EXPORT. */
+final class DocumentReader implements NodeReader.Links {
+  private final ReadState reading;
+  private final RouteReader routes;
+  private final NodeReader nodes;
+  private final NameScope scope = new NameScope(null, null);
+  private final Map<String, Integer> components = new LinkedHashMap<>();
+  private final List<X3dFile.Meta> meta = new ArrayList<>();
+  private final List<X3dFile.Unit> units = new ArrayList<>();
+  private final List<ParsedNode> top = new ArrayList<>();
+  private final List<X3dFile.Import> imports = new ArrayList<>();
+  private final List<X3dFile.Export> exports = new ArrayList<>();
+  private String version = "";
+  private String profile = "";
+
+  DocumentReader(ReadState reading) {
+    this.reading = reading;
+    this.routes = new RouteReader(reading);
+    this.nodes = new NodeReader(reading, routes, this);
+  }
+
+  /** Reads a file whose root element has not been entered yet. */
+  X3dFile read(ElementCursor in) {
+    if (in.next()) {
+      if (in.name().equals("X3D")) {
+        root(in);
+      } else {
+        reading.error(
+            in.location(),
+            "the root element of a scene must be X3D, not " + in.name() + "; nothing can be shown");
+        in.skip();
+      }
+      // Looks for what should not stand after the root element.
+      in.next();
+    } else if (!in.broken()) {
+      reading.error(
+          Location.of(reading.source()), "the file has no X3D element; nothing can be shown");
+    }
+    routes.connect(scope);
+    exports.removeIf(this::unknown);
+    return result();
+  }
+
+  private void root(ElementCursor in) {
+    Location location = in.location();
+    version = text(in, "version");
+    profile = text(in, "profile");
+    boolean scene = false;
+    while (in.next()) {
+      switch (in.name()) {
+        case "head" -> head(in);
+        case "Scene" -> {
+          scene = true;
+          scene(in);
+        }
+        default -> {
+          reading.error(
+              in.location(), in.name() + " is outside of Scene; it and its children are left out");
+          in.skip();
+        }
+      }
+    }
+    if (!scene && !in.broken()) {
+      reading.error(location, "the file has no Scene element; nothing can be shown");
+    }
+  }
+
+  private void head(ElementCursor in) {
+    while (in.next()) {
+      switch (in.name()) {
+        case "component" -> {
+          int level = in.indexOf("level");
+          Object value = level < 0 ? null : in.attributeValue(level, FieldType.SFInt32);
+          components.put(text(in, "name"), value == null ? 1 : (Integer) value);
+        }
+        case "unit" -> {
+          int factor = in.indexOf("conversionFactor");
+          Object value = factor < 0 ? null : in.attributeValue(factor, FieldType.SFDouble);
+          units.add(
+              new X3dFile.Unit(
+                  text(in, "category"), text(in, "name"), value == null ? 1 : (Double) value));
+        }
+        case "meta" -> meta.add(new X3dFile.Meta(text(in, "name"), text(in, "content")));
+        default ->
+            reading.warning(
+                in.location(),
+                in.name()
+                    + " is not allowed in the head"
+                    + reading.question(in.name(), List.of("component", "meta", "unit"))
+                    + "; it is left out");
+      }
+      in.skip();
+    }
+  }
+
+  private void scene(ElementCursor in) {
+    while (in.next()) {
+      NodeReader.Child child = nodes.read(in, scope);
+      if (child != null) {
+        NodeType type = child.node().type();
+        if (!type.is("X3DChildNode") && !type.is("LayerSet")) {
+          reading.warning(
+              child.location(),
+              "a " + type + " at the top of a scene is not shown; put it into another node");
+        }
+        top.add(child.node());
+      }
+    }
+  }
+
+  @Override
+  public void link(ElementCursor in) {
+    if (in.name().equals("IMPORT")) {
+      String imported = text(in, "importedDEF");
+      String as = in.attribute("AS");
+      String name = as == null ? imported : as;
+      imports.add(new X3dFile.Import(text(in, "inlineDEF"), imported, name, in.location()));
+      scope.addImport(name);
+    } else {
+      String local = text(in, "localDEF");
+      String as = in.attribute("AS");
+      exports.add(new X3dFile.Export(local, as == null ? local : as, in.location()));
+    }
+  }
+
+  private boolean unknown(X3dFile.Export export) {
+    if (scope.find(export.localDef()) != null) {
+      return false;
+    }
+    reading.error(
+        export.location(),
+        "no node has the name "
+            + export.localDef()
+            + reading.question(export.localDef(), scope.names().keySet())
+            + "; the EXPORT is left out");
+    return true;
+  }
+
+  private static String text(ElementCursor in, String attribute) {
+    String value = in.attribute(attribute);
+    return value == null ? "" : value;
+  }
+
+  private X3dFile result() {
+    Map<String, ParsedNode> named = new LinkedHashMap<>();
+    scope.names().forEach((name, node) -> named.put(name, node.node()));
+    return new X3dFile(
+        reading.source(),
+        version,
+        profile,
+        Collections.unmodifiableMap(components),
+        List.copyOf(meta),
+        List.copyOf(units),
+        List.copyOf(top),
+        Collections.unmodifiableMap(named),
+        List.copyOf(routes.routes()),
+        List.copyOf(imports),
+        List.copyOf(exports));
+  }
+}

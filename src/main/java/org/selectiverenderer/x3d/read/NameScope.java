@@ -1,0 +1,119 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where names are valid: a scene, or one instance of a prototype's body (X3D 4.0, 4.4.4.3). DEF
+ * names of a scope are unknown outside; prototypes are known in the scopes within, too.
+ */
+final class NameScope {
+  /** A node that a name stands for, with the interface that hides it when it is an instance. */
+  record Named(ParsedNode node, @Nullable ProtoInstance instance) {}
+
+  private final @Nullable NameScope enclosing;
+  private final @Nullable ProtoInstance instance;
+  private final Map<String, Named> names = new LinkedHashMap<>();
+  private final Set<ParsedNode> open = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final Map<String, ProtoDeclaration> prototypes = new HashMap<>();
+  private final Set<String> external = new HashSet<>();
+  private final Set<String> imported = new HashSet<>();
+  private final List<PendingRoute> routes = new ArrayList<>();
+
+  NameScope(@Nullable NameScope enclosing, @Nullable ProtoInstance instance) {
+    this.enclosing = enclosing;
+    this.instance = instance;
+  }
+
+  /** The instance whose body this is; null in a scene. */
+  @Nullable ProtoInstance instance() {
+    return instance;
+  }
+
+  /** Gives a node its name and returns the node that had it before, if any. */
+  @Nullable Named define(String name, Named node) {
+    return names.put(name, node);
+  }
+
+  @Nullable Named find(String name) {
+    return names.get(name);
+  }
+
+  Map<String, Named> names() {
+    return names;
+  }
+
+  /** Marks a node whose end tag has not come: a USE of it would make it a part of itself. */
+  void open(ParsedNode node) {
+    open.add(node);
+  }
+
+  void close(ParsedNode node) {
+    open.remove(node);
+  }
+
+  boolean isOpen(ParsedNode node) {
+    return open.contains(node);
+  }
+
+  void declare(ProtoDeclaration prototype) {
+    prototypes.put(prototype.name(), prototype);
+    external.remove(prototype.name());
+  }
+
+  void declareExternal(String name) {
+    prototypes.remove(name);
+    external.add(name);
+  }
+
+  @Nullable ProtoDeclaration prototype(String name) {
+    for (NameScope scope = this; scope != null; scope = scope.enclosing) {
+      ProtoDeclaration found = scope.prototypes.get(name);
+      if (found != null || scope.external.contains(name)) {
+        return found;
+      }
+    }
+    return null;
+  }
+
+  boolean isExternal(String name) {
+    for (NameScope scope = this; scope != null; scope = scope.enclosing) {
+      if (scope.external.contains(name)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Set<String> prototypeNames() {
+    Set<String> known = new HashSet<>();
+    for (NameScope scope = this; scope != null; scope = scope.enclosing) {
+      known.addAll(scope.prototypes.keySet());
+    }
+    return known;
+  }
+
+  void addImport(String name) {
+    imported.add(name);
+  }
+
+  boolean isImported(String name) {
+    return imported.contains(name);
+  }
+
+  void add(PendingRoute route) {
+    routes.add(route);
+  }
+
+  List<PendingRoute> routes() {
+    return routes;
+  }
+}

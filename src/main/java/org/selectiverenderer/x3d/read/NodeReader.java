@@ -1,0 +1,241 @@
+package org.selectiverenderer.x3d.read;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.source.ElementLocation;
+
+/** Turns elements into nodes, and gives the statements between them to who reads those. */
+final class NodeReader {
+  /**
+   * A node and where its element asks to be put.
+   *
+   * @param containerField as the file gives it, or null
+   */
+  record Child(NameScope.Named named, @Nullable String containerField, Location location) {
+    ParsedNode node() {
+      return named.node();
+    }
+  }
+
+  /** Reads IMPORT and EXPORT, which belong to the file as a whole. */
+  interface Links {
+    /** Reads the attributes of the current element. */
+    void link(ElementCursor in);
+  }
+
+  private final ReadState reading;
+  private final RouteReader routes;
+  private final Links links;
+  private final ProtoDeclarationReader declarations;
+  private final ProtoInstanceReader instances;
+  private final IsReader connecting;
+
+  NodeReader(ReadState reading, RouteReader routes, Links links) {
+    this.reading = reading;
+    this.routes = routes;
+    this.links = links;
+    this.declarations = new ProtoDeclarationReader(reading);
+    this.connecting = new IsReader(reading);
+    this.instances = new ProtoInstanceReader(reading, this, routes, connecting);
+  }
+
+  /** Reads the current element to its end. Null when it is no node or is left out. */
+  @Nullable Child read(ElementCursor in, NameScope scope) {
+    return read(in, scope, null);
+  }
+
+  /**
+   * The same for the first node of a prototype's body.
+   *
+   * @param name the instance's DEF name, which the node has instead of its own
+   */
+  @Nullable Child read(ElementCursor in, NameScope scope, @Nullable String name) {
+    if (!reading.enter(in.location())) {
+      in.skip();
+      return null;
+    }
+    try {
+      switch (in.name()) {
+        case "ROUTE" -> routes.read(in, scope);
+        case "ProtoDeclare" -> declarations.declare(in, scope);
+        case "ExternProtoDeclare" -> declarations.declareExternal(in, scope);
+        case "ProtoInstance" -> {
+          return instances.instance(in, scope, name);
+        }
+        case "IMPORT", "EXPORT" -> {
+          links.link(in);
+          in.skip();
+        }
+        default -> {
+          NodeType type = reading.catalogue.find(in.name()).orElse(null);
+          if (type != null) {
+            return node(in, scope, type, name);
+          }
+          reading.error(
+              in.location(),
+              "unknown element "
+                  + in.name()
+                  + reading.question(in.name(), reading.catalogue.names())
+                  + "; it and its children are left out");
+          in.skip();
+        }
+      }
+      return null;
+    } finally {
+      reading.leave();
+    }
+  }
+
+  private @Nullable Child node(
+      ElementCursor in, NameScope scope, NodeType type, @Nullable String givenName) {
+    Location location = in.location();
+    String use = in.attribute("USE");
+    if (use != null) {
+      return use(in, scope, use, type.name());
+    }
+    if (!reading.spend(location)) {
+      in.skip();
+      return null;
+    }
+    String def = in.attribute("DEF");
+    String containerField = in.attribute("containerField");
+    ParsedNode node = new ParsedNode(type, givenName != null ? givenName : def, location);
+    NameScope.Named named = new NameScope.Named(node, null);
+    define(scope, def, named, location);
+    attributes(in, node);
+    scope.open(node);
+    content(in, scope, named);
+    scope.close(node);
+    return new Child(named, containerField, location);
+  }
+
+  /** Gives a node its DEF name in a scope, if it has one. */
+  void define(NameScope scope, @Nullable String def, NameScope.Named named, Location location) {
+    if (def == null) {
+      return;
+    }
+    NameScope.Named before = scope.define(def, named);
+    if (before != null) {
+      reading.warning(
+          location,
+          "the name "
+              + def
+              + " is used already at "
+              + before.node().location()
+              + "; from here on it means this "
+              + named.node().type());
+    }
+  }
+
+  /**
+   * Reads an element with USE: the node that has the name, as long as it is a node of that kind.
+   */
+  @Nullable Child use(ElementCursor in, NameScope scope, String name, String element) {
+    ElementLocation place = in.place();
+    int attribute = in.indexOf("USE");
+    String containerField = in.attribute("containerField");
+    in.skip();
+    NameScope.Named found = scope.find(name);
+    if (found == null) {
+      reading.error(
+          reading.at(place, attribute),
+          "no node above has the name "
+              + name
+              + reading.question(name, scope.names().keySet())
+              + "; the USE is left out");
+      return null;
+    }
+    if (scope.isOpen(found.node())) {
+      reading.error(
+          reading.at(place, attribute), name + " would contain itself here; the USE is left out");
+      return null;
+    }
+    String kind = found.instance() != null ? "ProtoInstance" : found.node().type().name();
+    if (!kind.equals(element)) {
+      reading.warning(
+          reading.at(place, attribute),
+          name + " is a " + kind + ", not a " + element + "; the " + kind + " is used");
+    }
+    return new Child(found, containerField, place.location());
+  }
+
+  private void attributes(ElementCursor in, ParsedNode node) {
+    NodeType type = node.type();
+    for (int i = 0; i < in.attributes(); i++) {
+      String name = in.attributeName(i);
+      FieldDefinition field = type.field(name).orElse(null);
+      if (field == null) {
+        switch (name) {
+          case "DEF", "USE", "containerField", "class", "id", "style", "" -> {
+            // The XML encoding's own attributes, and those of other languages.
+          }
+          default ->
+              reading.warning(
+                  reading.at(in.place(), i),
+                  type
+                      + " has no field "
+                      + name
+                      + reading.question(
+                          name, type.fields().stream().map(FieldDefinition::name).toList())
+                      + "; it is left out");
+        }
+      } else if (field.type().isNode()) {
+        reading.warning(
+            reading.at(in.place(), i),
+            name + " of " + type + " must be a child element; the attribute is left out");
+      } else if (!field.access().initialisable()) {
+        reading.warning(
+            reading.at(in.place(), i),
+            name
+                + " of "
+                + type
+                + " is for events and cannot have a value in a file; it is left out");
+      } else {
+        Object value = in.attributeValue(i, field.type());
+        if (value != null) {
+          node.put(field.index(), value);
+        }
+      }
+    }
+  }
+
+  private void content(ElementCursor in, NameScope scope, NameScope.Named named) {
+    ParsedNode node = named.node();
+    FieldDefinition source = node.type().field("sourceCode").orElse(null);
+    StringBuilder text = null;
+    if (source != null) {
+      text = new StringBuilder();
+      in.collectText(text);
+    }
+    Children children = new Children(node, reading);
+    while (in.next()) {
+      if (in.name().equals("IS")) {
+        connecting.connect(in, scope, named, children);
+      } else if (in.name().equals("field") && node.type().field("field").isPresent()) {
+        scriptField(in, scope);
+      } else {
+        Child child = read(in, scope);
+        if (child != null) {
+          children.add(child.node(), child.containerField(), child.location());
+        }
+      }
+    }
+    children.finish();
+    if (text != null && source != null && !text.toString().isBlank()) {
+      node.put(source.index(), text.toString().strip());
+    }
+  }
+
+  /** A script's own field is of no use without the script; but nodes in it may have names. */
+  private void scriptField(ElementCursor in, NameScope scope) {
+    while (in.next()) {
+      if (in.name().equals("IS")) {
+        in.skip();
+      } else {
+        read(in, scope);
+      }
+    }
+  }
+}

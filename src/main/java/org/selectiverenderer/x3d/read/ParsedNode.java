@@ -1,0 +1,63 @@
+package org.selectiverenderer.x3d.read;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/**
+ * A node as a file gives it. A node that is USEd stands as the same object in every place. Values
+ * that the file leaves out read as the catalogue's defaults. Written by the reader only; everybody
+ * else treats it as immutable.
+ */
+public final class ParsedNode implements NodeView {
+  private final NodeType type;
+  private final @Nullable String name;
+  private final Location location;
+  private final @Nullable Object[] values;
+
+  /** A node with all fields at their defaults. */
+  public ParsedNode(NodeType type, @Nullable String name, Location location) {
+    this.type = type;
+    this.name = name;
+    this.location = location;
+    this.values = new Object[type.fields().size()];
+  }
+
+  @Override
+  public NodeType type() {
+    return type;
+  }
+
+  @Override
+  public @Nullable String name() {
+    return name;
+  }
+
+  @Override
+  public Location location() {
+    return location;
+  }
+
+  @Override
+  public @Nullable Object value(int field) {
+    Object value = values[field];
+    return value != null ? value : type.fields().get(field).defaultValue();
+  }
+
+  /** Whether the file gives this field a value. */
+  public boolean given(int field) {
+    return values[field] != null;
+  }
+
+  /** Gives a field its value, as {@link FieldType} represents it. For readers. */
+  public void put(int field, Object value) {
+    values[field] = value;
+  }
+
+  @Override
+  public String toString() {
+    return name == null ? type.name() : type.name() + " " + name;
+  }
+}

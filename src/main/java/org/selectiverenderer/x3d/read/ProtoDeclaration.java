@@ -1,0 +1,43 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * A prototype: its interface and its body, kept for making instances (X3D 4.0, 4.4.4).
+ *
+ * @param environment the scope that declares it, whose prototypes its body may use
+ */
+record ProtoDeclaration(
+    String name, Map<String, Field> fields, DocumentElement body, NameScope environment) {
+  /**
+   * A field of the interface.
+   *
+   * @param value the default, or null when the declaration gives none or gives nodes
+   * @param nodes the default of an SFNode or MFNode
+   */
+  record Field(
+      String name,
+      FieldType type,
+      FieldAccess access,
+      @Nullable Object value,
+      List<DocumentElement> nodes) {}
+
+  /** The field that takes or sends events under that name, by either spelling. */
+  @Nullable Field event(String name, boolean input) {
+    Field field = fields.get(name);
+    if (field == null && input && name.startsWith("set_")) {
+      field = fields.get(name.substring("set_".length()));
+    } else if (field == null && !input && name.endsWith("_changed")) {
+      field = fields.get(name.substring(0, name.length() - "_changed".length()));
+    }
+    if (field == null) {
+      return null;
+    }
+    return (input ? field.access().acceptsEvents() : field.access().sendsEvents()) ? field : null;
+  }
+}

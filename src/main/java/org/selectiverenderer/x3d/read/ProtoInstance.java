@@ -1,0 +1,47 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/** One use of a prototype: the values of its fields, and what its body connects them with. */
+final class ProtoInstance {
+  /** A field within the body that an IS element connects. */
+  record Connection(NameScope.Named node, String field) {}
+
+  private final ProtoDeclaration declaration;
+  private final Map<String, Object> values = new HashMap<>();
+  private final Map<String, Set<Connection>> connections = new HashMap<>();
+
+  ProtoInstance(ProtoDeclaration declaration) {
+    this.declaration = declaration;
+  }
+
+  ProtoDeclaration declaration() {
+    return declaration;
+  }
+
+  void give(String field, Object value) {
+    values.put(field, value);
+  }
+
+  /** The value of a field; null when neither instance nor declaration gives one. */
+  @Nullable Object value(ProtoDeclaration.Field field) {
+    Object value = values.get(field.name());
+    return value != null ? value : field.value();
+  }
+
+  boolean given(String field) {
+    return values.containsKey(field);
+  }
+
+  void connect(String field, Connection connection) {
+    connections.computeIfAbsent(field, name -> new LinkedHashSet<>()).add(connection);
+  }
+
+  Set<Connection> connections(String field) {
+    return connections.getOrDefault(field, Set.of());
+  }
+}

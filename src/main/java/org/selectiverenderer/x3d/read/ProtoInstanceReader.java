@@ -1,0 +1,188 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Puts, for each instance of a prototype, a copy of the prototype's body in its place (X3D 4.0,
+ * 4.4.4). What comes out holds no prototypes any more: IS fields have their values, and ROUTEs lead
+ * to the fields within.
+ */
+final class ProtoInstanceReader {
+  private final ReadState reading;
+  private final NodeReader nodes;
+  private final RouteReader routes;
+  private final IsReader connecting;
+  private final Set<DocumentElement> expanding = Collections.newSetFromMap(new IdentityHashMap<>());
+
+  ProtoInstanceReader(
+      ReadState reading, NodeReader nodes, RouteReader routes, IsReader connecting) {
+    this.reading = reading;
+    this.nodes = nodes;
+    this.routes = routes;
+    this.connecting = connecting;
+  }
+
+  /**
+   * Reads a ProtoInstance.
+   *
+   * @param givenName the name of the instance whose body's first node this is, or null
+   */
+  NodeReader.@Nullable Child instance(
+      ElementCursor in, NameScope scope, @Nullable String givenName) {
+    Location location = in.location();
+    String use = in.attribute("USE");
+    if (use != null) {
+      return nodes.use(in, scope, use, "ProtoInstance");
+    }
+    String name = in.attribute("name");
+    ProtoDeclaration declaration = name == null ? null : scope.prototype(name);
+    if (name == null || declaration == null) {
+      if (name == null || !scope.isExternal(name)) {
+        reading.error(
+            location,
+            (name == null
+                    ? "a ProtoInstance needs a name"
+                    : "no prototype above has the name "
+                        + name
+                        + reading.question(name, () -> scope.prototypeNames().iterator()))
+                + "; the instance is left out");
+      }
+      in.skip();
+      return null;
+    }
+    if (expanding.contains(declaration.body())) {
+      reading.error(
+          location, "the prototype " + name + " contains itself; this instance is left out");
+      in.skip();
+      return null;
+    }
+    String def = in.attribute("DEF");
+    String containerField = in.attribute("containerField");
+    ProtoInstance instance = new ProtoInstance(declaration);
+    List<IsReader.Connection> connections = arguments(in, scope, instance);
+    ParsedNode node = expand(instance, givenName != null ? givenName : def, location);
+    if (node == null) {
+      return null;
+    }
+    NameScope.Named named = new NameScope.Named(node, instance);
+    nodes.define(scope, def, named, location);
+    ProtoInstance outer = scope.instance();
+    for (IsReader.Connection connection : connections) {
+      if (outer != null) {
+        outer.connect(
+            connection.field().name(), new ProtoInstance.Connection(named, connection.nodeField()));
+      }
+    }
+    return new NodeReader.Child(named, containerField, location);
+  }
+
+  private List<IsReader.Connection> arguments(
+      ElementCursor in, NameScope scope, ProtoInstance instance) {
+    List<IsReader.Connection> connections = new ArrayList<>();
+    while (in.next()) {
+      switch (in.name()) {
+        case "fieldValue" -> fieldValue(in, scope, instance);
+        case "IS" -> connections.addAll(connecting.arguments(in, scope, instance));
+        default -> nodes.read(in, scope);
+      }
+    }
+    return connections;
+  }
+
+  private void fieldValue(ElementCursor in, NameScope scope, ProtoInstance instance) {
+    String name = in.attribute("name");
+    ProtoDeclaration declaration = instance.declaration();
+    ProtoDeclaration.Field field = name == null ? null : declaration.fields().get(name);
+    if (name == null || field == null) {
+      reading.warning(
+          in.location(),
+          (name == null
+                  ? "a fieldValue needs a name"
+                  : "the prototype "
+                      + declaration.name()
+                      + " has no field "
+                      + name
+                      + reading.question(name, declaration.fields().keySet()))
+              + "; the value is left out");
+      in.skip();
+      return;
+    }
+    int attribute = in.indexOf("value");
+    Object value =
+        attribute >= 0 && !field.type().isNode()
+            ? in.attributeValue(attribute, field.type())
+            : null;
+    List<ParsedNode> given = new ArrayList<>();
+    while (in.next()) {
+      NodeReader.Child child = nodes.read(in, scope);
+      if (child != null) {
+        given.add(child.node());
+      }
+    }
+    if (field.type().isNode()) {
+      value = nodeValue(field.type(), given);
+    }
+    if (value != null) {
+      instance.give(field.name(), value);
+    }
+  }
+
+  private static @Nullable Object nodeValue(FieldType type, List<ParsedNode> given) {
+    return type.multiple() ? List.copyOf(given) : given.isEmpty() ? null : given.get(0);
+  }
+
+  /** Makes the nodes of an instance and returns the first of the body, or null after a message. */
+  private @Nullable ParsedNode expand(
+      ProtoInstance instance, @Nullable String name, Location location) {
+    ProtoDeclaration declaration = instance.declaration();
+    NameScope scope = new NameScope(declaration.environment(), instance);
+    expanding.add(declaration.body());
+    reading.startReplay();
+    ParsedNode first = null;
+    defaults(instance, scope);
+    ElementCursor body = TreeCursor.at(declaration.body(), reading);
+    while (body.next()) {
+      NodeReader.Child child = nodes.read(body, scope, first == null ? name : null);
+      first = first == null && child != null ? child.node() : first;
+    }
+    routes.connect(scope);
+    reading.endReplay();
+    expanding.remove(declaration.body());
+    if (first == null) {
+      reading.error(
+          location,
+          "the body of the prototype "
+              + declaration.name()
+              + " has no node; the instance is left out");
+    }
+    return first;
+  }
+
+  private void defaults(ProtoInstance instance, NameScope scope) {
+    for (ProtoDeclaration.Field field : instance.declaration().fields().values()) {
+      if (field.type().isNode()
+          && field.access().initialisable()
+          && !instance.given(field.name())) {
+        List<ParsedNode> given = new ArrayList<>();
+        for (DocumentElement element : field.nodes()) {
+          NodeReader.Child child = nodes.read(TreeCursor.at(element, reading), scope);
+          if (child != null) {
+            given.add(child.node());
+          }
+        }
+        Object value = nodeValue(field.type(), given);
+        if (value != null) {
+          instance.give(field.name(), value);
+        }
+      }
+    }
+  }
+}

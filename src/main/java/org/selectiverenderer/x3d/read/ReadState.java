@@ -1,0 +1,144 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.source.ElementLocation;
+import org.selectiverenderer.x3d.source.ReadLimits;
+
+/** What the parts of one reader share while a file is read. */
+final class ReadState {
+  private static final int LONGEST_NAME = 100;
+
+  final NodeCatalogue catalogue;
+  final ReadLimits limits;
+  final FieldParser parser = new FieldParser();
+  private final String source;
+  private final Problems problems;
+  private final Set<Problem> replayed = new HashSet<>();
+  private int reported;
+  private int spent;
+  private int replays;
+  private int depth;
+
+  ReadState(String source, NodeCatalogue catalogue, ReadLimits limits, Problems problems) {
+    this.source = source;
+    this.catalogue = catalogue;
+    this.limits = limits;
+    this.problems = problems;
+  }
+
+  String source() {
+    return source;
+  }
+
+  void error(Location location, String message) {
+    report(new Problem(Problem.Severity.ERROR, location, message));
+  }
+
+  void warning(Location location, String message) {
+    report(new Problem(Problem.Severity.WARNING, location, message));
+  }
+
+  void info(Location location, String message) {
+    report(new Problem(Problem.Severity.INFO, location, message));
+  }
+
+  /** Reports what is wrong with an attribute's value, each at its own place. */
+  void flaws(
+      ElementLocation place,
+      int attribute,
+      String name,
+      int leading,
+      List<FieldParser.Flaw> flaws) {
+    for (FieldParser.Flaw flaw : flaws) {
+      report(
+          new Problem(
+              flaw.severity(),
+              crowded() ? place.location() : place.inAttribute(attribute, flaw.offset() - leading),
+              name + ": " + flaw.message()));
+    }
+  }
+
+  // A fault in a prototype's body is told once, however many instances there are.
+  private void report(Problem problem) {
+    if (replays > 0 && (replayed.size() >= Problems.LIMIT * 10 || !replayed.add(problem))) {
+      return;
+    }
+    reported++;
+    problems.add(problem);
+  }
+
+  // Beyond the problems that are listed, looking for places and names would be work for nothing; a
+  // hostile file could make it quadratic.
+  private boolean crowded() {
+    return reported > Problems.LIMIT;
+  }
+
+  /** Where an attribute's name stands. */
+  Location at(ElementLocation place, int attribute) {
+    return crowded() ? place.location() : place.attribute(attribute);
+  }
+
+  /** Asks whether another name was meant, for the middle of a message; empty if none is near. */
+  String question(String name, Iterable<String> candidates) {
+    if (crowded() || name.length() > LONGEST_NAME) {
+      return "";
+    }
+    return Spelling.nearest(name, candidates)
+        .map(found -> " (did you mean " + found + "?)")
+        .orElse("");
+  }
+
+  void startReplay() {
+    replays++;
+  }
+
+  void endReplay() {
+    replays--;
+  }
+
+  /** Goes one element deeper; false, with a message, when that is too deep. */
+  boolean enter(Location location) {
+    if (depth >= limits.maxDepth()) {
+      error(
+          location,
+          "elements are nested more than "
+              + limits.maxDepth()
+              + " deep, which is the limit; this one is left out");
+      return false;
+    }
+    depth++;
+    return true;
+  }
+
+  void leave() {
+    depth--;
+  }
+
+  /**
+   * Counts a node, or something that costs as much; false, with one message, when the limit is
+   * reached.
+   */
+  boolean spend(Location location) {
+    if (spent < limits.maxNodes()) {
+      spent++;
+      return true;
+    }
+    if (spent == limits.maxNodes()) {
+      spent++;
+      error(
+          location,
+          "the file has more than "
+              + limits.maxNodes()
+              + " nodes and routes, which is the limit; the rest is left out");
+    }
+    return false;
+  }
+}

@@ -1,0 +1,68 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.base.problem.Location;
+
+/**
+ * An X3D file as read: its head and its scene.
+ *
+ * @param source the file's name as the user or an Inline gave it
+ * @param version for example {@code 4.0}
+ * @param profile for example {@code Immersive}
+ * @param components component name to level
+ * @param meta the meta elements in order, name and content
+ * @param units the unit elements: category, name, conversion factor to the standard's base unit
+ * @param nodes the nodes at the top of the scene
+ * @param named DEF name to node, in document order
+ * @param routes the ROUTE elements in document order
+ */
+public record X3dFile(
+    String source,
+    String version,
+    String profile,
+    Map<String, Integer> components,
+    List<Meta> meta,
+    List<Unit> units,
+    List<ParsedNode> nodes,
+    Map<String, ParsedNode> named,
+    List<ParsedRoute> routes,
+    List<Import> imports,
+    List<Export> exports) {
+
+  /** The length factor that the units state: metres per unit (X3D 4.0, 4.3.6). */
+  public double unitLength() {
+    return units.stream()
+        .filter(unit -> unit.category().equals("length"))
+        .mapToDouble(Unit::conversionFactor)
+        .findFirst()
+        .orElse(1);
+  }
+
+  /** A file of one node, for what is to be read of a node without a file of its own. */
+  public static X3dFile of(ParsedNode node, double unitLength) {
+    return new X3dFile(
+        node.location().file(),
+        "",
+        "",
+        Map.of(),
+        List.of(),
+        List.of(new Unit("length", "", unitLength)),
+        List.of(node),
+        Map.of(),
+        List.of(),
+        List.of(),
+        List.of());
+  }
+
+  public record Meta(String name, String content) {}
+
+  public record Unit(String category, String name, double conversionFactor) {}
+
+  /** A ROUTE whose ends are checked: nodes exist, fields exist, types agree. */
+  public record ParsedRoute(ParsedNode from, int fromField, ParsedNode to, int toField) {}
+
+  public record Import(String inlineDef, String importedDef, String as, Location location) {}
+
+  public record Export(String localDef, String as, Location location) {}
+}

@@ -1,0 +1,167 @@
+package org.selectiverenderer.x3d.read;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentParser;
+import org.selectiverenderer.x3d.source.Preflight;
+import org.selectiverenderer.x3d.source.ReadLimits;
+import org.selectiverenderer.x3d.source.SceneBytes;
+import org.selectiverenderer.x3d.source.SourceText;
+import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.source.XmlEvents;
+
+/**
+ * Reads scenes in the XML encoding of X3D 3.0 to 4.0 (ISO/IEC 19776-1), plain or compressed by
+ * gzip. Whatever a file holds, reading it ends with a scene of what could be read, problems with
+ * their places for the rest, and bounded memory. Nothing is fetched: no DOCTYPE, no entity, no
+ * Inline.
+ *
+ * <p>Prototypes are replaced by what they stand for. Of an instance's body the first node takes the
+ * instance's place; further nodes of the body are reachable by routes only.
+ *
+ * <p>Immutable; several threads may read different files with one reader.
+ */
+public final class X3dReader {
+  private final NodeCatalogue catalogue;
+  private final ReadLimits limits;
+
+  public X3dReader(NodeCatalogue catalogue) {
+    this(catalogue, ReadLimits.standard());
+  }
+
+  public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
+    this.catalogue = catalogue;
+    this.limits = limits;
+  }
+
+  /**
+   * Reads a file; problems name it as the path is given.
+   *
+   * @throws IOException if the file is missing or cannot be read, with a message of one line that
+   *     names it
+   */
+  public X3dFile read(Path file, Problems problems) throws IOException {
+    String name = file.toString();
+    if (Files.isDirectory(file)) {
+      throw new IOException(name + ": this is a folder, not a file");
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      return parse(
+          name, Preflight.of(name, SceneBytes.read(in, Files.size(file), limits)), problems);
+    } catch (NoSuchFileException e) {
+      throw new IOException(name + ": the file does not exist", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException(name + ": no permission to read the file", e);
+    } catch (IOException e) {
+      throw new IOException(name + ": the file cannot be read: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Reads a stream to its end; the caller closes it.
+   *
+   * @param source the name that problems call it by
+   * @throws IOException if the stream itself fails
+   */
+  public X3dFile read(String source, InputStream in, Problems problems) throws IOException {
+    return parse(source, Preflight.of(source, SceneBytes.read(in, 0, limits)), problems);
+  }
+
+  /**
+   * Reads a stream of known length to its end; the caller closes it.
+   *
+   * @param source the name that problems call it by
+   * @param size in bytes, about; saves copying
+   * @throws IOException if the stream itself fails
+   */
+  public X3dFile read(String source, InputStream in, long size, Problems problems)
+      throws IOException {
+    return parse(source, Preflight.of(source, SceneBytes.read(in, size, limits)), problems);
+  }
+
+  /**
+   * Reads a file that is in memory.
+   *
+   * @param source the name that problems call it by
+   */
+  public X3dFile read(String source, byte[] bytes, Problems problems) {
+    return parse(source, Preflight.of(source, SceneBytes.of(bytes, limits)), problems);
+  }
+
+  /**
+   * Reads a text that is open in an editor.
+   *
+   * @param source the name that problems call it by
+   */
+  public X3dFile read(String source, CharSequence text, Problems problems) {
+    return parse(source, Preflight.of(source, SourceText.of(text)), problems);
+  }
+
+  /**
+   * Reads a stream to its end as a document: all elements with their places, whatever they mean.
+   * The caller closes the stream.
+   *
+   * @param source the name that places call it by
+   * @param size in bytes, about; saves copying
+   * @throws IOException if the stream itself fails; whatever is wrong with the text is a fault of
+   *     the document
+   */
+  public XmlDocument document(String source, InputStream in, long size) throws IOException {
+    SceneBytes bytes = SceneBytes.read(in, size, limits);
+    return DocumentParser.parse(source, bytes, catalogue, limits);
+  }
+
+  /** Makes the scene that a document describes, without parsing it again. */
+  public X3dFile scene(XmlDocument document, Problems problems) {
+    ReadState reading = new ReadState(document.name(), catalogue, limits, problems);
+    return new DocumentReader(reading).read(TreeCursor.of(document, reading));
+  }
+
+  private X3dFile parse(String source, Preflight preflight, Problems problems) {
+    Location whole = Location.of(source);
+    if (preflight.refused()) {
+      problems.error(whole, preflight.faults().get(0).message());
+      return empty(source);
+    }
+    DocumentFault cut = preflight.cut();
+    if (cut != null && preflight.text().length() == 0) {
+      problems.error(whole, cut.message() + "; nothing can be shown");
+      return empty(source);
+    }
+    if (preflight.text().complaint() != null) {
+      problems.warning(whole, preflight.text().complaint());
+    }
+    XmlEvents xml = preflight.events();
+    if (xml.fault() != null) {
+      problems.error(xml.fault().location(), xml.fault().message() + "; nothing can be shown");
+      return empty(source);
+    }
+    ReadState reading = new ReadState(source, catalogue, limits, problems);
+    X3dFile file = new DocumentReader(reading).read(new XmlCursor(xml, reading, cut != null));
+    if (cut != null) {
+      boolean flood = cut.kind() == DocumentFault.Kind.LIMIT;
+      problems.error(
+          flood ? cut.location() : whole,
+          cut.message()
+              + (flood ? ", more than any node has" : "")
+              + "; the part before it is kept");
+    }
+    return file;
+  }
+
+  private static X3dFile empty(String source) {
+    return new X3dFile(
+        source, "", "", Map.of(), List.of(), List.of(), List.of(), Map.of(), List.of(), List.of(),
+        List.of());
+  }
+}

@@ -1,0 +1,173 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.xml.stream.XMLStreamConstants;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.field.Flaws;
+import org.selectiverenderer.x3d.field.Tokens;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.ElementLocation;
+import org.selectiverenderer.x3d.source.XmlEvents;
+
+/**
+ * Walks through the elements of a file while it is parsed. Where the XML breaks off or is not well
+ * formed, all open elements end, so that what was read up to there is kept.
+ */
+final class XmlCursor implements ElementCursor {
+  private final XmlEvents xml;
+  private final ReadState reading;
+  private final boolean cut;
+  private final List<@Nullable StringBuilder> gathered = new ArrayList<>();
+  private Flaws flaws = new Flaws();
+  private @Nullable ElementLocation place;
+  private boolean broken;
+
+  /**
+   * Starts before the root element.
+   *
+   * @param cut whether the end of the text has been reported as missing already
+   */
+  XmlCursor(XmlEvents xml, ReadState reading, boolean cut) {
+    this.xml = xml;
+    this.reading = reading;
+    this.cut = cut;
+    gathered.add(null);
+  }
+
+  @Override
+  public boolean broken() {
+    return broken;
+  }
+
+  @Override
+  public boolean next() {
+    place = null;
+    for (int event = xml.next(); event != XmlEvents.NONE; event = xml.next()) {
+      switch (event) {
+        case XMLStreamConstants.START_ELEMENT -> {
+          gathered.add(null);
+          return true;
+        }
+        case XMLStreamConstants.END_ELEMENT -> {
+          gathered.remove(gathered.size() - 1);
+          return false;
+        }
+        case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
+          StringBuilder into = gathered.get(gathered.size() - 1);
+          if (into != null) {
+            into.append(xml.text());
+          }
+        }
+        case XMLStreamConstants.ENTITY_REFERENCE ->
+            reading.error(
+                place().location(),
+                "entities of a DOCTYPE are never expanded; &" + xml.entity() + "; is left out");
+        default -> {
+          // Comments, processing instructions and the DOCTYPE say nothing about the scene.
+        }
+      }
+    }
+    DocumentFault fault = xml.fault();
+    if (fault != null) {
+      breakOff(fault);
+    }
+    return false;
+  }
+
+  private void breakOff(DocumentFault fault) {
+    if (!broken && !cut) {
+      reading.error(fault.location(), fault.message() + "; the part before it is kept");
+    }
+    broken = true;
+    if (gathered.size() > 1) {
+      gathered.remove(gathered.size() - 1);
+    }
+  }
+
+  @Override
+  public String name() {
+    return xml.element();
+  }
+
+  @Override
+  public ElementLocation place() {
+    ElementLocation known = place;
+    if (known == null) {
+      known = xml.place();
+      place = known;
+    }
+    return known;
+  }
+
+  @Override
+  public int attributes() {
+    return xml.attributes();
+  }
+
+  @Override
+  public String attributeName(int index) {
+    return xml.attributeName(index);
+  }
+
+  @Override
+  public String attributeText(int index) {
+    return xml.attributeText(index);
+  }
+
+  @Override
+  public @Nullable Object attributeValue(int index, FieldType type) {
+    boolean string = type.kind() == FieldType.Kind.STRING;
+    String text = string ? xml.attributeText(index) : "";
+    Object value =
+        string
+            ? reading.parser.parse(type, text, flaws)
+            : xml.numbers(index, type, reading.parser, flaws);
+    if (!flaws.isEmpty()) {
+      reading.flaws(place(), index, attributeName(index), Tokens.leading(text), flaws.list());
+      flaws = new Flaws();
+    }
+    return value;
+  }
+
+  @Override
+  public void collectText(StringBuilder into) {
+    gathered.set(gathered.size() - 1, into);
+  }
+
+  @Override
+  public DocumentElement record() {
+    ElementLocation start = place();
+    DocumentElement recorded =
+        new DocumentElement(
+            xml.source(),
+            name(),
+            xml.attribute("DEF"),
+            xml.attribute("USE"),
+            start.offset(),
+            xml.end(),
+            0);
+    List<DocumentAttribute> attributes = new ArrayList<>(attributes());
+    for (int i = 0; i < attributes(); i++) {
+      attributes.add(new DocumentAttribute(recorded, i, attributeName(i), attributeText(i)));
+    }
+    recorded.attributes(attributes);
+    StringBuilder text = new StringBuilder(0);
+    collectText(text);
+    while (next()) {
+      if (reading.spend(location()) && reading.enter(location())) {
+        recorded.add(record());
+        reading.leave();
+      } else {
+        skip();
+      }
+    }
+    if (!text.toString().isBlank()) {
+      recorded.addText(text.toString(), recorded.tagEnd());
+    }
+    return recorded;
+  }
+}

@@ -1,0 +1,155 @@
+package org.selectiverenderer.x3d.source;
+
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CoderResult;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import javax.xml.stream.XMLStreamConstants;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.field.Flaws;
+import org.selectiverenderer.x3d.source.DocumentFault.Kind;
+
+/**
+ * Parses a file into a document. Long lists of numbers become values at once, so that a file takes
+ * about as much memory as its text and its numbers. Serves one file.
+ */
+public final class DocumentParser extends ElementParser {
+  private final XmlEvents xml;
+  private final NodeCatalogue catalogue;
+  private final FieldParser parser;
+  private final XmlDocument document;
+  private final List<XmlDocument.Comment> comments = new ArrayList<>();
+  private int prototypes;
+
+  private DocumentParser(
+      XmlEvents xml, NodeCatalogue catalogue, ReadLimits limits, XmlDocument document) {
+    super(xml, xml.source(), 0, 0, limits);
+    this.xml = xml;
+    this.catalogue = catalogue;
+    this.parser = xml.source().parser();
+    this.document = document;
+  }
+
+  public static XmlDocument parse(
+      String name, SceneBytes bytes, NodeCatalogue catalogue, ReadLimits limits) {
+    Preflight preflight = Preflight.of(name, bytes);
+    XmlDocument document = new XmlDocument(name, bytes.compressed());
+    for (DocumentFault fault : preflight.faults()) {
+      boolean encoding = fault.kind() == Kind.ENCODING;
+      Location at = encoding ? badByte(name, bytes) : fault.location();
+      document.add(new DocumentFault(fault.kind(), at, fault.message()));
+    }
+    if (!preflight.refused()) {
+      DocumentParser parser = new DocumentParser(preflight.events(), catalogue, limits, document);
+      DocumentFault fault = parser.parse();
+      boolean told = preflight.cut() != null && fault != null && fault.kind() != Kind.LIMIT;
+      if (fault != null && !told) {
+        document.add(fault);
+      }
+    }
+    return document;
+  }
+
+  /** The first byte that is no UTF-8; the file's beginning if all are. */
+  private static Location badByte(String name, SceneBytes bytes) {
+    ByteBuffer in = ByteBuffer.wrap(bytes.bytes(), 0, bytes.length());
+    CharBuffer good = CharBuffer.allocate(bytes.length());
+    CoderResult result = StandardCharsets.UTF_8.newDecoder().decode(in, good, true);
+    if (!result.isError()) {
+      return new Location(name, 1, 1);
+    }
+    byte[] before = Arrays.copyOf(bytes.bytes(), in.position());
+    SourceText text = SourceText.of(before, before.length);
+    return new TextSource(name, text).location(text.length());
+  }
+
+  @Override
+  void started(DocumentElement element) {
+    prototypes += element.name().equals("ProtoDeclare") ? 1 : 0;
+    element.attributes(attributes(element));
+    document.add(element);
+    flush(element);
+  }
+
+  @Override
+  void ended(DocumentElement element) {
+    flush(null);
+    prototypes -= element.name().equals("ProtoDeclare") ? 1 : 0;
+  }
+
+  @Override
+  void other(int event, @Nullable DocumentElement in) {
+    switch (event) {
+      case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
+        if (in != null && !xml.blank()) {
+          in.addText(xml.text(), xml.start());
+        }
+      }
+      case XMLStreamConstants.COMMENT ->
+          comments.add(new XmlDocument.Comment(xml.text(), xml.place().location(), null));
+      case XMLStreamConstants.ENTITY_REFERENCE ->
+          document.add(
+              new DocumentFault(
+                  Kind.ENTITY,
+                  xml.place().location(),
+                  "the entity &" + xml.entity() + "; of a DOCTYPE is not expanded"));
+      case XMLStreamConstants.DTD -> document.type(xml.type());
+      default -> {
+        // Processing instructions say nothing about the scene.
+      }
+    }
+  }
+
+  /** Hands on the comments since the last tag, with the element that they stand before. */
+  private void flush(@Nullable DocumentElement before) {
+    for (XmlDocument.Comment comment : comments) {
+      document.add(new XmlDocument.Comment(comment.text(), comment.location(), before));
+    }
+    comments.clear();
+  }
+
+  private List<DocumentAttribute> attributes(DocumentElement element) {
+    int count = xml.attributes();
+    if (count == 0) {
+      return List.of();
+    }
+    NodeType node = catalogue.find(element.name()).orElse(null);
+    List<DocumentAttribute> attributes = new ArrayList<>(count);
+    for (int i = 0; i < count; i++) {
+      String name = xml.attributeName(i);
+      FieldType type = numbers(node, name);
+      // The text of a prototype's values is needed again for each of its instances.
+      boolean kept = type == null || prototypes > 0;
+      String text = kept ? xml.attributeText(i) : null;
+      DocumentAttribute attribute = new DocumentAttribute(element, i, name, text);
+      if (!kept) {
+        Flaws flaws = new Flaws();
+        Object value = xml.numbers(i, type, parser, flaws);
+        attribute.keep(type, value, flaws.list());
+      }
+      attributes.add(attribute);
+    }
+    return attributes;
+  }
+
+  /** The type of a field that is a list of numbers; null for all else. */
+  private static @Nullable FieldType numbers(@Nullable NodeType node, String attribute) {
+    FieldDefinition field = node == null ? null : node.field(attribute).orElse(null);
+    if (field == null || !field.type().multiple()) {
+      return null;
+    }
+    return switch (field.type().kind()) {
+      case BOOLEAN, INT, FLOAT, DOUBLE -> field.type();
+      case STRING, NODE -> null;
+    };
+  }
+}

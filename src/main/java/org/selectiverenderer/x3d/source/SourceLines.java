@@ -1,0 +1,52 @@
+package org.selectiverenderer.x3d.source;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Optional;
+
+/** The lines of a scene's file, whatever its encoding or compression, for showing one to a user. */
+public final class SourceLines {
+  private final SourceText text;
+  private final LineIndex lines;
+
+  private SourceLines(SourceText text) {
+    this.text = text;
+    this.lines = new LineIndex(text);
+  }
+
+  /**
+   * Reads a stream to its end; the caller closes it.
+   *
+   * @param size in bytes, about
+   */
+  public static SourceLines read(InputStream in, long size) throws IOException {
+    SceneBytes bytes = SceneBytes.read(in, size, ReadLimits.standard());
+    return new SourceLines(SourceText.of(bytes.bytes(), bytes.length()));
+  }
+
+  /**
+   * A part of a line.
+   *
+   * @param number from 1
+   * @param from the first character wanted, from 0
+   * @param length characters at most
+   * @return empty if the file has no such line
+   */
+  public Optional<String> line(int number, int from, int length) {
+    int start = lines.start(text, number);
+    if (lines.line(text, start) != number) {
+      return Optional.empty();
+    }
+    StringBuilder found = new StringBuilder();
+    for (int i = start; i < text.length() && i < start + from + length; i++) {
+      char c = text.charAt(i);
+      if (c == '\n' || c == '\r') {
+        break;
+      }
+      if (i >= start + from) {
+        found.append(c);
+      }
+    }
+    return Optional.of(found.toString());
+  }
+}

@@ -1,0 +1,79 @@
+package org.selectiverenderer.x3d.source;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The attributes of an element, read from the text when they are asked for. */
+public final class StartTag {
+  private final List<WrittenAttribute> attributes = new ArrayList<>(4);
+  private final int end;
+
+  private StartTag(CharSequence text, int start) {
+    int limit = text.length();
+    int at = skipName(text, start + 1, limit);
+    int last = at;
+    while (true) {
+      int from = skipSpace(text, at, limit);
+      at = skipName(text, from, limit);
+      int equals = skipSpace(text, at, limit);
+      int quote = skipSpace(text, equals + 1, limit);
+      if (at == from || quote >= limit || text.charAt(equals) != '=') {
+        end = last;
+        return;
+      }
+      int to = quote + 1;
+      while (to < limit && text.charAt(to) != text.charAt(quote)) {
+        to++;
+      }
+      String name = text.subSequence(from, at).toString();
+      attributes.add(new WrittenAttribute(text, name, from, quote + 1, to));
+      at = Math.min(to + 1, limit);
+      last = at;
+    }
+  }
+
+  /**
+   * Reads a tag; one that is not well formed as far as it makes sense.
+   *
+   * @param start the offset of its {@code <}
+   */
+  static StartTag of(CharSequence text, int start) {
+    return new StartTag(text, start);
+  }
+
+  private static int skipName(CharSequence text, int from, int limit) {
+    int at = from;
+    while (at < limit && text.charAt(at) > ' ' && "=/><\"'".indexOf(text.charAt(at)) < 0) {
+      at++;
+    }
+    return at;
+  }
+
+  private static int skipSpace(CharSequence text, int from, int limit) {
+    int at = from;
+    while (at < limit && text.charAt(at) <= ' ') {
+      at++;
+    }
+    return at;
+  }
+
+  /** In the order of the text. */
+  public List<WrittenAttribute> attributes() {
+    return attributes;
+  }
+
+  public Optional<WrittenAttribute> attribute(String name) {
+    for (WrittenAttribute attribute : attributes) {
+      if (attribute.name().equals(name)) {
+        return Optional.of(attribute);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The offset behind the last attribute, or behind the name: where another one goes. */
+  public int end() {
+    return end;
+  }
+}

@@ -1,0 +1,131 @@
+package org.selectiverenderer.x3d.write;
+
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * Nodes with what is in them: the first stands in full with its DEF, further occurrences are USEs.
+ * For one file.
+ */
+public final class NodeText {
+  /** Which of a node's values are written. */
+  public enum Written {
+    /** Those that its file gives, be they the default or not. */
+    GIVEN,
+    /** Those that are not the default. */
+    CHANGED
+  }
+
+  /** Where a node's urls lead, seen from the file that is written. */
+  public interface UrlRule {
+    String written(NodeView node, String url);
+  }
+
+  private final X3dWriter out;
+  private final Written which;
+  private final Map<NodeView, String> defined = new IdentityHashMap<>();
+
+  public NodeText(X3dWriter out, Written which) {
+    this.out = out;
+    this.which = which;
+  }
+
+  /** The DEF name under which a node stands in the file; empty for none. */
+  public String name(NodeView node) {
+    return defined.getOrDefault(node, "");
+  }
+
+  /**
+   * Notes a node as standing in the file.
+   *
+   * @return the name that it gets there: its own the first time, none in further copies
+   */
+  public String define(NodeView node) {
+    if (node.name() == null || defined.containsKey(node)) {
+      return "";
+    }
+    defined.put(node, node.name());
+    return node.name();
+  }
+
+  /**
+   * Writes a node with all that is in it, or its USE.
+   *
+   * @param container the field of the parent that holds it; empty at the top of a scene
+   */
+  public void append(NodeView node, String container, UrlRule urls) {
+    String known = name(node);
+    if (!known.isEmpty()) {
+      out.use(node.type(), known, container);
+      return;
+    }
+    open(node, container);
+    values(node, "", urls);
+    nodes(node, "", urls);
+    out.close();
+  }
+
+  /** Begins a node, as a further copy if it stands in the file already. */
+  public void open(NodeView node, String container) {
+    out.node(node.type(), define(node), container);
+  }
+
+  /** The values of a node that are no nodes, but for one field. */
+  public void values(NodeView node, String without, UrlRule urls) {
+    for (FieldDefinition field : node.type().fields()) {
+      Object value = field.type().isNode() ? null : written(node, field, without);
+      if (value != null) {
+        out.attribute(field.name(), ValueText.of(turned(node, field, value, urls)));
+      }
+    }
+  }
+
+  /** The nodes in a node, but for those of one field. */
+  public void nodes(NodeView node, String without, UrlRule urls) {
+    for (FieldDefinition field : node.type().fields()) {
+      Object value = field.type().isNode() ? written(node, field, without) : null;
+      if (value instanceof NodeView child) {
+        append(child, field.name(), urls);
+      } else if (value instanceof List<?> children) {
+        children.forEach(child -> append((NodeView) child, field.name(), urls));
+      }
+    }
+  }
+
+  /** A field's value, or null if it is not to be written. */
+  private @Nullable Object written(NodeView node, FieldDefinition field, String without) {
+    boolean stored =
+        field.access() == FieldAccess.INITIALIZE_ONLY || field.access() == FieldAccess.INPUT_OUTPUT;
+    if (!stored || field.name().equals(without)) {
+      return null;
+    }
+    Object value = node.value(field.index());
+    boolean said =
+        which == Written.GIVEN
+            ? node instanceof ParsedNode parsed && parsed.given(field.index())
+            : field.type().isNode() || !Objects.deepEquals(value, field.defaultValue());
+    return said ? value : null;
+  }
+
+  private static Object turned(NodeView node, FieldDefinition field, Object value, UrlRule urls) {
+    boolean leads =
+        field.type() == FieldType.MFString && field.name().toLowerCase(Locale.ROOT).endsWith("url");
+    if (!leads) {
+      return value;
+    }
+    String[] all = ((String[]) value).clone();
+    for (int i = 0; i < all.length; i++) {
+      all[i] = urls.written(node, all[i]);
+    }
+    return all;
+  }
+}

@@ -1,3 +1,0 @@
-/** Tests of charts. */
-@org.jspecify.annotations.NullMarked
-package org.selectiverenderer.app.chart;

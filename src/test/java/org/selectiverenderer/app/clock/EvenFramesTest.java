@@ -1,0 +1,50 @@
+package org.selectiverenderer.app.clock;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+
+class EvenFramesTest {
+
+  @Test
+  void bothEndsOfThePathAreFrames() {
+    EvenFrames clock = new EvenFrames(0, 5, 60);
+    assertThat(clock.frames()).isEqualTo(301);
+    assertThat(clock.time(0)).isZero();
+    assertThat(clock.time(300)).isEqualTo(5);
+  }
+
+  @Test
+  void aPathThatIsARoundingErrorShortOfAFrameHasIt() {
+    assertThat(new EvenFrames(0, 0.1 + 0.2 - 1e-12, 10).frames()).isEqualTo(4);
+    assertThat(new EvenFrames(100.1, 100.4, 10).frames()).isEqualTo(4);
+  }
+
+  @Test
+  void whatIsLeftOfADurationIsNoFrame() {
+    assertThat(new EvenFrames(0, 1.99, 1).frames()).isEqualTo(2);
+  }
+
+  @Test
+  void aPathOfOneMomentHasOneFrame() {
+    EvenFrames clock = new EvenFrames(3, 3, 60);
+    assertThat(clock.frames()).isEqualTo(1);
+    assertThat(clock.time(0)).isEqualTo(3);
+  }
+
+  @Test
+  void timeStartsWhereThePathDoes() {
+    EvenFrames clock = new EvenFrames(-2, 0, 4);
+    assertThat(clock.frames()).isEqualTo(9);
+    assertThat(clock.time(1)).isEqualTo(-1.75);
+  }
+
+  @Test
+  void timeDoesNotRunBackwards() {
+    assertThatThrownBy(() -> new EvenFrames(1, 0, 60)).isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> new EvenFrames(0, 1, 0)).isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> new EvenFrames(0, Double.NaN, 60))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+}

@@ -1,0 +1,112 @@
+package org.selectiverenderer.app.sai;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.cli.Main;
+import org.selectiverenderer.control.SelectiveController.Settings;
+import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
+import org.web3d.x3d.sai.InvalidURLException;
+import org.web3d.x3d.sai.X3DScene;
+import org.web3d.x3d.sai.navigation.Viewpoint;
+
+/** The controller in a browser of which it knows the SAI only: here the embedded one. */
+class SaiRunnerTest {
+  private static final String SCENE =
+      """
+      <X3D version='3.3' profile='Immersive'><Scene>
+        <Viewpoint DEF='V' position='0 0 6'/>
+        <ProximitySensor DEF='Desk' size='2 2 2'><MetadataSet containerField='metadata'>
+          <MetadataString containerField='value' name='enterTimeSchema' value='"Near"'/>
+          <MetadataString containerField='value' name='exitTimeSchema' value='"Far"'/>
+        </MetadataSet></ProximitySensor>
+        <Switch DEF='Can' whichChoice='1'><MetadataSet containerField='metadata'>
+          <MetadataSet containerField='value'><MetadataString containerField='value'
+            name='schemaBelonginess' value='"Near"'/></MetadataSet>
+          <MetadataSet containerField='value'><MetadataString containerField='value'
+            name='schemaBelonginess' value='"Far"'/></MetadataSet>
+        </MetadataSet><Shape><Box/></Shape><Shape><Sphere/></Shape></Switch>
+      </Scene></X3D>
+      """;
+
+  private @TempDir Path dir;
+  private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
+
+  private Path scene() throws IOException {
+    return Files.writeString(dir.resolve("scene.x3d"), SCENE);
+  }
+
+  private String next() throws InterruptedException {
+    String line = lines.poll(30, TimeUnit.SECONDS);
+    assertThat(line).isNotNull();
+    return line;
+  }
+
+  @Test
+  void walkingThroughTheSaiSwitchesAndTellsSo() throws Exception {
+    try (SaiRunner runner =
+        SaiRunner.open(scene().toUri().toString(), Settings.SELECTIVE, lines::add)) {
+      assertThat(next()).startsWith("browser: Selective Renderer");
+      assertThat(next()).contains("start", "no Switch"); // the empty scene before
+      assertThat(next()).contains("start", "Can: choice 1");
+      assertThat(runner.showWindow(() -> {})).isFalse();
+      X3DScene scene = (X3DScene) runner.browser().getExecutionContext();
+      Viewpoint viewpoint = (Viewpoint) scene.getNamedNode("V");
+      viewpoint.setPosition(new float[] {0, 0, 0});
+      assertThat(next()).contains("enter", "Desk activates Near");
+      assertThat(next()).contains("switch", "Can: choice 1 -> 0 (Near)");
+      viewpoint.setPosition(new float[] {0, 0, 6});
+      assertThat(next()).contains("exit", "Desk activates Far");
+      assertThat(next()).contains("switch", "Can: choice 0 -> 1 (Far)");
+    }
+  }
+
+  @Test
+  void aSceneThatIsNotThereEndsTheBrowserAgain() {
+    String missing = dir.resolve("no.x3d").toUri().toString();
+    assertThatThrownBy(() -> SaiRunner.open(missing, Settings.SELECTIVE, lines::add))
+        .isInstanceOf(InvalidURLException.class);
+  }
+
+  @Test
+  void theBrowserIsChosenByASystemPropertyAndEndsWithStandardInput() throws Exception {
+    String factory = "-Dx3d.sai.factory.class=";
+    Process good = start(factory + EmbeddedBrowserFactory.class.getName());
+    assertThat(output(good)).contains("browser: Selective Renderer", "Can: choice 1");
+    assertThat(good.exitValue()).isZero();
+
+    Process bad = start(factory + "org.xj3d.NotThere");
+    assertThat(output(bad)).contains("the browser factory org.xj3d.NotThere cannot be used");
+    assertThat(bad.exitValue()).isEqualTo(2);
+  }
+
+  private Process start(String property) throws IOException {
+    return new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            property,
+            "-Djava.awt.headless=true",
+            "-cp",
+            System.getProperty("java.class.path"),
+            Main.class.getName(),
+            "sai",
+            scene().toString())
+        .redirectErrorStream(true)
+        .start();
+  }
+
+  private static String output(Process process) throws Exception {
+    process.getOutputStream().close();
+    String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+    return text;
+  }
+}

@@ -1,0 +1,3 @@
+/** Tests of markup. */
+@org.jspecify.annotations.NullMarked
+package org.selectiverenderer.base.markup;

@@ -1,0 +1,133 @@
+package org.selectiverenderer.cli.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.Main;
+import org.selectiverenderer.experiment.headlog.HeadLog;
+import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import org.selectiverenderer.experiment.study.StudyTemplate;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** The default study, its exposures shortened, in processes of their own. */
+@RequiresDisplay
+@Timeout(value = 300, unit = TimeUnit.SECONDS)
+class KilledSessionTest {
+  /** What a killed session may lose (the experiment's requirement). */
+  private static final Duration LOSS = Duration.ofSeconds(1);
+
+  private static final int WRITTEN = 2000;
+
+  @TempDir Path folder;
+  private Path study = Path.of("");
+  private Path session = Path.of("");
+  private Path log = Path.of("");
+
+  @BeforeEach
+  void study() throws IOException {
+    study = StudyTemplate.write(folder.resolve("study"), Path.of("scenes/apartment.x3d"));
+    session = folder.resolve("study/sub-001/ses-01");
+    log = folder.resolve("messages.txt");
+  }
+
+  private Process start(String... arguments) throws IOException {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                ProcessHandle.current().info().command().orElse("java"),
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "experiment"));
+    command.addAll(List.of(arguments));
+    return new ProcessBuilder(command)
+        .redirectErrorStream(true)
+        .redirectOutput(log.toFile())
+        .start();
+  }
+
+  private void done(String... arguments) throws IOException, InterruptedException {
+    int status = start(arguments).waitFor();
+    assertThat(status).as(Files.readString(log)).isZero();
+  }
+
+  @Test
+  void aSessionKilledInTheMiddleGoesOnAndLosesLessThanASecond()
+      throws IOException, InterruptedException {
+    Process first =
+        start("run", study.toString(), "--participant", "001", "--unattended", "--exposure", "3");
+    Path head = session.resolve("head/exposure-lounge_run-01.csv");
+    while (!Files.exists(head) || Files.size(head) < WRITTEN) {
+      assertThat(first.waitFor(20, TimeUnit.MILLISECONDS)).as("it goes on").isFalse();
+    }
+    Instant killed = Instant.now();
+    first.destroyForcibly().waitFor();
+    HeadLog kept = HeadLogReader.read(head, new Problems()).orElseThrow();
+    Instant last =
+        OffsetDateTime.parse(kept.description().started())
+            .toInstant()
+            .plusMillis(Math.round(1000 * kept.samples().get(kept.samples().size() - 1).t()));
+    assertThat(Duration.between(last, killed)).isLessThan(LOSS);
+    byte[] cut = Files.readAllBytes(head);
+
+    done(
+        "run",
+        study.toString(),
+        "--participant",
+        "001",
+        "--unattended",
+        "--exposure",
+        "1",
+        "--resume");
+    assertThat(head).hasBinaryContent(cut);
+    assertThat(session.resolve("head/exposure-lounge_run-02.csv")).isNotEmptyFile();
+    assertThat(session.resolve("head/exposure-kitchen_run-02.csv")).doesNotExist();
+    assertThat(
+            session.resolve(
+                "motion/sub-001_ses-01_task-exposurelounge_tracksys-head_run-01_motion.tsv"))
+        .isNotEmptyFile();
+    assertThat(event("resumed").get("finished"))
+        .extracting(JsonNode::asText)
+        .containsExactly("form", "practice", "exposure-kitchen");
+    assertThat(event("resumed").get("exposure_s").asDouble()).isEqualTo(1);
+    assertThat(event("session-finished")).isNotNull();
+
+    Path responses = folder.resolve("responses.csv");
+    done("collect", study.toString(), "--responses", responses.toString());
+    assertThat(responses).hasSameTextualContentAs(session.resolve("responses.csv"));
+    // One participant is one condition, which is said.
+    assertThat(start("analyse", responses.toString()).waitFor()).isOne();
+    assertThat(Files.readString(log))
+        .contains("there is one condition only, ", "Area: kitchen")
+        .doesNotContain("NaN");
+    done("status", study.toString());
+    assertThat(Files.readString(log))
+        .contains("finished   nothing (simulated, exposure shortened)");
+  }
+
+  private JsonNode event(String name) throws IOException {
+    ObjectMapper json = new ObjectMapper();
+    for (String line : Files.readAllLines(session.resolve("events.jsonl"))) {
+      JsonNode event = json.readTree(line);
+      if (event.get("event").asText().equals(name)) {
+        return event;
+      }
+    }
+    throw new AssertionError("no event " + name);
+  }
+}

@@ -1,0 +1,160 @@
+package org.selectiverenderer.runtime.walk;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+class ControlsTest {
+  private static final double FRAME = 1.0 / 60;
+  private final Controls controls = new Controls(MouseMapping.WALK);
+
+  private static Motion hold(Controls controls, double seconds) {
+    Motion motion = Motion.NONE;
+    for (int i = 0; i < Math.round(seconds / FRAME); i++) {
+      motion = controls.next(FRAME);
+    }
+    return motion;
+  }
+
+  @Test
+  void nothingPressedIsNoMotion() {
+    assertThat(controls.next(FRAME)).isEqualTo(Motion.NONE);
+  }
+
+  @Test
+  void theButtonsWalkAsTheMappingSays() {
+    assertThat(walksBy(MouseMapping.WALK, MouseButton.LEFT)).isEqualTo(1);
+    assertThat(walksBy(MouseMapping.WALK, MouseButton.RIGHT)).isEqualTo(-1);
+    assertThat(walksBy(MouseMapping.EXPERIMENT, MouseButton.LEFT)).isEqualTo(-1);
+    assertThat(walksBy(MouseMapping.EXPERIMENT, MouseButton.RIGHT)).isEqualTo(1);
+    for (MouseButton button : MouseButton.values()) {
+      assertThat(walksBy(MouseMapping.OFF, button)).isZero();
+    }
+    assertThat(walksBy(MouseMapping.WALK, MouseButton.MIDDLE)).isZero();
+  }
+
+  private static double walksBy(MouseMapping mapping, MouseButton button) {
+    Controls controls = new Controls(mapping);
+    controls.buttonDown(button);
+    return hold(controls, 0.3).forward();
+  }
+
+  @Test
+  void aClickIsNoStep() {
+    controls.buttonDown(MouseButton.LEFT);
+    assertThat(hold(controls, 0.1).forward()).isZero();
+    controls.buttonUp(MouseButton.LEFT);
+    assertThat(hold(controls, 0.5).forward()).isZero();
+  }
+
+  @Test
+  void draggingAtOnceOnlyLooks() {
+    controls.buttonDown(MouseButton.LEFT);
+    controls.drag(20, 10);
+    Motion motion = controls.next(FRAME);
+    assertThat(motion.lookYaw()).isCloseTo(Math.toRadians(-5), within(1e-12));
+    assertThat(motion.lookPitch()).isCloseTo(Math.toRadians(-2.5), within(1e-12));
+    assertThat(hold(controls, 1).forward()).isZero();
+    assertThat(controls.next(FRAME).lookYaw()).isZero();
+  }
+
+  @Test
+  void whoWalksSteersByMovingTheMouse() {
+    controls.buttonDown(MouseButton.LEFT);
+    hold(controls, 0.2);
+    controls.drag(-20, 0);
+    Motion motion = controls.next(FRAME);
+    assertThat(motion.forward()).isEqualTo(1);
+    assertThat(motion.lookYaw()).isPositive();
+  }
+
+  @Test
+  void underATrackerAButtonWalksAtOnceAndTheMouseTurnsNothing() {
+    controls.looking(false);
+    controls.buttonDown(MouseButton.LEFT);
+    controls.drag(200, 100);
+    Motion motion = controls.next(FRAME);
+    assertThat(motion.forward()).isEqualTo(1);
+    assertThat(motion.lookYaw()).isZero();
+    assertThat(motion.lookPitch()).isZero();
+    controls.looking(true);
+    controls.drag(-20, 0);
+    assertThat(controls.next(FRAME).lookYaw()).isPositive();
+  }
+
+  @Test
+  void theHeadingIsResetByAKey() {
+    controls.keyDown(WalkKey.F4);
+    assertThat(controls.takeCommands()).containsExactly(NavigationCommand.RESET_HEADING);
+  }
+
+  @Test
+  void aTremblingHandStillWalks() {
+    controls.buttonDown(MouseButton.LEFT);
+    controls.drag(1, 1);
+    assertThat(hold(controls, 0.2).forward()).isEqualTo(1);
+  }
+
+  @Test
+  void theMouseWithoutAButtonAndTheMouseThatIsOffTurnNothing() {
+    controls.drag(100, 0);
+    assertThat(controls.next(FRAME).lookYaw()).isZero();
+    Controls off = new Controls(MouseMapping.OFF);
+    off.buttonDown(MouseButton.MIDDLE);
+    off.drag(100, 0);
+    off.wheel(3);
+    assertThat(off.next(FRAME)).isEqualTo(Motion.NONE);
+  }
+
+  @Test
+  void keysWalkTurnAndGoSideways() {
+    controls.keyDown(WalkKey.W);
+    controls.keyDown(WalkKey.UP);
+    controls.keyDown(WalkKey.A);
+    controls.keyDown(WalkKey.LEFT);
+    Motion motion = controls.next(FRAME);
+    assertThat(motion.forward()).isEqualTo(1);
+    assertThat(motion.strafe()).isEqualTo(-1);
+    assertThat(motion.turn()).isPositive();
+    controls.keyUp(WalkKey.W);
+    controls.keyUp(WalkKey.UP);
+    controls.keyDown(WalkKey.DOWN);
+    assertThat(controls.next(FRAME).forward()).isEqualTo(-1);
+  }
+
+  @Test
+  void shiftIsFasterAndTheWheelChangesTheSpeedForGood() {
+    controls.keyDown(WalkKey.SHIFT);
+    assertThat(controls.next(FRAME).speedFactor()).isEqualTo(3);
+    controls.keyUp(WalkKey.SHIFT);
+    controls.wheel(1);
+    assertThat(controls.next(FRAME).speedFactor()).isEqualTo(1.25);
+    controls.wheel(-1000);
+    assertThat(controls.next(FRAME).speedFactor()).isEqualTo(1 / 16.0);
+  }
+
+  @Test
+  void aRepeatedKeyIsOneCommand() {
+    controls.keyDown(WalkKey.PAGE_DOWN);
+    controls.keyDown(WalkKey.PAGE_DOWN);
+    controls.keyDown(WalkKey.F1);
+    controls.keyUp(WalkKey.F1);
+    controls.keyDown(WalkKey.F1);
+    assertThat(controls.takeCommands())
+        .containsExactly(
+            NavigationCommand.NEXT_VIEWPOINT,
+            NavigationCommand.TOGGLE_OVERLAY,
+            NavigationCommand.TOGGLE_OVERLAY);
+    assertThat(controls.takeCommands()).isEmpty();
+  }
+
+  @Test
+  void aWindowThatLosesTheKeyboardStopsTheWalk() {
+    controls.keyDown(WalkKey.UP);
+    controls.buttonDown(MouseButton.LEFT);
+    hold(controls, 1);
+    controls.releaseAll();
+    assertThat(controls.next(FRAME)).isEqualTo(Motion.NONE);
+  }
+}

@@ -1,0 +1,106 @@
+package org.selectiverenderer.apartment;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import org.selectiverenderer.apartment.facts.Expectancies;
+import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.frame.RoomModels;
+import org.selectiverenderer.apartment.frame.SoftShadow;
+import org.selectiverenderer.apartment.plan.FloorShadows;
+import org.selectiverenderer.apartment.plan.FurniturePlan;
+import org.selectiverenderer.apartment.plan.PlacedObject;
+import org.selectiverenderer.apartment.plan.PlanLayout;
+import org.selectiverenderer.apartment.plan.PlannedObject;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.scene.ApartmentScene;
+import org.selectiverenderer.apartment.scene.ApartmentTour;
+import org.selectiverenderer.apartment.scene.PracticeScene;
+import org.selectiverenderer.apartment.versions.MadeObject;
+import org.selectiverenderer.apartment.versions.RecipeFile;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.ExactCount;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Rounding;
+
+/**
+ * All of the apartment in memory.
+ *
+ * @param placed the objects where they stand, as version 1
+ * @param models the files of the objects and of the rooms
+ * @param texts all files: path below the project's folder to text
+ */
+record Apartment(List<PlacedObject> placed, List<RecipeFile> models, Map<String, String> texts) {
+
+  static Apartment make(ObjectFiles files, PolygonCounts counts) {
+    List<PlannedObject> placements = FurniturePlan.all();
+    List<MadeObject> objects =
+        files.of(placements.stream().map(PlannedObject::object).distinct().toList());
+    Map<String, ParametricModel> originals = new HashMap<>();
+    objects.forEach(object -> originals.put(object.model().name(), object.model()));
+    Map<Room, TriangleMesh> floors = new EnumMap<>(Room.class);
+    for (Room room : Room.values()) {
+      floors.put(room, RoomModels.of(room).mesh());
+    }
+    List<PlacedObject> placed = PlanLayout.of(placements, originals::get, floors::get);
+
+    List<RecipeFile> inlineNodes = new ArrayList<>();
+    objects.forEach(object -> inlineNodes.addAll(object.files()));
+    Map<Room, Integer> shares = new EnumMap<>(Room.class);
+    single(List.of(), placed, counts)
+        .forEach(
+            (room, polygons) -> {
+              shares.put(room, room.fixedPolygons() - polygons);
+              inlineNodes.addAll(files.single(bare(room)).files());
+            });
+    single(FloorShadows.of(placed), placed, counts)
+        .forEach(
+            (room, polygons) -> inlineNodes.addAll(files.single(frame(room, polygons)).files()));
+    ApartmentScene scene = new ApartmentScene(counts, Expectancies.load());
+    Map<String, String> texts = new TreeMap<>();
+    inlineNodes.forEach(file -> texts.put("inlineNodes/" + file.name(), file.text()));
+    texts.put("inlineNodes/" + SoftShadow.FILE, SoftShadow.text());
+    texts.put("scenes/apartment.x3d", scene.text(placed, "apartment.x3d", true));
+    texts.put("scenes/apartment-plain.x3d", scene.text(placed, "apartment-plain.x3d", false));
+    texts.put("scenes/apartment-unlit.x3d", scene.unlit(placed, "apartment-unlit.x3d", shares));
+    texts.put("scenes/practice.x3d", PracticeScene.text());
+    texts.put("scenes/paths/apartment-tour.csv", ApartmentTour.text());
+    return new Apartment(placed, inlineNodes, texts);
+  }
+
+  /** What the room's frame has to be brought to, so that the thesis's totals come out. */
+  private static ParametricModel frame(Room room, int polygonsOfOthers) {
+    return ExactCount.refine(
+        Rounding.toGrid(RoomModels.of(room)), room.fixedPolygons() - polygonsOfOthers);
+  }
+
+  /**
+   * A room's frame with no more polygons than it needs: radiosity puts the others where light is.
+   */
+  private static ParametricModel bare(Room room) {
+    return Rounding.toGrid(RoomModels.bare(room))
+        .named(room.title().toLowerCase(Locale.ROOT) + "Bare");
+  }
+
+  /** Polygons of the objects with one version and of the shadows, by room. */
+  private static Map<Room, Integer> single(
+      List<PlacedObject> shadows, List<PlacedObject> placed, PolygonCounts counts) {
+    Map<Room, Integer> polygons = new EnumMap<>(Room.class);
+    for (Room room : Room.values()) {
+      polygons.put(room, 0);
+    }
+    for (PlacedObject object : shadows) {
+      polygons.merge(object.placement().room(), SoftShadow.polygons(), Integer::sum);
+    }
+    for (PlacedObject object : placed) {
+      if (counts.of(object.object()).isEmpty()) {
+        polygons.merge(object.placement().room(), object.model().polygons(), Integer::sum);
+      }
+    }
+    return polygons;
+  }
+}

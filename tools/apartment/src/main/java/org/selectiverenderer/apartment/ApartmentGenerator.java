@@ -1,0 +1,111 @@
+package org.selectiverenderer.apartment;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.versions.MadeObject;
+import org.selectiverenderer.apartment.versions.RecipeFile;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.modelling.ParametricModel;
+
+/**
+ * Writes the apartment: the same bytes every time, all files or none. Files that are there already
+ * and differ are somebody's work, and replaced only if that is wanted.
+ */
+public final class ApartmentGenerator {
+  /** Files that a message names before it counts the others. */
+  private static final int NAMED = 5;
+
+  private final PolygonCounts counts = PolygonCounts.load();
+  private final Map<String, Supplier<ParametricModel>> recipes = Recipes.all();
+  private final ObjectFiles files = new ObjectFiles(recipes, counts);
+
+  /**
+   * What has been written.
+   *
+   * @param polygons file name to polygons, if objects were asked for
+   * @param files how many there are, those included that were the same before
+   * @param left see {@link FileTransaction#commit}
+   */
+  public record Written(Map<String, Integer> polygons, int files, List<Path> left) {}
+
+  /** The objects that there are recipes for. */
+  public Set<String> objects() {
+    return Set.copyOf(recipes.keySet());
+  }
+
+  /**
+   * Writes the files of some objects into {@code inlineNodes}.
+   *
+   * @param folder where {@code inlineNodes} is or will be
+   * @param replace whether files that differ are replaced
+   * @return what has been written
+   * @throws IOException if a file cannot be written or differs, with one line that names it
+   * @throws IllegalArgumentException if there is no such object, or its polygons cannot be had
+   */
+  public Written writeObjects(Path folder, Collection<String> names, boolean replace)
+      throws IOException {
+    List<MadeObject> made = files.of(names);
+    Map<String, Integer> polygons = new TreeMap<>();
+    Map<String, String> texts = new TreeMap<>();
+    for (MadeObject object : made) {
+      for (RecipeFile file : object.files()) {
+        texts.put("inlineNodes/" + file.name(), file.text());
+        polygons.put(file.name(), file.polygons());
+      }
+    }
+    return new Written(polygons, texts.size(), write(folder, texts, replace));
+  }
+
+  /**
+   * Writes the scenes, their objects and the recorded walk.
+   *
+   * @param folder where {@code scenes} and {@code inlineNodes} are or will be
+   * @param replace whether files that differ are replaced
+   * @return what has been written
+   * @throws IOException if a file cannot be written or differs, with one line that names it
+   * @throws IllegalArgumentException if the recipes do not fit the plan or the polygon counts
+   */
+  public Written writeAll(Path folder, boolean replace) throws IOException {
+    Map<String, String> texts = Apartment.make(files, counts).texts();
+    return new Written(Map.of(), texts.size(), write(folder, texts, replace));
+  }
+
+  private static List<Path> write(Path folder, Map<String, String> texts, boolean replace)
+      throws IOException {
+    FileTransaction writing = new FileTransaction();
+    List<String> differing = new ArrayList<>();
+    for (Map.Entry<String, String> text : texts.entrySet()) {
+      Path file = folder.resolve(text.getKey());
+      byte[] content = text.getValue().getBytes(StandardCharsets.UTF_8);
+      boolean there = Files.isRegularFile(file);
+      if (there && Arrays.equals(Files.readAllBytes(file), content)) {
+        continue;
+      }
+      if (there) {
+        differing.add(file.toString());
+      }
+      writing.add(file, content);
+    }
+    if (!replace && !differing.isEmpty()) {
+      int more = differing.size() - NAMED;
+      throw new DifferingFilesException(
+          "%s%s different from what would be written; nothing has been changed"
+              .formatted(
+                  String.join(", ", differing.subList(0, Math.min(NAMED, differing.size()))),
+                  (more > 0 ? " and %s more".formatted(more) : "")
+                      + (differing.size() == 1 ? " is" : " are")));
+    }
+    return writing.commit();
+  }
+}

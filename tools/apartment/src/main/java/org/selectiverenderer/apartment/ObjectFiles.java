@@ -1,0 +1,58 @@
+package org.selectiverenderer.apartment;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.versions.MadeObject;
+import org.selectiverenderer.apartment.versions.RecipeVersions;
+import org.selectiverenderer.modelling.ParametricModel;
+
+/** Makes the files of objects from their recipes, several at a time. */
+final class ObjectFiles {
+  private final Map<String, Supplier<ParametricModel>> recipes;
+  private final PolygonCounts counts;
+  private final RecipeVersions maker = new RecipeVersions();
+
+  ObjectFiles(Map<String, Supplier<ParametricModel>> recipes, PolygonCounts counts) {
+    this.recipes = recipes;
+    this.counts = counts;
+  }
+
+  /**
+   * Listed objects with two files, others with one; in the order of the names.
+   *
+   * @throws IllegalArgumentException if a recipe has more polygons than version 1 may have, or
+   *     cannot be reduced to those of version 2
+   */
+  List<MadeObject> of(Collection<String> names) {
+    try {
+      return names.parallelStream().map(this::make).toList();
+    } catch (IllegalArgumentException e) {
+      // Another thread's exception comes wrapped in one of the same kind.
+      throw e.getCause() instanceof IllegalArgumentException cause ? cause : e;
+    }
+  }
+
+  /** The file of a model that has one version. */
+  MadeObject single(ParametricModel model) {
+    return maker.single(model);
+  }
+
+  private MadeObject make(String name) {
+    ParametricModel recipe = recipe(name);
+    return counts
+        .of(name)
+        .map(count -> maker.versions(recipe, count.original(), count.reduced()))
+        .orElseGet(() -> maker.single(recipe));
+  }
+
+  private ParametricModel recipe(String name) {
+    Supplier<ParametricModel> recipe = recipes.get(name);
+    if (recipe == null) {
+      throw new IllegalArgumentException("there is no recipe named " + name);
+    }
+    return recipe.get().named(name);
+  }
+}

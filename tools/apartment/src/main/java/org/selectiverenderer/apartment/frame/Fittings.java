@@ -1,0 +1,84 @@
+package org.selectiverenderer.apartment.frame;
+
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Side;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Rounds;
+
+/** Small things that belong to a room. */
+final class Fittings {
+
+  private Fittings() {}
+
+  /** A light switch with its rocker tilted, or a plain one, 1.1 m above the floor. */
+  static TriangleMesh lightSwitch(Room room, Side side, double along, boolean plain) {
+    if (plain) {
+      TriangleMesh box = Boxes.plain(0.085, 0.085, 0.014).move(0, 1.0575, 0.007);
+      return side.place(room, box.move(side.across(along), 0, 0));
+    }
+    TriangleMesh plate =
+        Prism.bevelled(0.01, 0.004, 1, Outline.roundedRectangle(0.085, 0.085, 0.01, 2));
+    TriangleMesh rocker = Boxes.bevelled(0.05, 0.055, 0.01, 0.003, 1).turnX(5);
+    TriangleMesh whole = plate.append(rocker.move(0, -0.0275, 0.01));
+    return side.place(room, whole.move(side.across(along), 1.1, 0));
+  }
+
+  /** A radiator of columns, rounded or plain, under a window. */
+  static TriangleMesh radiator(Room room, Side side, double along, int columns, boolean plain) {
+    double step = 0.06;
+    TriangleMesh column =
+        plain ? Boxes.plain(0.05, 0.55, 0.09) : Boxes.bevelled(0.05, 0.55, 0.09, 0.015, 1);
+    TriangleMesh pipe = Rounds.cylinder(0.018, step * (columns - 1), plain ? 4 : 8).turnZ(90);
+    double half = step * (columns - 1) / 2;
+    TriangleMesh whole =
+        TriangleMesh.of(
+            Copies.row(column, columns, step, 0, 0).move(-half, 0, 0),
+            pipe.move(half, 0.06, 0),
+            pipe.move(half, 0.49, 0));
+    return side.place(room, whole.move(side.across(along), 0.12, 0.08));
+  }
+
+  /** The cord and the canopy of a hanging lamp, from the ceiling down. */
+  static TriangleMesh cord(double x, double z, double length) {
+    TriangleMesh canopy = Rounds.cone(0.012, 0.055, 0.05, 16).move(0, Room.HEIGHT - 0.05, 0);
+    TriangleMesh cord = Rounds.cylinder(0.005, length, 6).move(0, Room.HEIGHT - length, 0);
+    return canopy.append(cord).move(x, 0, z);
+  }
+
+  /** A wide shade, open below; its upper end touches the cord's end. */
+  static TriangleMesh shade(double x, double z, double length, int segments) {
+    Curve outside =
+        Curve.from(0.2, -0.17).bezier(0.19, -0.08, 0.1, -0.045, 0.028, -0.035, 5).line(0.025, 0);
+    Curve inside = Curve.from(0.022, -0.04).bezier(0.095, -0.05, 0.184, -0.085, 0.196, -0.17, 4);
+    Outline section = outside.then(inside).closed();
+    return Lathe.ring(section, segments).move(x, Room.HEIGHT - length, z);
+  }
+
+  static TriangleMesh bulb(double x, double z, double length) {
+    Curve pear =
+        Curve.from(0, -0.15).spline(2, 0.028, -0.135, 0.034, -0.11, 0.016, -0.06, 0, -0.05);
+    return Lathe.solid(pear, 10).move(x, Room.HEIGHT - length, z);
+  }
+
+  /** The rim of a flat ceiling lamp. */
+  static TriangleMesh panelRim(double x, double z, boolean plain) {
+    Outline outer = Outline.rectangle(1.24, 0.34);
+    Outline inner = Outline.rectangle(1.18, 0.28);
+    TriangleMesh rim =
+        plain
+            ? Prism.plain(0.06, outer, inner).turnX(90).move(0, 0.06, 0)
+            : Prism.plate(0.06, 0.008, 1, outer, inner);
+    return rim.move(x, Room.HEIGHT - 0.06, z);
+  }
+
+  /** The bright plate of a flat ceiling lamp. */
+  static TriangleMesh panelLight(double x, double z) {
+    return Boxes.plain(1.19, 0.04, 0.29).move(x, Room.HEIGHT - 0.045, z);
+  }
+}

@@ -1,0 +1,100 @@
+package org.selectiverenderer.apartment.frame;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Side;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ParametricModel;
+
+/**
+ * The rooms' own models. Doors lead from the lounge to the kitchen in its north, outside the sofa's
+ * area, and from the kitchen to the office in its south, outside the areas of desk and bookcase.
+ */
+public final class RoomModels {
+  private static final Opening LOUNGE_TO_KITCHEN = Opening.door(Side.EAST, -2.72);
+  private static final Opening KITCHEN_TO_LOUNGE = Opening.door(Side.WEST, -2.72);
+  private static final Opening KITCHEN_TO_OFFICE = Opening.door(Side.EAST, 2.72);
+  private static final Opening OFFICE_TO_KITCHEN = Opening.door(Side.WEST, 2.72);
+  private static final Opening ENTRANCE = Opening.door(Side.SOUTH, -0.6);
+
+  private RoomModels() {}
+
+  /** The frame of a room, named {@code kitchenFrame} and so on. */
+  public static ParametricModel of(Room room) {
+    return of(room, false);
+  }
+
+  /**
+   * The frame with wider boards, walls of rectangles and plainer fittings, so that more of a room's
+   * polygons are left for the light on its surfaces.
+   */
+  public static ParametricModel bare(Room room) {
+    return of(room, true);
+  }
+
+  private static ParametricModel of(Room room, boolean bare) {
+    return switch (room) {
+      case KITCHEN -> kitchen(bare);
+      case LOUNGE -> lounge(bare);
+      case OFFICE -> office(bare);
+    };
+  }
+
+  private static ParametricModel kitchen(boolean bare) {
+    Opening window = new Opening(Side.NORTH, -0.1, 1.5, 1.1, 1.1);
+    FrameBuilder frame =
+        new FrameBuilder(
+            Room.KITCHEN,
+            List.of(KITCHEN_TO_LOUNGE, KITCHEN_TO_OFFICE, ENTRANCE, window),
+            Finish.wall(0.9, 0.84, 0.66),
+            bare);
+    List<TriangleMesh> tiles = Floors.tiles(Room.KITCHEN, 11, 16);
+    frame.add("lightTiles", Look.satin(ModelColour.of(0.82, 0.79, 0.72)), tiles.get(0));
+    frame.add("darkTiles", Look.satin(ModelColour.of(0.54, 0.34, 0.26)), tiles.get(1));
+    frame.openDoor(KITCHEN_TO_OFFICE, false, 90);
+    frame.shutDoor(ENTRANCE);
+    frame.lightSwitch(Side.WEST, -2.1);
+    frame.lightSwitch(Side.EAST, 2.1);
+    frame.lightSwitch(Side.SOUTH, 0.05);
+    frame.hangingLamp(-0.95, 1.15, 0.75, 28, Look.satin(ModelColour.of(0.72, 0.2, 0.14)));
+    return frame.model("kitchenFrame");
+  }
+
+  private static ParametricModel lounge(boolean bare) {
+    Opening west = new Opening(Side.WEST, 0.9, 2.2, 0.95, 1.3);
+    Opening south = new Opening(Side.SOUTH, -4.0, 1.6, 0.95, 1.3);
+    FrameBuilder frame =
+        new FrameBuilder(
+            Room.LOUNGE,
+            List.of(LOUNGE_TO_KITCHEN, west, south),
+            Finish.wall(0.74, 0.78, 0.66),
+            bare);
+    frame.boards(Floors.boards(Room.LOUNGE, bare ? 16 : 28, bare ? 2 : 3));
+    frame.openDoor(LOUNGE_TO_KITCHEN, true, 90);
+    frame.lightSwitch(Side.EAST, -2.1);
+    frame.radiator(Side.SOUTH, -4.0, 10);
+    return frame.model("loungeFrame");
+  }
+
+  private static ParametricModel office(boolean bare) {
+    Opening north = new Opening(Side.NORTH, 6.6, 1.9, 0.95, 1.3);
+    FrameBuilder frame =
+        new FrameBuilder(
+            Room.OFFICE, List.of(OFFICE_TO_KITCHEN, north), Finish.wall(0.87, 0.8, 0.66), bare);
+    frame.boards(Floors.boards(Room.OFFICE, bare ? 14 : 30, bare ? 2 : 3));
+    frame.lightSwitch(Side.WEST, 2.1);
+    List<TriangleMesh> rims = new ArrayList<>();
+    List<TriangleMesh> lights = new ArrayList<>();
+    for (double x : new double[] {4.3, 6.9}) {
+      rims.add(Fittings.panelRim(x, 0, bare));
+      lights.add(Fittings.panelLight(x, 0));
+    }
+    frame.add("lampRims", Finish.PLASTIC, TriangleMesh.of(rims));
+    frame.add("lampLights", Finish.LIGHT, TriangleMesh.of(lights));
+    frame.radiator(Side.NORTH, 6.6, 11);
+    return frame.model("officeFrame");
+  }
+}

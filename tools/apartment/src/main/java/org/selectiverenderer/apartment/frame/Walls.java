@@ -1,0 +1,118 @@
+package org.selectiverenderer.apartment.frame;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.apartment.plan.Side;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Spine;
+import org.selectiverenderer.modelling.Sweep;
+
+/**
+ * The four walls of a room and the skirting along them.
+ *
+ * @param bare whether there is nothing to them that only adds polygons
+ */
+record Walls(Room room, List<Opening> openings, boolean bare) {
+
+  /** Walls with their openings cut out. */
+  TriangleMesh walls() {
+    List<TriangleMesh> all = new ArrayList<>();
+    for (Side side : Side.values()) {
+      all.add(side.place(room, bare ? sheets(side) : wall(side)));
+    }
+    return TriangleMesh.of(all);
+  }
+
+  private TriangleMesh sheets(Side side) {
+    List<Opening> all = openings.stream().filter(o -> o.side() == side).toList();
+    return new WallSheets(left(side), right(side), Room.HEIGHT, room.thickness(side), all).mesh();
+  }
+
+  private TriangleMesh wall(Side side) {
+    double thickness = room.thickness(side);
+    double left = left(side);
+    double right = right(side);
+    // North and south walls reach over the ends of the others, so that corners are closed.
+    double overLeft = side.alongX() ? room.thickness(leftOf(side)) : 0;
+    double overRight = side.alongX() ? room.thickness(rightOf(side)) : 0;
+    Curve line = Curve.from(left - overLeft, 0);
+    for (Opening door : on(side, true)) {
+      line =
+          line.line(door.left(), 0)
+              .line(door.left(), door.top())
+              .line(door.right(), door.top())
+              .line(door.right(), 0);
+    }
+    line =
+        line.line(right + overRight, 0)
+            .line(right + overRight, Room.HEIGHT)
+            .line(left - overLeft, Room.HEIGHT);
+    Outline[] windows =
+        on(side, false).stream()
+            .map(
+                w ->
+                    Outline.rectangle(w.width(), w.height())
+                        .move((w.left() + w.right()) / 2, w.sill() + w.height() / 2))
+            .toArray(Outline[]::new);
+    return Prism.plain(thickness, line.closed(), windows).move(0, 0, -thickness);
+  }
+
+  /** A board with a rounded upper edge, from door to door: their trim lies in the openings. */
+  TriangleMesh skirting() {
+    Outline section =
+        bare
+            ? Outline.rectangle(0.014, 0.07).move(0.007, 0.035)
+            : Curve.of(0, 0, 0.014, 0, 0.014, 0.06).arc(0.004, 0.06, 90, 2).line(0, 0.07).closed();
+    List<TriangleMesh> all = new ArrayList<>();
+    for (Side side : Side.values()) {
+      double from = left(side);
+      for (Opening door : on(side, true)) {
+        all.add(side.place(room, board(section, from, door.left())));
+        from = door.right();
+      }
+      all.add(side.place(room, board(section, from, right(side))));
+    }
+    return TriangleMesh.of(all);
+  }
+
+  /** Along the wall to the right, the section's x comes out of the wall. */
+  private static TriangleMesh board(Outline section, double from, double to) {
+    return Sweep.of(section, Spine.of(from, 0, 0, to, 0, 0));
+  }
+
+  private double left(Side side) {
+    return Math.min(side.across(low(side)), side.across(high(side)));
+  }
+
+  private double right(Side side) {
+    return Math.max(side.across(low(side)), side.across(high(side)));
+  }
+
+  private double low(Side side) {
+    return side.alongX() ? room.west() : Room.NORTH;
+  }
+
+  private double high(Side side) {
+    return side.alongX() ? room.east() : Room.SOUTH;
+  }
+
+  private static Side leftOf(Side side) {
+    return Side.values()[(side.ordinal() + 3) % 4];
+  }
+
+  private static Side rightOf(Side side) {
+    return Side.values()[(side.ordinal() + 1) % 4];
+  }
+
+  private List<Opening> on(Side side, boolean doors) {
+    return openings.stream()
+        .filter(o -> o.side() == side && o.isDoor() == doors)
+        .sorted(Comparator.comparingDouble(Opening::left))
+        .toList();
+  }
+}

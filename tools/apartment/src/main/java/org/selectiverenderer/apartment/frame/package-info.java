@@ -1,0 +1,12 @@
+/**
+ * The rooms themselves, what the thesis calls frame objects (5.2): walls, floors, ceilings, doors,
+ * windows, skirting, light switches, lamps.
+ *
+ * <p>In: the floor plan. Out: one model per room, in the room's own coordinates (see {@code plan}).
+ * Uses {@code apartment.plan}, {@code modelling}, {@code geometry.mesh}, {@code x3d.write} and
+ * {@code base.decimal}.
+ */
+@NullMarked
+package org.selectiverenderer.apartment.frame;
+
+import org.jspecify.annotations.NullMarked;

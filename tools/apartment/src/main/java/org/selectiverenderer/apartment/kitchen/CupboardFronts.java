@@ -1,0 +1,77 @@
+package org.selectiverenderer.apartment.kitchen;
+
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Spine;
+import org.selectiverenderer.modelling.Sweep;
+
+/** Doors and drawers of the kitchen furniture with their handles; backs at z = 0. */
+final class CupboardFronts {
+  static final double THICKNESS = 0.022;
+
+  /** The joint between neighbouring fronts. */
+  private static final double GAP = 0.004;
+
+  private static final double FRAME = 0.06;
+
+  private CupboardFronts() {}
+
+  /**
+   * A frame with a bead round a panel that lies deeper. Its edges are sharp: a chamfer in version 2
+   * would be shaded as if the whole front were a cushion.
+   */
+  static TriangleMesh door(double x0, double y0, double x1, double y1) {
+    Outline edge = Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP);
+    Outline opening = edge.inset(FRAME);
+    TriangleMesh frame = Prism.plain(THICKNESS, edge, opening);
+    TriangleMesh panel = Prism.plain(0.012, edge.inset(FRAME - 0.008));
+    TriangleMesh bead = Sweep.of(Outline.circle(0.005, 8), Spine.of(opening)).move(0, 0, 0.013);
+    return TriangleMesh.of(frame, panel, bead).move((x0 + x1) / 2, (y0 + y1) / 2, 0);
+  }
+
+  /** A plain front, too low for a frame. */
+  static TriangleMesh drawer(double x0, double y0, double x1, double y1) {
+    return Prism.bevelled(THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
+        .move((x0 + x1) / 2, (y0 + y1) / 2, 0);
+  }
+
+  /** A bow of steel, level and centred on (x, y). */
+  static TriangleMesh bow(double length, double x, double y) {
+    double half = length / 2;
+    Spine line =
+        Spine.smooth(
+            3,
+            -half,
+            0,
+            0,
+            -half + 0.003,
+            0,
+            0.018,
+            -half + 0.018,
+            0,
+            0.03,
+            0,
+            0,
+            0.034,
+            half - 0.018,
+            0,
+            0.03,
+            half - 0.003,
+            0,
+            0.018,
+            half,
+            0,
+            0);
+    return Sweep.of(Outline.superellipse(0.005, 0.0065, 2.5, 10), line).move(x, y, THICKNESS);
+  }
+
+  static TriangleMesh knob(double x, double y) {
+    Curve profile =
+        Curve.of(0, 0, 0.009, 0, 0.006, 0.006, 0.006, 0.013)
+            .spline(2, 0.0145, 0.021, 0.011, 0.027, 0, 0.029);
+    return Lathe.solid(profile, 16).turnX(90).move(x, y, THICKNESS);
+  }
+}

@@ -1,0 +1,150 @@
+package org.selectiverenderer.apartment.kitchen;
+
+import static org.selectiverenderer.apartment.kitchen.CupboardFronts.bow;
+import static org.selectiverenderer.apartment.kitchen.CupboardFronts.door;
+import static org.selectiverenderer.apartment.kitchen.CupboardFronts.drawer;
+import static org.selectiverenderer.apartment.kitchen.CupboardFronts.knob;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.Standing;
+
+/**
+ * Five units of 0.6 m along a wall, from the left: cupboard, sink, drawers, oven below the hob,
+ * cupboard; above them a tiled wall, hanging cupboards, and a hood over the hob. The worktop is 0.9
+ * m high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
+ */
+final class KitchenFurniture {
+  private static final double[] UNIT = {-1.5, -0.9, -0.3, 0.3, 0.9, 1.5};
+  private static final double SINK_X = -0.6;
+  private static final double HOB_X = 0.6;
+  private static final double TOP = 0.9;
+  private static final double UNDER_TOP = 0.86;
+  private static final double PLINTH = 0.1;
+  private static final double HANGING = 1.42;
+  private static final double HEIGHT = 2.14;
+
+  /** Where the fronts' backs are, below and above. */
+  private static final double LOWER_Z = 0.26;
+
+  private static final double UPPER_Z = 0.03;
+
+  private KitchenFurniture() {}
+
+  static ParametricModel model() {
+    return Standing.centred(
+        "kitchenFurniture",
+        Part.of("carcass", Look.satin(ModelColour.hex(0xD9D5CA)), carcass()),
+        Part.of("plinth", Looks.SOFT_BLACK, Boxes.plain(3, PLINTH, 0.5).move(0, 0, -0.05)),
+        Part.of("fronts", Look.satin(ModelColour.hex(0x9FB0A2)), lowerFronts(), upperFronts()),
+        Part.of("worktop", Looks.LIGHT_OAK, worktop()),
+        Part.of("tiles", Looks.CHINA, tiles()),
+        Part.of("sink", Looks.POLISHED_STEEL, SinkAndHob.basin().move(SINK_X, TOP, 0)),
+        Part.of("steel", Looks.POLISHED_STEEL, handles(), fittings()),
+        Part.of("black", Looks.SOFT_BLACK, SinkAndHob.hobGlass().move(HOB_X, TOP, 0), oven()),
+        Part.of("rings", Looks.DARK_STEEL, SinkAndHob.hobRings().move(HOB_X, TOP, 0)));
+  }
+
+  private static TriangleMesh carcass() {
+    TriangleMesh lower = Boxes.plain(3, UNDER_TOP - PLINTH - 0.17, 0.56).move(0, PLINTH, -0.02);
+    TriangleMesh rail = Boxes.plain(3, 0.17, 0.04).move(0, UNDER_TOP - 0.17, LOWER_Z - 0.02);
+    TriangleMesh upper = Boxes.plain(1.8, HEIGHT - HANGING, 0.33).move(-0.6, HANGING, -0.135);
+    TriangleMesh right = Boxes.plain(0.6, HEIGHT - HANGING, 0.33).move(1.2, HANGING, -0.135);
+    TriangleMesh sides = Boxes.plain(0.02, UNDER_TOP - PLINTH, 0.56).move(-1.49, PLINTH, -0.02);
+    return TriangleMesh.of(lower, rail, upper, right, sides, sides.mirrorX());
+  }
+
+  private static TriangleMesh lowerFronts() {
+    double step = (UNDER_TOP - PLINTH) / 4;
+    TriangleMesh drawers = TriangleMesh.EMPTY;
+    for (int i = 0; i < 4; i++) {
+      double y = PLINTH + i * step;
+      drawers = drawers.append(drawer(UNIT[2], y, UNIT[3], y + step));
+    }
+    return TriangleMesh.of(
+            door(UNIT[0], PLINTH, UNIT[1], UNDER_TOP),
+            door(UNIT[1], PLINTH, SINK_X, UNDER_TOP),
+            door(SINK_X, PLINTH, UNIT[2], UNDER_TOP),
+            drawers,
+            door(UNIT[4], PLINTH, UNIT[5], UNDER_TOP))
+        .move(0, 0, LOWER_Z);
+  }
+
+  private static TriangleMesh upperFronts() {
+    List<TriangleMesh> doors = new ArrayList<>();
+    for (int unit : new int[] {0, 1, 2, 4}) {
+      double middle = (UNIT[unit] + UNIT[unit + 1]) / 2;
+      doors.add(door(UNIT[unit], HANGING, middle, HEIGHT));
+      doors.add(door(middle, HANGING, UNIT[unit + 1], HEIGHT));
+    }
+    return TriangleMesh.of(doors).move(0, 0, UPPER_Z);
+  }
+
+  private static TriangleMesh worktop() {
+    Outline edge = Outline.rectangle(3.02, 0.6);
+    Outline opening = SinkAndHob.OPENING.move(SINK_X, 0);
+    return Prism.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
+  }
+
+  /** Two rows of tiles with joints between them. */
+  private static TriangleMesh tiles() {
+    TriangleMesh tile = Prism.plain(0.008, Outline.rectangle(0.196, 0.256));
+    List<TriangleMesh> tiles = new ArrayList<>();
+    for (int i = 0; i < 30; i++) {
+      tiles.add(tile.move(-1.4 + 0.2 * (i % 15), TOP + 0.13 + 0.26 * (i / 15), -0.3));
+    }
+    return TriangleMesh.of(tiles);
+  }
+
+  private static TriangleMesh handles() {
+    List<TriangleMesh> below = new ArrayList<>();
+    below.add(bow(0.16, -1.2, UNDER_TOP - 0.045));
+    below.add(knob(SINK_X - 0.035, UNDER_TOP - 0.12));
+    below.add(knob(SINK_X + 0.035, UNDER_TOP - 0.12));
+    for (int i = 0; i < 4; i++) {
+      below.add(bow(0.16, 0, PLINTH + 0.115 + 0.19 * i));
+    }
+    below.add(bow(0.46, HOB_X, 0.68));
+    below.add(bow(0.16, 1.2, UNDER_TOP - 0.045));
+    List<TriangleMesh> above = new ArrayList<>();
+    for (double middle : new double[] {-1.2, -0.6, 0, 1.2}) {
+      above.add(knob(middle - 0.035, HANGING + 0.12));
+      above.add(knob(middle + 0.035, HANGING + 0.12));
+    }
+    return TriangleMesh.of(
+        TriangleMesh.of(below).move(0, 0, LOWER_Z), TriangleMesh.of(above).move(0, 0, UPPER_Z));
+  }
+
+  /** Tap, hood, and the oven's panel with its knobs. */
+  private static TriangleMesh fittings() {
+    List<TriangleMesh> all = new ArrayList<>();
+    all.add(SinkAndHob.tap().move(SINK_X, TOP, 0));
+    all.add(SinkAndHob.hood().move(HOB_X, HANGING, -0.3));
+    all.add(drawer(UNIT[3], 0.74, UNIT[4], UNDER_TOP).move(0, 0, LOWER_Z));
+    all.add(drawer(UNIT[3], PLINTH, UNIT[4], 0.2).move(0, 0, LOWER_Z));
+    TriangleMesh dial = Rounds.roundedCylinder(0.02, 0.022, 0.005, 3, 24).turnX(90);
+    for (int i = 0; i < 5; i++) {
+      all.add(dial.move(HOB_X - 0.2 + 0.1 * i, 0.8, LOWER_Z + CupboardFronts.THICKNESS));
+    }
+    return TriangleMesh.of(all);
+  }
+
+  /** The oven's door with a window that stands out a little. */
+  private static TriangleMesh oven() {
+    TriangleMesh window =
+        Prism.bevelled(0.008, 0.004, 2, Outline.roundedRectangle(0.42, 0.3, 0.03, 4));
+    return drawer(UNIT[3], 0.2, UNIT[4], 0.74)
+        .append(window.move(HOB_X, 0.44, CupboardFronts.THICKNESS - 0.002))
+        .move(0, 0, LOWER_Z);
+  }
+}

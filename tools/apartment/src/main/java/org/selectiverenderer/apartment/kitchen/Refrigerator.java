@@ -1,0 +1,58 @@
+package org.selectiverenderer.apartment.kitchen;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.Spine;
+import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.Sweep;
+
+/** A white refrigerator, 1.78 m high, with the freezer below and a note held by two magnets. */
+final class Refrigerator {
+  private static final double WIDTH = 0.6;
+  private static final double FRONT = 0.345;
+
+  private Refrigerator() {}
+
+  static ParametricModel model() {
+    return Standing.centred(
+        "refrigerator",
+        Part.of(
+            "cabinet",
+            Look.satin(ModelColour.hex(0xDCDCD6)),
+            Boxes.plain(0.594, 1.735, 0.56).move(0, 0.04, 0)),
+        Part.of(
+            "doors", Look.glossy(ModelColour.hex(0xECECE6)), door(0.05, 0.62), door(0.675, 1.105)),
+        Part.of("feet", Looks.SOFT_BLACK, Boxes.plain(0.56, 0.04, 0.5)),
+        Part.of("handles", Looks.POLISHED_STEEL, handle(0.46), handle(0.86)),
+        Part.of(
+            "note",
+            Look.matt(ModelColour.hex(0xF1E7B8)),
+            Boxes.plain(0.1, 0.13, 0.002).move(0.09, 1.24, FRONT)),
+        Part.of("magnets", Looks.BRICK_RED, magnet(0.09, 1.36), magnet(0.02, 1.44)));
+  }
+
+  private static TriangleMesh door(double y, double height) {
+    return Slabs.upright(Outline.roundedRectangle(WIDTH, height, 0.022, 2), 0.065, 0.014, 2)
+        .move(0, y + height / 2, FRONT - 0.065);
+  }
+
+  /** A bow, upright and centred at this height. */
+  private static TriangleMesh handle(double y) {
+    Spine line =
+        Spine.of(
+            0, -0.13, 0, 0, -0.128, 0.026, 0, -0.11, 0.042, 0, 0, 0.048, 0, 0.11, 0.042, 0, 0.128,
+            0.026, 0, 0.13, 0);
+    return Sweep.of(Outline.ellipse(0.007, 0.011, 8), line).move(-0.255, y, FRONT);
+  }
+
+  private static TriangleMesh magnet(double x, double y) {
+    return Rounds.cone(0.014, 0.012, 0.008, 12).turnX(90).move(x, y, FRONT);
+  }
+}

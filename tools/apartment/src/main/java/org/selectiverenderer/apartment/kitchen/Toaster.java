@@ -1,0 +1,79 @@
+package org.selectiverenderer.apartment.kitchen;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.Standing;
+
+/** A steel toaster for two slices, both of which look out, with its lever and dial at the right. */
+final class Toaster {
+  private static final double WIDTH = 0.29;
+  private static final double DEPTH = 0.17;
+
+  private Toaster() {}
+
+  static ParametricModel model() {
+    return Standing.centred(
+        "toaster",
+        Part.of("shell", Looks.POLISHED_STEEL, shell()),
+        Part.of("trim", Looks.SOFT_BLACK, base(), slots(), lever(), dial()),
+        Part.of(
+            "toast",
+            Look.matt(ModelColour.hex(0xC98F4E)),
+            toast().move(-0.012, 0, 0.024),
+            toast().move(-0.012, 0, -0.042)));
+  }
+
+  private static TriangleMesh shell() {
+    Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.05, 4);
+    return Slabs.lying(seenFromAbove, 0.158, 0.024, 3).move(0, 0.014, 0);
+  }
+
+  private static TriangleMesh base() {
+    Outline seenFromAbove = Outline.roundedRectangle(WIDTH + 0.004, DEPTH + 0.004, 0.05, 2);
+    return Prism.plate(0.022, 0.006, 1, seenFromAbove);
+  }
+
+  /** A raised frame round the two openings. */
+  private static TriangleMesh slots() {
+    Outline slot = Outline.rectangle(0.176, 0.03).move(-0.012, 0);
+    return Prism.plate(
+            0.006,
+            0.002,
+            1,
+            Outline.roundedRectangle(0.212, 0.118, 0.02, 2).move(-0.008, 0),
+            slot.move(0, 0.033),
+            slot.move(0, -0.033))
+        .move(0, 0.1705, 0);
+  }
+
+  /** A slice of bread, upright, half of it in the slot. */
+  private static TriangleMesh toast() {
+    Outline slice =
+        Curve.from(0.054, 0)
+            .line(0.056, 0.055)
+            .spline(2, 0.066, 0.076, 0.05, 0.094, 0, 0.098)
+            .closedWithMirrorX();
+    return Prism.bevelled(0.018, 0.005, 1, slice).move(0, 0.118, 0);
+  }
+
+  private static TriangleMesh lever() {
+    return Boxes.bevelled(0.03, 0.014, 0.034, 0.005, 1)
+        .move(WIDTH / 2 + 0.014, 0.112, 0)
+        .append(Boxes.plain(0.004, 0.09, 0.01).move(WIDTH / 2, 0.045, 0));
+  }
+
+  private static TriangleMesh dial() {
+    return Rounds.roundedCylinder(0.015, 0.014, 0.004, 1, 12)
+        .turnZ(-90)
+        .move(WIDTH / 2, 0.04, 0.042);
+  }
+}

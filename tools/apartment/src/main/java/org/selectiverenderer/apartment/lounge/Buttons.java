@@ -1,0 +1,27 @@
+package org.selectiverenderer.apartment.lounge;
+
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Lathe;
+
+/** Knobs to press, without undersides, which are never seen. */
+final class Buttons {
+
+  private Buttons() {}
+
+  /**
+   * An upright one with a rounded edge on y = 0, {@code segments (2 steps + 3)} triangles.
+   *
+   * @param radiusX half its width; its edge is a third of the smaller half
+   */
+  static TriangleMesh round(
+      double radiusX, double height, double radiusZ, int steps, int segments) {
+    double edge = Math.min(height, Math.min(radiusX, radiusZ) / 3);
+    Curve side =
+        Curve.from(radiusX, -edge / 2)
+            .line(radiusX, height - edge)
+            .arc(radiusX - edge, height - edge, 90, steps)
+            .line(0, height);
+    return Lathe.surface(side, segments).scale(1, 1, radiusZ / radiusX);
+  }
+}

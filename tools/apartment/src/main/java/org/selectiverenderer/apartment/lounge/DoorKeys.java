@@ -1,0 +1,68 @@
+package org.selectiverenderer.apartment.lounge;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.Standing;
+
+/** Three keys and a leather fob on a ring, lying fanned out. */
+final class DoorKeys {
+  private static final double RING = 0.014;
+
+  private DoorKeys() {}
+
+  static ParametricModel model() {
+    Look leather = Look.satin(ModelColour.of(0.42, 0.17, 0.1));
+    Part steel =
+        Part.of(
+            "steelKeys", Looks.STEEL, onRing(key(0.052), 62, 0.001), onRing(key(0.045), 8, 0.004));
+    return Standing.centred(
+        ParametricModel.of(
+            "keys",
+            Part.of(
+                "ring", Looks.STEEL, Rounds.torus(RING, 0.0011, 22, 6).turnZ(5).move(0, 0.003, 0)),
+            steel,
+            Part.of("brassKey", Looks.PALE_BRASS, onRing(key(0.048), 34, 0.0025)),
+            Part.of("fob", leather, onRing(fob(), 160, 0.0012))));
+  }
+
+  /** Turns a thing that points to +x out from the ring, its hole on the ring. */
+  private static TriangleMesh onRing(TriangleMesh thing, double degrees, double height) {
+    return thing.turnZ(-2).move(RING, height, 0).turnY(degrees);
+  }
+
+  /** A round bow with a hole, and a blade with bits on one side. */
+  private static TriangleMesh key(double length) {
+    double s = length - 0.02;
+    Outline shape =
+        Curve.from(0.0155, -0.0028)
+            .line(length, -0.0028)
+            .line(length + 0.003, 0.0005)
+            .line(length, 0.0022)
+            .line(0.02 + 0.85 * s, 0.0005)
+            .line(0.02 + 0.7 * s, 0.0028)
+            .line(0.02 + 0.55 * s, 0.0008)
+            .line(0.02 + 0.4 * s, 0.0028)
+            .line(0.02 + 0.25 * s, 0.0012)
+            .line(0.02 + 0.15 * s, 0.0028)
+            .line(0.0155, 0.0028)
+            .arc(0.0055, 0, 328, 18)
+            .closed();
+    return Prism.plate(0.0022, 0.0004, 1, shape, Outline.circle(0.0032, 10));
+  }
+
+  private static TriangleMesh fob() {
+    Outline drop =
+        Outline.spline(
+            4, -0.008, 0, 0, -0.0075, 0.024, -0.0145, 0.043, -0.011, 0.05, 0, 0.043, 0.011, 0.024,
+            0.0145, 0, 0.0075);
+    return Prism.plate(0.0036, 0.0012, 1, drop, Outline.circle(0.003, 10));
+  }
+}

@@ -1,0 +1,68 @@
+package org.selectiverenderer.apartment.lounge;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Spine;
+import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.Sweep;
+
+/** A claw hammer that lies on its side, 0.33 m long; nobody expects it in a lounge. */
+final class Hammer {
+
+  private Hammer() {}
+
+  static ParametricModel model() {
+    Look wood = Look.satin(ModelColour.of(0.72, 0.5, 0.28));
+    Look grip = Look.satin(ModelColour.of(0.6, 0.12, 0.1));
+    return Standing.centred(
+        ParametricModel.of(
+            "hammer",
+            Part.of("handle", wood, handle()).crease(60),
+            Part.of("grip", grip, grip()).crease(60),
+            Part.of("head", Looks.STEEL, face(), claw())));
+  }
+
+  /** Along x, the head at +x. */
+  private static TriangleMesh handle() {
+    return Sweep.of(
+        Outline.ellipse(0.013, 0.0095, 8),
+        Spine.smooth(1, -0.06, 0, 0, 0, 0, 0, 0.08, 0, 0, 0.168, 0, 0),
+        t -> 0.85 + 0.15 * t);
+  }
+
+  private static TriangleMesh grip() {
+    return Sweep.of(
+        Outline.ellipse(0.016, 0.0125, 10),
+        Spine.smooth(1, -0.165, 0, 0, -0.155, 0, 0, -0.11, 0, 0, -0.07, 0, 0, -0.05, 0, 0),
+        t -> t == 0 ? 0.8 : t == 0.5 ? 1.05 : 0.93);
+  }
+
+  /** What hits: a neck and a round face towards +z. */
+  private static TriangleMesh face() {
+    Curve profile =
+        Curve.of(0.012, -0.014, 0.012, 0.016, 0.0095, 0.026, 0.0135, 0.038, 0.0145, 0.05)
+            .line(0.0125, 0.054);
+    return Lathe.solid(profile, 10).turnX(90).move(0.15, 0, 0);
+  }
+
+  /** Two prongs, from above a bent wedge with a slot. */
+  private static TriangleMesh claw() {
+    TriangleMesh prong =
+        Sweep.of(
+            Outline.rectangle(0.016, 0.0105),
+            Spine.smooth(
+                2, 0.15, 0, 0, 0.15, 0, -0.028, 0.138, 0.002, -0.055, 0.112, 0.005, -0.078),
+            t -> 1 - 0.72 * t);
+    TriangleMesh upper = prong.move(0, 0.0056, 0);
+    TriangleMesh eye = Prism.bevelled(0.03, 0.003, 1, Outline.circle(0.0165, 10));
+    return TriangleMesh.of(upper, upper.scale(1, -1, 1), eye.move(0.15, 0, -0.016));
+  }
+}

@@ -1,0 +1,61 @@
+package org.selectiverenderer.apartment.office;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Spine;
+import org.selectiverenderer.modelling.Sweep;
+
+/**
+ * A desk, 1.6 m wide, 0.8 m deep, 0.74 m high: three drawers on the left, two steel legs on the
+ * right. Its user sits at +z (thesis Fig 71).
+ */
+final class Desk {
+  private static final double HEIGHT = 0.74;
+  private static final double TOP = 0.034;
+  private static final double UNDER = HEIGHT - TOP;
+
+  private Desk() {}
+
+  static ParametricModel model() {
+    return ParametricModel.of(
+        "desk",
+        Part.of("top", Looks.OAK, Boxes.bevelled(1.6, TOP, 0.8, 0.008, 2).move(0, UNDER, 0)),
+        Part.of("pedestal", Looks.DARK_OAK, pedestal(), panel()),
+        Part.of("drawers", Looks.OAK, drawers()),
+        Part.of("handles", Looks.CHROME, handles()),
+        Part.of("legs", Looks.CHARCOAL, legs()));
+  }
+
+  private static TriangleMesh pedestal() {
+    return Boxes.plain(0.44, UNDER - 0.04, 0.7)
+        .append(Boxes.plain(0.4, 0.04, 0.62).move(0, -0.04, 0))
+        .move(-0.54, 0.04, 0);
+  }
+
+  /** Hides the knees of the user. */
+  private static TriangleMesh panel() {
+    return Boxes.plain(1.05, 0.42, 0.02).move(0.2, UNDER - 0.42, -0.3);
+  }
+
+  private static TriangleMesh drawers() {
+    TriangleMesh drawer = Boxes.plain(0.43, 0.21, 0.022);
+    return Copies.row(drawer.move(-0.54, 0.046, 0.357), 3, 0, 0.218, 0);
+  }
+
+  private static TriangleMesh handles() {
+    Curve arch = Curve.of(-0.075, 0, -0.07, 0.02, -0.055, 0.03, 0.055, 0.03, 0.07, 0.02, 0.075, 0);
+    TriangleMesh handle = Sweep.tube(Spine.of(arch), 0.006, 5).turnX(90).move(-0.54, 0.19, 0.365);
+    return Copies.row(handle, 3, 0, 0.218, 0);
+  }
+
+  private static TriangleMesh legs() {
+    TriangleMesh leg = Boxes.bevelled(0.05, UNDER, 0.05, 0.008, 1).move(0.74, 0, 0.34);
+    TriangleMesh rail = Boxes.plain(0.03, 0.05, 0.64).move(0.74, 0.12, 0);
+    return TriangleMesh.of(leg, leg.mirrorZ(), rail);
+  }
+}

@@ -1,0 +1,33 @@
+package org.selectiverenderer.apartment.office;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Standing;
+
+/**
+ * A computer mouse with its cable laid in a bow, 0.12 m long, its buttons to the front and the left
+ * (thesis Fig 71).
+ */
+final class LibraryMouse {
+
+  private LibraryMouse() {}
+
+  static ParametricModel model() {
+    MouseShape shape = new MouseShape(54, 72);
+    TriangleMesh cable =
+        shape.cable(
+            9, 10, 0.02, 0.003, 0.09, 0.06, 0.003, 0.085, 0.075, 0.003, 0.045, 0.068, 0.003, -0.01,
+            0.055, 0.003, -0.06);
+    ParametricModel mouse =
+        ParametricModel.of(
+            "libraryMouse",
+            Part.of("palm", Looks.SILVER, shape.palm()).crease(60),
+            Part.of("buttons", Looks.GREY, shape.buttons()).crease(60),
+            Part.of("seam", Looks.BLACK, shape.seam(24)),
+            Part.of("wheel", Looks.CHARCOAL, shape.wheel(40, 16)),
+            Part.of("cable", Looks.CHARCOAL, cable));
+    return Standing.centred(mouse.map(mesh -> mesh.turnY(-40)));
+  }
+}

@@ -1,0 +1,54 @@
+package org.selectiverenderer.apartment.plan;
+
+import java.util.Arrays;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.ParametricModel;
+
+/**
+ * An object where it stands: first turned about y by yaw degrees, then moved; y above the floor.
+ * Rounded to a tenth of a millimetre, as the scene's file has it.
+ */
+public record PlacedObject(
+    PlannedObject placement, ParametricModel model, double x, double y, double z, double yaw) {
+
+  public PlacedObject {
+    x = rounded(x);
+    y = rounded(y);
+    z = rounded(z);
+  }
+
+  private static double rounded(double value) {
+    return Rounded.to(4, value);
+  }
+
+  public String object() {
+    return placement.object();
+  }
+
+  /** All of its triangles where they are. */
+  public TriangleMesh mesh() {
+    return model.mesh().turnY(yaw).move(x, y, z);
+  }
+
+  /** The box around it that is turned with it, before it is turned and moved. */
+  public Bounds box() {
+    return model.bounds();
+  }
+
+  /** The box around its points up to a height above its lowest, before it is turned and moved. */
+  public Bounds lowerBox(double height) {
+    double limit = box().minY() + height;
+    float[] all = model.mesh().positions();
+    float[] low = new float[all.length];
+    int n = 0;
+    for (int i = 0; i < all.length; i += 3) {
+      if (all[i + 1] <= limit) {
+        System.arraycopy(all, i, low, n, 3);
+        n += 3;
+      }
+    }
+    return Bounds.around(Arrays.copyOf(low, n));
+  }
+}

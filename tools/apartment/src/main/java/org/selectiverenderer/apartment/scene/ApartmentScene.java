@@ -1,0 +1,219 @@
+package org.selectiverenderer.apartment.scene;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.selectiverenderer.apartment.facts.Expectancies;
+import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.frame.SoftShadow;
+import org.selectiverenderer.apartment.plan.FloorShadows;
+import org.selectiverenderer.apartment.plan.PlacedObject;
+import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/** The text of the apartment's scene. */
+public final class ApartmentScene {
+  /** Height of a seated person's eye above the floor; participants sat (thesis Fig 83). */
+  public static final double EYE = 1.2;
+
+  /** What is lower than this above an object's sole takes the floor's light, metres. */
+  private static final double LOWER_END = 0.3;
+
+  private final ObjectNode objects;
+
+  public ApartmentScene(PolygonCounts counts, Expectancies expectancies) {
+    this.objects = new ObjectNode(counts, expectancies);
+  }
+
+  /**
+   * @param placed the objects of all rooms
+   * @param fileName the scene's own name, for its head
+   * @param enriched whether Switches and sensors have their metadata
+   */
+  public String text(List<PlacedObject> placed, String fileName, boolean enriched) {
+    return text(
+        placed,
+        fileName,
+        enriched,
+        enriched ? "" : ", before its enrichment with metadata",
+        Map.of());
+  }
+
+  /**
+   * The scene that radiosity lights: enriched, with photometric lights and without painted shadows.
+   *
+   * @param shares polygons that each room's own surfaces are to have when lit
+   */
+  public String unlit(List<PlacedObject> placed, String fileName, Map<Room, Integer> shares) {
+    return text(placed, fileName, true, ", before its light is computed by radiosity", shares);
+  }
+
+  private String text(
+      List<PlacedObject> placed,
+      String fileName,
+      boolean enriched,
+      String state,
+      Map<Room, Integer> shares) {
+    X3dWriter xml = new X3dWriter().file("Immersive", "3.3");
+    head(xml, fileName, state);
+    xml.open("Scene");
+    xml.empty(
+        "WorldInfo",
+        "title",
+        "Apartment",
+        "info",
+        ValueText.strings("Kitchen, lounge and office; objects are drawn by what one expects."));
+    xml.empty(
+        "NavigationInfo",
+        "type",
+        "\"WALK\" \"ANY\"",
+        "avatarSize",
+        SceneNumbers.numbers(0.25, EYE, 0.3),
+        "speed",
+        "1.2",
+        "headlight",
+        "false",
+        "visibilityLimit",
+        "60");
+    viewpoints(xml);
+    xml.empty(
+        "Background",
+        "skyColor",
+        "0.3 0.5 0.78 0.55 0.72 0.9 0.86 0.92 0.96",
+        "skyAngle",
+        "1 1.57",
+        "groundColor",
+        "0.3 0.34 0.28 0.6 0.66 0.62",
+        "groundAngle",
+        "1.57");
+    for (Room room : Room.values()) {
+      if (shares.containsKey(room)) {
+        unlitRoom(xml, room, placed, shares.get(room));
+      } else {
+        room(xml, room, placed, enriched);
+      }
+    }
+    xml.comment("Thesis Figure 76, digit by digit.");
+    AreaNode.BOOKCASE.write(xml, enriched);
+    AreaNode.DESK.write(xml, enriched);
+    AreaNode.SOFA.write(xml, enriched);
+    return xml.finish();
+  }
+
+  private static void head(X3dWriter xml, String fileName, String state) {
+    xml.open("head").meta("title", fileName);
+    xml.meta("description", "The apartment of the thesis (chapter 5)" + state);
+    xml.meta("generator", "./selective-renderer apartment").meta("license", "MIT").close();
+  }
+
+  private static void viewpoints(X3dWriter xml) {
+    viewpoint(xml, "KitchenView", "Kitchen", Room.KITCHEN.middle(), 0.1, -66, -10);
+    viewpoint(xml, "LoungeView", "Lounge", Room.LOUNGE.middle(), 0, 140, -14);
+    viewpoint(xml, "OfficeView", "Office", Room.OFFICE.middle(), 0, -110, -12);
+    xml.empty(
+        "Viewpoint",
+        "DEF",
+        "OverviewView",
+        "description",
+        "Overview",
+        "position",
+        "0 12.8 4.3",
+        "orientation",
+        SceneNumbers.orientation(0, -72),
+        "fieldOfView",
+        "0.8");
+  }
+
+  private static void viewpoint(
+      X3dWriter xml, String def, String name, double x, double z, double yaw, double pitch) {
+    xml.empty(
+        "Viewpoint",
+        "DEF",
+        def,
+        "description",
+        name,
+        "position",
+        SceneNumbers.numbers(x, Room.FLOOR + EYE, z),
+        "orientation",
+        SceneNumbers.orientation(yaw, pitch),
+        "fieldOfView",
+        "1.05");
+  }
+
+  private void room(X3dWriter xml, Room room, List<PlacedObject> placed, boolean enriched) {
+    xml.open("Group", "DEF", room.title());
+    RoomLights.write(xml, room);
+    xml.open("Transform", "translation", SceneNumbers.numbers(0, Room.FLOOR, 0));
+    String frame = room.name().toLowerCase(Locale.ROOT) + "Frame";
+    xml.empty(
+        "Inline",
+        "DEF",
+        "Inline_" + room.title() + "Frame_Definition",
+        "url",
+        ValueText.strings("../inlineNodes/" + frame + ".x3d"));
+    for (PlacedObject object : FloorShadows.of(placed)) {
+      if (object.placement().room() == room) {
+        shadow(xml, object);
+      }
+    }
+    objects(xml, room, placed, enriched);
+    xml.close().close();
+  }
+
+  private void unlitRoom(X3dWriter xml, Room room, List<PlacedObject> placed, int share) {
+    xml.open("Group", "DEF", room.title());
+    xml.open("Transform", "translation", SceneNumbers.numbers(0, Room.FLOOR, 0));
+    PhotometricLights.write(xml, room);
+    String file = room.title().toLowerCase(Locale.ROOT) + "Bare";
+    xml.open(
+        "Inline",
+        "DEF",
+        "Inline_" + room.title() + "Frame_Definition",
+        "url",
+        ValueText.strings("../inlineNodes/" + file + ".x3d"));
+    ObjectNode.set(xml, "metadata", room.title() + "FrameRadiosity", "radiosity");
+    xml.empty(
+        "MetadataInteger",
+        "containerField",
+        "value",
+        "name",
+        "polygons",
+        "value",
+        DecimalText.rounded(share, 0));
+    xml.close().close();
+    objects(xml, room, placed, true);
+    xml.close().close();
+  }
+
+  private void objects(X3dWriter xml, Room room, List<PlacedObject> placed, boolean enriched) {
+    for (PlacedObject object : placed) {
+      if (object.placement().room() == room) {
+        objects.write(xml, object, enriched);
+      }
+    }
+  }
+
+  /** As large as the box around the object's lower end: a plant's leaves darken nothing. */
+  private static void shadow(X3dWriter xml, PlacedObject object) {
+    Bounds box = object.lowerBox(LOWER_END);
+    double x = (box.minX() + box.maxX()) / 2;
+    double z = (box.minZ() + box.maxZ()) / 2;
+    xml.open(
+        "Transform",
+        "translation",
+        SceneNumbers.numbers(object.x(), object.y() + box.minY() + SoftShadow.LIFT, object.z()),
+        "rotation",
+        SceneNumbers.yaw(object.yaw()));
+    xml.open(
+        "Transform",
+        "translation",
+        SceneNumbers.numbers(x, 0, z),
+        "scale",
+        SceneNumbers.numbers(box.width() / 2, 1, box.depth() / 2));
+    xml.empty("Inline", "url", ValueText.strings("../inlineNodes/" + SoftShadow.FILE));
+    xml.close().close();
+  }
+}

@@ -1,0 +1,73 @@
+package org.selectiverenderer.apartment.scene;
+
+import org.selectiverenderer.schema.MetadataNames;
+import org.selectiverenderer.schema.SchemaField;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * A part of a room: a sensor in two Transforms with the numbers of thesis Fig 76, digit by digit,
+ * and the metadata of Fig 77.
+ *
+ * @param box DEF name of the outer Transform
+ * @param sensor DEF name of the sensor
+ * @param enter schema when the viewer enters
+ * @param exit schema when the viewer leaves
+ */
+record AreaNode(
+    String box,
+    String scale,
+    String translation,
+    String inner,
+    String sensor,
+    String size,
+    String enter,
+    String exit) {
+
+  static final AreaNode BOOKCASE =
+      new AreaNode(
+          "boxLibrary",
+          "1.078 2.368 1.338",
+          "3.744 -1.93 -1.107",
+          "0.0 0.8219 0.0",
+          "BookcaseProx",
+          "2.643 1.644 3.159",
+          "BookcaseSchema",
+          "OfficeSchema");
+
+  static final AreaNode DESK =
+      new AreaNode(
+          "boxDesk",
+          "1.809 2.182 1.0",
+          "5.779 -1.946 0.7717",
+          "0.0 0.8541 0.0",
+          "DeskProx",
+          "3.255 1.708 3.449",
+          "DeskSchema",
+          "OfficeSchema");
+
+  static final AreaNode SOFA =
+      new AreaNode(
+          "boxLounge",
+          "1.14 1.058 1.136",
+          "-5.461 -1.963 0.4947",
+          "0.0 1.76 0.0",
+          "SofaProx",
+          "5.727 3.52 4.799",
+          "SofaSchema",
+          "LoungeSchema");
+
+  void write(X3dWriter xml, boolean enriched) {
+    xml.open("Transform", "DEF", box, "scale", scale, "translation", translation);
+    xml.open("Transform", "translation", inner);
+    if (enriched) {
+      xml.open("ProximitySensor", "DEF", sensor, "size", size);
+      ObjectNode.set(xml, "metadata", MetadataNames.set(sensor), sensor);
+      ObjectNode.string(xml, SchemaField.ENTER_TIME_SCHEMA, sensor, enter);
+      ObjectNode.string(xml, SchemaField.EXIT_TIME_SCHEMA, sensor, exit);
+      xml.close().close();
+    } else {
+      xml.empty("ProximitySensor", "DEF", sensor, "size", size);
+    }
+    xml.close().close();
+  }
+}

@@ -1,0 +1,43 @@
+package org.selectiverenderer.apartment.scene;
+
+import java.util.Arrays;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.geometry.Degrees;
+
+/** Field values as text. */
+final class SceneNumbers {
+
+  private SceneNumbers() {}
+
+  /** Numbers to a tenth of a millimetre. */
+  static String numbers(double... values) {
+    return Arrays.stream(values)
+        .mapToObj(v -> DecimalText.rounded(v, 4))
+        .collect(Collectors.joining(" "));
+  }
+
+  /** A turn about +y. */
+  static String yaw(double degrees) {
+    return "0 1 0 " + DecimalText.rounded(StrictMath.toRadians(turned(degrees)), 4);
+  }
+
+  private static double turned(double degrees) {
+    double rest = degrees % 360;
+    return rest > 180 ? rest - 360 : rest <= -180 ? rest + 360 : rest;
+  }
+
+  /** A viewpoint's orientation: turned about +y, then tilted about its own x; 0, 0 is along -z. */
+  static String orientation(double yaw, double pitch) {
+    double w = Degrees.cos(yaw / 2) * Degrees.cos(pitch / 2);
+    double x = Degrees.cos(yaw / 2) * Degrees.sin(pitch / 2);
+    double y = Degrees.sin(yaw / 2) * Degrees.cos(pitch / 2);
+    double z = -Degrees.sin(yaw / 2) * Degrees.sin(pitch / 2);
+    double length = Math.sqrt(x * x + y * y + z * z);
+    if (length < 1e-9) {
+      return "0 1 0 0";
+    }
+    double angle = StrictMath.toRadians(2 * Degrees.atan2(length, w));
+    return numbers(x / length, y / length, z / length, angle);
+  }
+}

@@ -1,0 +1,54 @@
+package org.selectiverenderer.apartment.versions;
+
+import java.util.List;
+import java.util.Locale;
+import org.selectiverenderer.modelling.ExactCount;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Rounding;
+import org.selectiverenderer.modelling.X3dModelWriter;
+
+/** Makes objects' files. Safe for use by several threads. */
+public final class RecipeVersions {
+  private final X3dModelWriter writer = new X3dModelWriter("./selective-renderer apartment");
+  private final Reducer reducer = new Reducer();
+
+  /**
+   * An object in two versions: the recipe's model with polygons added as far as they are missing,
+   * and that one reduced.
+   *
+   * @throws IllegalArgumentException if the counts cannot be had
+   */
+  public MadeObject versions(ParametricModel recipe, int original, int reduced) {
+    ParametricModel model = ExactCount.refine(Rounding.toGrid(recipe), original);
+    String name = model.name();
+    RecipeFile first =
+        file(model, name + "_v1.x3d", "version 1: " + original + " polygons, as modelled");
+    String title = name + "_v2.x3d";
+    String second =
+        reducer.reduce(
+            first,
+            reduced,
+            title,
+            words(name) + ", version 2: " + reduced + " polygons, the reduced one");
+    return new MadeObject(model, List.of(first, new RecipeFile(title, reduced, second)));
+  }
+
+  /** An object that has one version. */
+  public MadeObject single(ParametricModel recipe) {
+    ParametricModel model = Rounding.toGrid(recipe);
+    String description = model.polygons() + " polygons";
+    return new MadeObject(model, List.of(file(model, model.name() + ".x3d", description)));
+  }
+
+  private RecipeFile file(ParametricModel model, String name, String description) {
+    String text = writer.text(model, name, words(model.name()) + ", " + description);
+    return new RecipeFile(name, model.polygons(), text);
+  }
+
+  /** {@code trashCan} as {@code Trash can}. */
+  static String words(String name) {
+    String spaced =
+        name.replaceAll("(?<=[a-z])(?=[A-Z0-9])|(?<=[0-9])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+    return Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+  }
+}

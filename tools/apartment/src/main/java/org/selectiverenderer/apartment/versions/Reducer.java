@@ -1,0 +1,65 @@
+package org.selectiverenderer.apartment.versions;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.polygon.model.Model;
+import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.model.ModelWriter;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.Simplifier;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
+
+/** The polygon count process (thesis 4.2) from one file's text to another's. */
+final class Reducer {
+  private static final Path FOLDER = Path.of("");
+
+  private final NodeCatalogue catalogue = NodeCatalogue.load();
+  private final X3dReader reader = new X3dReader(catalogue);
+  private final ModelReader models = new ModelReader(catalogue);
+  private final Simplifier simplifier = new Simplifier();
+  private final ModelWriter writer = new ModelWriter();
+
+  /**
+   * @param title the new file's name
+   * @throws IllegalArgumentException if no reduction has exactly so many polygons
+   */
+  String reduce(RecipeFile original, int polygons, String title, String description) {
+    Model model = read(original);
+    List<Mesh> parts = simplifier.simplify(model.meshes(), new Goal.Exactly(polygons)).parts();
+    if (count(parts) != polygons) {
+      // A closed surface has an even count: one triangle more than asked for, and that one goes.
+      Goal more = new Goal.Exactly(polygons + 1);
+      parts = Undersides.open(simplifier.simplify(model.meshes(), more).parts());
+    }
+    if (count(parts) != polygons) {
+      throw new IllegalArgumentException(
+          original.name() + " can be reduced to " + count(parts) + " polygons, not to " + polygons);
+    }
+    return writer.text(model.with(parts), FOLDER, title, description);
+  }
+
+  private static int count(List<Mesh> parts) {
+    return parts.stream().mapToInt(Mesh::polygons).sum();
+  }
+
+  private Model read(RecipeFile file) {
+    Problems problems = new Problems();
+    X3dFile scene =
+        reader.read(file.name(), file.text().getBytes(StandardCharsets.UTF_8), problems);
+    Location whole = Location.of(file.name());
+    Model model =
+        models
+            .of(scene.nodes(), scene, FOLDER, whole, file.name(), problems)
+            .orElse(new Model(List.of(), List.of()));
+    if (problems.any()) {
+      throw new IllegalArgumentException(problems.list().get(0).toString());
+    }
+    return model;
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * The two versions of an object: the recipe brought to the table's polygons, and what the polygon
+ * count process (thesis 4.2) makes of it.
+ *
+ * <p>In: a {@link org.selectiverenderer.modelling.ParametricModel} and two counts. Out: files'
+ * text. Uses {@code modelling}, {@code polygon}, {@code geometry.mesh}, {@code x3d} and {@code
+ * base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.apartment.versions;
+
+import org.jspecify.annotations.NullMarked;

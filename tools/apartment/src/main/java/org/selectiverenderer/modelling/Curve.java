@@ -1,0 +1,121 @@
+package org.selectiverenderer.modelling;
+
+import java.util.Arrays;
+import org.selectiverenderer.geometry.Degrees;
+
+/**
+ * An open line in the plane, drawn piece by piece: the profile of a lathe (x is the radius, y the
+ * height) or, closed, an {@link Outline}. A value; every piece returns a longer curve.
+ */
+public final class Curve {
+  private final double[] xy;
+
+  private Curve(double[] xy) {
+    this.xy = xy;
+  }
+
+  public static Curve from(double x, double y) {
+    return new Curve(new double[] {x, y});
+  }
+
+  /** The straight line through the points, x, y each. */
+  public static Curve of(double... xy) {
+    if (xy.length < 2 || xy.length % 2 != 0) {
+      throw new IllegalArgumentException("a curve has x and y of each of its points");
+    }
+    return new Curve(xy.clone());
+  }
+
+  public Curve line(double x, double y) {
+    return plus(x, y);
+  }
+
+  /** Goes round a centre, counter-clockwise if positive, in straight steps. */
+  public Curve arc(double centreX, double centreY, double degrees, int steps) {
+    double dx = xy[xy.length - 2] - centreX;
+    double dy = xy[xy.length - 1] - centreY;
+    double[] more = new double[2 * steps];
+    for (int i = 1; i <= steps; i++) {
+      double s = Degrees.sin(degrees * i / steps);
+      double c = Degrees.cos(degrees * i / steps);
+      more[2 * i - 2] = centreX + c * dx - s * dy;
+      more[2 * i - 1] = centreY + s * dx + c * dy;
+    }
+    return plus(more);
+  }
+
+  /** A cubic Bezier curve to (x, y) with two control points. */
+  public Curve bezier(double x1, double y1, double x2, double y2, double x, double y, int steps) {
+    double x0 = xy[xy.length - 2];
+    double y0 = xy[xy.length - 1];
+    double[] more = new double[2 * steps];
+    for (int i = 1; i <= steps; i++) {
+      double t = (double) i / steps;
+      double s = 1 - t;
+      double b0 = s * s * s;
+      double b1 = 3 * s * s * t;
+      double b2 = 3 * s * t * t;
+      double b3 = t * t * t;
+      more[2 * i - 2] = b0 * x0 + b1 * x1 + b2 * x2 + b3 * x;
+      more[2 * i - 1] = b0 * y0 + b1 * y1 + b2 * y2 + b3 * y;
+    }
+    return plus(more);
+  }
+
+  /** A smooth line (Catmull-Rom) on through the points, x, y each, {@code steps} between two. */
+  public Curve spline(int steps, double... through) {
+    double[] points = new double[through.length + 2];
+    points[0] = xy[xy.length - 2];
+    points[1] = xy[xy.length - 1];
+    System.arraycopy(through, 0, points, 2, through.length);
+    double[] smooth = Splines.through(points, 2, false, steps);
+    return plus(Arrays.copyOfRange(smooth, 2, smooth.length));
+  }
+
+  /** Goes on with the other curve's points. */
+  public Curve then(Curve other) {
+    return plus(other.xy);
+  }
+
+  /** The same points, starting at the end. */
+  public Curve reversed() {
+    double[] turned = new double[xy.length];
+    for (int i = 0; i < xy.length; i += 2) {
+      turned[i] = xy[xy.length - 2 - i];
+      turned[i + 1] = xy[xy.length - 1 - i];
+    }
+    return new Curve(turned);
+  }
+
+  /** Joined to its mirror image in the y axis; drawn upwards or downwards on one side. */
+  public Outline closedWithMirrorX() {
+    double[] mirrored = reversed().xy;
+    for (int i = 0; i < mirrored.length; i += 2) {
+      mirrored[i] = -mirrored[i];
+    }
+    return Outline.of(plus(mirrored).xy);
+  }
+
+  /** Joined from its last point to its first. */
+  public Outline closed() {
+    return Outline.of(xy);
+  }
+
+  public int size() {
+    return xy.length / 2;
+  }
+
+  public double x(int index) {
+    return xy[2 * index];
+  }
+
+  public double y(int index) {
+    return xy[2 * index + 1];
+  }
+
+  private Curve plus(double... more) {
+    double[] all = Arrays.copyOf(xy, xy.length + more.length);
+    System.arraycopy(more, 0, all, xy.length, more.length);
+    return new Curve(all);
+  }
+}

@@ -1,0 +1,63 @@
+package org.selectiverenderer.modelling;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+
+/** Surfaces of revolution about +y: a profile (x the radius, y the height) turned in steps. */
+public final class Lathe {
+
+  private Lathe() {}
+
+  /**
+   * A closed solid: an end of the profile that is off the axis is closed by a disc. A pair of
+   * neighbouring points gives {@code 2 * segments} triangles, {@code segments} if one is on the
+   * axis; a disc gives {@code segments}.
+   *
+   * @param profile e.g. from the middle of the underside up the outer wall, over the rim, down the
+   *     inner wall, to the middle of the bottom inside
+   * @throws IllegalArgumentException if a radius is negative
+   */
+  public static TriangleMesh solid(Curve profile, int segments) {
+    return Skin.over(rows(profile, segments, 360, segments), Skin.Form.CAPPED);
+  }
+
+  /** As {@link #solid}, but open where the profile ends; drawn up the outside. */
+  public static TriangleMesh surface(Curve profile, int segments) {
+    return Skin.over(rows(profile, segments, 360, segments), Skin.Form.PIPE);
+  }
+
+  /**
+   * A ring: an outline beside the axis turned round it, {@code 2 * size * segments} triangles.
+   *
+   * @param section all of it at positive x
+   */
+  public static TriangleMesh ring(Outline section, int segments) {
+    return Skin.over(rows(Curve.of(section.points()), segments, 360, segments), Skin.Form.RING);
+  }
+
+  /** A surface over a part of a turn, from the +x axis counter-clockwise seen from above; open. */
+  public static TriangleMesh sector(Curve profile, double degrees, int segments) {
+    return Skin.over(rows(profile, segments, degrees, segments + 1), Skin.Form.SHEET);
+  }
+
+  private static List<Vector3d[]> rows(Curve profile, int segments, double degrees, int columns) {
+    List<Vector3d[]> rows = new ArrayList<>();
+    for (int i = 0; i < profile.size(); i++) {
+      double radius = profile.x(i);
+      if (radius < -1e-9) {
+        throw new IllegalArgumentException("point " + i + " of a lathe's profile is left of x = 0");
+      }
+      Vector3d[] row = new Vector3d[columns];
+      for (int c = 0; c < columns; c++) {
+        double angle = degrees * c / segments;
+        row[c] =
+            new Vector3d(radius * Degrees.cos(angle), profile.y(i), -radius * Degrees.sin(angle));
+      }
+      rows.add(row);
+    }
+    return rows;
+  }
+}

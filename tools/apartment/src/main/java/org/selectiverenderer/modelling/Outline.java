@@ -1,0 +1,157 @@
+package org.selectiverenderer.modelling;
+
+import java.util.Arrays;
+import org.selectiverenderer.geometry.Degrees;
+
+/**
+ * A closed line in the plane that does not cross itself, counter-clockwise; concave ones are
+ * welcome. A value. Points that repeat their predecessor are left out.
+ */
+public final class Outline {
+  private final double[] xy;
+
+  private Outline(double[] xy) {
+    this.xy = xy;
+  }
+
+  /** The polygon with these corners, x, y each, in either direction. */
+  public static Outline of(double... xy) {
+    double[] distinct = new double[xy.length];
+    int n = 0;
+    for (int i = 0; i < xy.length; i += 2) {
+      int before = n == 0 ? xy.length - 2 : n - 2;
+      double[] source = n == 0 ? xy : distinct;
+      if (Math.abs(xy[i] - source[before]) + Math.abs(xy[i + 1] - source[before + 1]) > 1e-9) {
+        distinct[n] = xy[i];
+        distinct[n + 1] = xy[i + 1];
+        n += 2;
+      }
+    }
+    if (n < 6) {
+      throw new IllegalArgumentException("an outline has three corners at least");
+    }
+    Outline outline = new Outline(Arrays.copyOf(distinct, n));
+    return outline.area() < 0 ? new Outline(outline.clockwise()) : outline;
+  }
+
+  public static Outline circle(double radius, int points) {
+    return ellipse(radius, radius, points);
+  }
+
+  /** An ellipse about the origin; its first point is on the x axis. */
+  public static Outline ellipse(double radiusX, double radiusY, int points) {
+    return superellipse(radiusX, radiusY, 2, points);
+  }
+
+  /**
+   * A superellipse (Lame curve): exponent 2 is an ellipse, 4 a squarish pillow, above 10 nearly a
+   * rectangle, 1 a rhombus.
+   */
+  public static Outline superellipse(double radiusX, double radiusY, double exponent, int points) {
+    double[] xy = new double[2 * points];
+    for (int i = 0; i < points; i++) {
+      double c = Degrees.cos(360.0 * i / points);
+      double s = Degrees.sin(360.0 * i / points);
+      xy[2 * i] = radiusX * bent(c, 2 / exponent);
+      xy[2 * i + 1] = radiusY * bent(s, 2 / exponent);
+    }
+    return of(xy);
+  }
+
+  static double bent(double value, double power) {
+    return power == 1 ? value : Math.copySign(Degrees.power(Math.abs(value), power), value);
+  }
+
+  /** A rectangle about the origin. */
+  public static Outline rectangle(double width, double height) {
+    double x = width / 2;
+    double y = height / 2;
+    return of(-x, -y, x, -y, x, y, -x, y);
+  }
+
+  /** A rectangle about the origin with round corners, {@code steps} pieces each. */
+  public static Outline roundedRectangle(double width, double height, double radius, int steps) {
+    return rectangle(width, height).rounded(radius, steps);
+  }
+
+  /** A smooth closed line (Catmull-Rom) through the points, {@code steps} pieces between two. */
+  public static Outline spline(int steps, double... xy) {
+    return of(Splines.through(xy, 2, true, steps));
+  }
+
+  /** Every corner an arc; where an edge is too short for the radius, a smaller one. */
+  public Outline rounded(double radius, int steps) {
+    return of(Corners.round(xy, true, radius, steps));
+  }
+
+  public Outline move(double x, double y) {
+    return affine(1, 0, 0, 1, x, y);
+  }
+
+  public Outline scale(double x, double y) {
+    return affine(x, 0, 0, y, 0, 0);
+  }
+
+  /** Turns about the origin, counter-clockwise if positive. */
+  public Outline turn(double degrees) {
+    double s = Degrees.sin(degrees);
+    double c = Degrees.cos(degrees);
+    return affine(c, -s, s, c, 0, 0);
+  }
+
+  private Outline affine(double xx, double xy, double yx, double yy, double dx, double dy) {
+    double[] moved = new double[this.xy.length];
+    for (int i = 0; i < moved.length; i += 2) {
+      double x = this.xy[i];
+      double y = this.xy[i + 1];
+      moved[i] = xx * x + xy * y + dx;
+      moved[i + 1] = yx * x + yy * y + dy;
+    }
+    return of(moved);
+  }
+
+  /**
+   * The outline moved inwards, corner by corner, with as many corners as before.
+   *
+   * @param distance metres; negative moves outwards
+   * @throws IllegalArgumentException if an edge would turn round: the distance is too large
+   */
+  public Outline inset(double distance) {
+    return new Outline(Insetting.inset(xy, distance));
+  }
+
+  /** The enclosed area, square metres. */
+  public double area() {
+    double sum = 0;
+    for (int i = 0, j = xy.length - 2; i < xy.length; j = i, i += 2) {
+      sum += xy[j] * xy[i + 1] - xy[i] * xy[j + 1];
+    }
+    return sum / 2;
+  }
+
+  public int size() {
+    return xy.length / 2;
+  }
+
+  public double x(int index) {
+    return xy[2 * index];
+  }
+
+  public double y(int index) {
+    return xy[2 * index + 1];
+  }
+
+  double[] points() {
+    return xy;
+  }
+
+  /** The points the other way round, as holes have them. */
+  double[] clockwise() {
+    double[] turned = new double[xy.length];
+    for (int i = 0; i < xy.length; i += 2) {
+      turned[i] = xy[xy.length - 2 - i];
+      turned[i + 1] = xy[xy.length - 1 - i];
+    }
+    return turned;
+  }
+}

@@ -1,0 +1,63 @@
+package org.selectiverenderer.modelling;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+
+/**
+ * An object of several parts, in metres; it stands on y = 0 with its front towards +z.
+ *
+ * @param name as in the thesis's tables: {@code trashCan}
+ */
+public record ParametricModel(String name, List<Part> parts) {
+
+  public ParametricModel {
+    parts = List.copyOf(parts);
+    Set<String> names = new HashSet<>();
+    for (Part part : parts) {
+      if (!names.add(part.name())) {
+        throw new IllegalArgumentException(name + " has two parts named " + part.name());
+      }
+    }
+  }
+
+  public static ParametricModel of(String name, Part... parts) {
+    return new ParametricModel(name, List.of(parts));
+  }
+
+  /** The number of triangles of all parts. */
+  public int polygons() {
+    return parts.stream().mapToInt(p -> p.mesh().triangleCount()).sum();
+  }
+
+  /** All parts' triangles as one mesh. */
+  public TriangleMesh mesh() {
+    return TriangleMesh.of(parts.stream().map(Part::mesh).toList());
+  }
+
+  /** The box around all points; the model has some. */
+  public Bounds bounds() {
+    return parts.stream().map(p -> p.mesh().bounds()).reduce(Bounds::union).orElseThrow();
+  }
+
+  /** The same with every part's mesh changed: moved, turned, scaled. */
+  public ParametricModel map(UnaryOperator<TriangleMesh> change) {
+    return new ParametricModel(
+        name, parts.stream().map(p -> p.with(change.apply(p.mesh()))).toList());
+  }
+
+  public ParametricModel named(String other) {
+    return new ParametricModel(other, parts);
+  }
+
+  /** With the other model's parts after its own. */
+  public ParametricModel plus(ParametricModel other) {
+    List<Part> all = new ArrayList<>(parts);
+    all.addAll(other.parts);
+    return new ParametricModel(name, all);
+  }
+}

@@ -1,0 +1,38 @@
+package org.selectiverenderer.modelling;
+
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.font.FontFamily;
+import org.selectiverenderer.geometry.font.FontStyle;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+
+/** Letters as triangles: keys, labels, book backs. Keeps the glyphs it has made. */
+public final class RaisedLetters {
+  private final TextMesher mesher = new TextMesher();
+  private final FontFamily family;
+  private final FontStyle style;
+
+  public RaisedLetters(FontFamily family, FontStyle style) {
+    this.family = family;
+    this.style = style;
+  }
+
+  /** Bold letters without serifs. */
+  public static RaisedLetters bold() {
+    return new RaisedLetters(FontFamily.SANS, FontStyle.BOLD);
+  }
+
+  /**
+   * A line of flat letters that faces +z at z = 0, centred on x and y. Put it half a millimetre
+   * before the surface that it is written on.
+   *
+   * @param size length of an em, metres; capitals are about 0.73 of it
+   */
+  public TriangleMesh flat(String line, double size) {
+    Mesh mesh = mesher.mesh(line, family, style, (float) size);
+    TriangleMesh letters = new TriangleMesh(mesh.positions(), mesh.indices());
+    Bounds b = letters.bounds();
+    return letters.move(-(b.minX() + b.maxX()) / 2, -(b.minY() + b.maxY()) / 2, 0);
+  }
+}

@@ -1,0 +1,26 @@
+package org.selectiverenderer.apartment.office;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.modelling.ParametricModel;
+
+class TrashCanTest {
+
+  @Test
+  void hasThePolygonsOfTheThesisWithoutAnyRefinement() {
+    assertThat(TrashCan.model().polygons()).isEqualTo(1064);
+  }
+
+  @Test
+  void standsOnTheFloorAndIsSeenFromBothSides() {
+    ParametricModel can = TrashCan.model();
+    Bounds bounds = can.bounds();
+
+    assertThat(bounds.minY()).isZero();
+    assertThat(bounds.height()).isCloseTo(0.32, within(1e-6));
+    assertThat(can.parts()).allMatch(part -> part.bothSides());
+  }
+}

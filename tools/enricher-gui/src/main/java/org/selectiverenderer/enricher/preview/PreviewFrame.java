@@ -1,0 +1,49 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.schema.SensorSchemas;
+
+/**
+ * A picture of the scene and what is to be said about it; a value.
+ *
+ * @param image in pixels of the screen
+ * @param labels of the sensor boxes; none when they are not shown
+ * @param polygons of the whole scene in its present versions
+ * @param drawn polygons after culling
+ * @param areas that the viewer walks in, in the order of entering
+ * @param schemas in force, by walking or as if
+ * @param walking whether the author walks
+ * @param selected the name of what is outlined, if anything is
+ * @param revision of the document that is shown
+ */
+record PreviewFrame(
+    BufferedImage image,
+    List<Label> labels,
+    long polygons,
+    long drawn,
+    List<String> areas,
+    List<String> schemas,
+    boolean walking,
+    Optional<String> selected,
+    long revision) {
+
+  /**
+   * The label of a sensor's box.
+   *
+   * @param x of its middle in pixels from the left
+   * @param y of its foot in pixels from the top
+   * @param name the DEF name
+   * @param polygons of what stands in the box, if they were counted
+   * @param anchor of the sensor
+   */
+  record Label(
+      int x,
+      int y,
+      String name,
+      SensorSchemas schemas,
+      Optional<Long> polygons,
+      boolean selected,
+      Anchor anchor) {}
+}

@@ -1,0 +1,70 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+
+/** Pictures of the renderer as pictures of Swing. */
+final class PreviewImages {
+  /** Half the width of an outline in pixels. */
+  private static final int OUTLINE = 2;
+
+  private static final int MASKED = 128;
+
+  private PreviewImages() {}
+
+  /** Turned upright, alpha ignored. */
+  static BufferedImage of(Screenshot shot) {
+    BufferedImage image =
+        new BufferedImage(shot.width(), shot.height(), BufferedImage.TYPE_INT_RGB);
+    int[] pixels = pixels(image);
+    for (int y = 0, at = 0; y < shot.height(); y++) {
+      for (int x = 0; x < shot.width(); x++) {
+        pixels[at++] = shot.rgb(x, shot.height() - 1 - y);
+      }
+    }
+    return image;
+  }
+
+  /**
+   * As {@link #of}, with a line around what is masked, so that the object itself stays as it is.
+   *
+   * @param rgb the colour of the line
+   */
+  static BufferedImage outlined(Screenshot shot, int rgb) {
+    BufferedImage image = of(shot);
+    int width = shot.width();
+    int height = shot.height();
+    // Spread the mask along rows, then along columns: a square brush in two passes.
+    boolean[] mask = new boolean[width * height];
+    boolean[] wide = new boolean[width * height];
+    for (int y = 0; y < height; y++) {
+      int row = y * width;
+      for (int x = 0; x < width; x++) {
+        if ((shot.rgba()[4 * ((height - 1 - y) * width + x) + 3] & 0xff) >= MASKED) {
+          mask[row + x] = true;
+          for (int i = Math.max(0, x - OUTLINE); i <= Math.min(width - 1, x + OUTLINE); i++) {
+            wide[row + i] = true;
+          }
+        }
+      }
+    }
+    int[] pixels = pixels(image);
+    for (int y = 0; y < height; y++) {
+      for (int x = 0; x < width; x++) {
+        if (wide[y * width + x]) {
+          for (int i = Math.max(0, y - OUTLINE); i <= Math.min(height - 1, y + OUTLINE); i++) {
+            if (!mask[i * width + x]) {
+              pixels[i * width + x] = rgb;
+            }
+          }
+        }
+      }
+    }
+    return image;
+  }
+
+  private static int[] pixels(BufferedImage image) {
+    return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+  }
+}

@@ -1,0 +1,125 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.instance.Instance;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
+import org.selectiverenderer.runtime.scene.Node;
+
+/** The nodes of the document's own text in a running scene, and the way from one to the other. */
+final class PreviewNodes {
+  private record Place(int line, int column) {}
+
+  private final World world;
+  private final Map<Place, Node> byPlace = new HashMap<>();
+  private final Set<Node> all = new LinkedHashSet<>();
+
+  PreviewNodes(World world) {
+    this.world = world;
+    collect(world.instances().root());
+  }
+
+  private void collect(GroupInstance group) {
+    if (group.node() instanceof InlineNode) {
+      return; // What is in it stands in another file.
+    }
+    for (Instance child : group.children()) {
+      Node node = child.node();
+      if (all.add(node)) {
+        byPlace.putIfAbsent(new Place(node.location().line(), node.location().column()), node);
+        if (child instanceof GroupInstance below) {
+          collect(below);
+        }
+      }
+    }
+  }
+
+  /** All groups, shapes, lights and others that have a place in the scene, in document order. */
+  List<Node> all() {
+    return List.copyOf(all);
+  }
+
+  /** The first of the anchors that is a node with a place in the scene. */
+  Optional<Node> find(List<Anchor> anchors) {
+    for (Anchor anchor : anchors) {
+      Node found =
+          anchor
+              .def()
+              .flatMap(world.scene()::find)
+              .orElseGet(() -> byPlace.get(new Place(anchor.line(), anchor.column())));
+      if (found != null && !world.instances().instances(found).isEmpty()) {
+        return Optional.of(found);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The shapes in a node, shown or not. */
+  Set<ShapeInstance> shapes(Node node) {
+    Set<ShapeInstance> shapes = new HashSet<>();
+    InstanceTree tree = world.instances();
+    tree.instances(node).forEach(place -> gather(place, shapes));
+    return shapes;
+  }
+
+  private static void gather(Instance instance, Set<ShapeInstance> shapes) {
+    if (instance instanceof ShapeInstance shape) {
+      shapes.add(shape);
+    } else if (instance instanceof GroupInstance group) {
+      group.children().forEach(child -> gather(child, shapes));
+    }
+  }
+
+  /**
+   * What an author means by clicking on a shape: the nearest Switch around it, else the nearest
+   * node with a name, else the nearest node of the document.
+   *
+   * @param innermost for the nearest node of the document in any case
+   */
+  Optional<Node> meant(ShapeInstance shape, boolean innermost) {
+    List<Node> own = own(shape);
+    if (own.isEmpty()) {
+      return Optional.empty();
+    }
+    if (!innermost) {
+      for (Node node : own) {
+        if (node instanceof SwitchNode) {
+          return Optional.of(node);
+        }
+      }
+      for (Node node : own) {
+        if (node.name() != null) {
+          return Optional.of(node);
+        }
+      }
+    }
+    return Optional.of(own.get(0));
+  }
+
+  /** The nodes of the document around a shape, the nearest first. */
+  private List<Node> own(ShapeInstance shape) {
+    List<Node> own = new ArrayList<>();
+    for (@Nullable Instance at = shape; at != null; at = at.parent()) {
+      if (at.node() instanceof InlineNode) {
+        own.clear();
+      }
+      if (at.parent() != null) { // The root group is no part of the file.
+        own.add(at.node());
+      }
+    }
+    own.removeIf(node -> !all.contains(node));
+    return own;
+  }
+}

@@ -1,0 +1,66 @@
+package org.selectiverenderer.enricher.settings;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Properties;
+import org.selectiverenderer.base.files.WholeFile;
+
+/** What the window remembers, as words and numbers in one file of the user's. */
+public final class EnricherSettings {
+  private final Path file;
+  private final Properties values = new Properties();
+
+  /**
+   * @param folder of the user's settings; made when something is stored
+   */
+  public EnricherSettings(Path folder) {
+    this.file = folder.resolve("enricher.properties");
+  }
+
+  /**
+   * Reads what was stored; nothing if nothing was.
+   *
+   * @throws IOException with one line if the file cannot be read; the settings are as delivered
+   *     then
+   */
+  public void load() throws IOException {
+    if (!Files.isRegularFile(file)) {
+      return;
+    }
+    try (Reader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+      values.load(in);
+    } catch (IOException | IllegalArgumentException e) {
+      values.clear();
+      throw new IOException(file + ": the settings cannot be read; the defaults are used", e);
+    }
+  }
+
+  /** Writes them. */
+  public void store() throws IOException {
+    Files.createDirectories(file.toAbsolutePath().getParent());
+    StringWriter text = new StringWriter();
+    values.store(text, "Enricher");
+    WholeFile.replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  public String word(String key, String usual) {
+    return values.getProperty(key, usual);
+  }
+
+  public int number(String key, int usual) {
+    String word = values.getProperty(key, "");
+    return word.matches("-?\\d{1,9}") ? Integer.parseInt(word) : usual;
+  }
+
+  public boolean flag(String key, boolean usual) {
+    return Boolean.parseBoolean(word(key, Boolean.toString(usual)));
+  }
+
+  public void put(String key, Object value) {
+    values.setProperty(key, value.toString());
+  }
+}
