@@ -124,7 +124,7 @@ public final class OpenWindow {
     hands.await("the dialogue", () -> dialog().isPresent());
     settle();
     JDialog open = Hands.onEdt(() -> dialog().orElseThrow());
-    click(hands, Hands.named(open, button, JButton.class), () -> !open.isShowing());
+    hands.choose(open, button);
   }
 
   private static Optional<JDialog> dialog() {
