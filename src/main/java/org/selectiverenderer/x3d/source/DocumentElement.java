@@ -25,6 +25,7 @@ public final class DocumentElement {
   private @Nullable String def;
   private @Nullable String use;
   private @Nullable Text text;
+  private @Nullable ElementLocation place;
   private int start;
   private int tagEnd;
   private int end = -1;
@@ -102,7 +103,7 @@ public final class DocumentElement {
 
   /** Where the tag starts. */
   public Location location() {
-    return source.location(start);
+    return place == null ? source.location(start) : place.location();
   }
 
   /** Where its last character stands; empty when the text breaks off before. */
@@ -185,7 +186,12 @@ public final class DocumentElement {
   }
 
   public ElementLocation place() {
-    return new ElementLocation(source, start, location());
+    return place == null ? new ElementLocation(source, start, location()) : place;
+  }
+
+  /** Keeps where it starts in a text that does not change, so that its lines need not be found. */
+  void place(ElementLocation found) {
+    place = found;
   }
 
   public void add(DocumentElement child) {
