@@ -244,11 +244,25 @@ public final class DocumentElement {
     if (end <= shift.first()) {
       return;
     }
+    if (start >= shift.last()) {
+      moveBy(shift.total());
+      return;
+    }
     start = shift.start(start);
     tagEnd = shift.end(tagEnd);
     end = shift.end(end);
     for (DocumentElement child : children) {
       child.move(shift);
+    }
+  }
+
+  /** Most elements stand behind the last change. */
+  private void moveBy(int growth) {
+    start += growth;
+    tagEnd += growth;
+    end += growth;
+    for (int i = 0; i < children.size(); i++) {
+      children.get(i).moveBy(growth);
     }
   }
 
