@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.polygon.model.Model;
@@ -87,7 +86,7 @@ abstract class SceneOfAVase {
 
   VersionsEdit make(Path scene, String object, Goal... goals) throws IOException {
     VersionsEdit plan = plan(scene, object, goals).orElseThrow();
-    plan.write(FileActions.REAL);
+    plan.write();
     return plan;
   }
 

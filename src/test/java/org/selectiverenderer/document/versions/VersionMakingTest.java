@@ -16,7 +16,6 @@ import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.polygon.simplify.Goal;
 
 /** An object is replaced by a Switch of its versions, and nothing else changes. */
@@ -206,7 +205,7 @@ class VersionMakingTest extends SceneOfAVase {
 
     plan(new VersionsEdit.Request(scene, "Vase", GOALS, output, "inlineNodes"))
         .orElseThrow()
-        .write(FileActions.REAL);
+        .write();
 
     assertThat(scene).hasContent(SCENE);
     assertThat(output).hasContent(CHANGED);
@@ -218,7 +217,7 @@ class VersionMakingTest extends SceneOfAVase {
 
     plan(new VersionsEdit.Request(scene(SCENE), "Vase", GOALS, output, "inlineNodes"))
         .orElseThrow()
-        .write(FileActions.REAL);
+        .write();
 
     try (GZIPInputStream in =
         new GZIPInputStream(new ByteArrayInputStream(Files.readAllBytes(output)))) {

@@ -9,7 +9,6 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.polygon.simplify.Goal;
 
 /** Versions made again, and other ones, of an object that has some. */
@@ -122,7 +121,7 @@ class VersionUpdateTest extends SceneOfAVase {
 
     plan(new VersionsEdit.Request(scene, "Vase", GOALS, output, "inlineNodes"))
         .orElseThrow()
-        .write(FileActions.REAL);
+        .write();
 
     assertThat(folder.resolve("copy/inlineNodes/Vase_v1.x3d"))
         .hasSameBinaryContentAs(folder.resolve("inlineNodes/Vase_v1.x3d"));
