@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.DryRunOption;
@@ -121,7 +120,7 @@ public final class VersionsCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     if (!dryRun.asked()) {
-      LeftFiles.tell(plan.get().write(FileActions.REAL), console());
+      LeftFiles.tell(plan.get().write(), console());
     }
     print(plan.get());
     return plan.get().versions().stream().allMatch(ObjectVersion::met)

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
@@ -123,14 +122,14 @@ public final class VersionsEdit {
    * @throws EditRefused if the document has changed since it was planned
    * @throws IOException if a file cannot be written; nothing has changed then
    */
-  public void apply(SceneDocument document, FileActions actions) throws IOException {
+  public void apply(SceneDocument document) throws IOException {
     if (document.revision() != snapshot.revision()) {
       throw new EditRefused(
           ("the scene has changed since the versions of '%s' were computed; compute "
                   + "them again")
               .formatted(object));
     }
-    write(files, actions);
+    write(files);
     document.perform(edit);
   }
 
@@ -140,14 +139,14 @@ public final class VersionsEdit {
    * @return see {@link FileTransaction#commit}
    * @throws IOException if one cannot be written, with one line that names it
    */
-  public List<Path> write(FileActions actions) throws IOException {
+  public List<Path> write() throws IOException {
     List<PlannedFile> all = new ArrayList<>(files);
     all.add(scene);
-    return write(all, actions);
+    return write(all);
   }
 
-  private static List<Path> write(List<PlannedFile> files, FileActions actions) throws IOException {
-    FileTransaction writing = new FileTransaction(actions);
+  private static List<Path> write(List<PlannedFile> files) throws IOException {
+    FileTransaction writing = new FileTransaction();
     for (PlannedFile file : files) {
       if (file.state() != PlannedFile.State.UNCHANGED) {
         writing.add(file.file(), file.content());

@@ -21,17 +21,25 @@ public final class DocumentElement {
   private String name;
   private @Nullable DocumentElement parent;
   private List<DocumentElement> children = List.of();
-  private @Nullable List<DocumentAttribute> attributes;
   private @Nullable String def;
   private @Nullable String use;
-  private @Nullable Text text;
+  private @Nullable Content content;
   private int start;
   private int tagEnd;
   private int end = -1;
   private long changed;
   private boolean attached = true;
 
-  private record Text(StringBuilder characters, int start) {}
+  /**
+   * What is known of an element whose text does not change. Apart from the element: an edit shifts
+   * tens of thousands of them, and the smaller they are the sooner.
+   */
+  private static final class Content {
+    private @Nullable ElementLocation place;
+    private @Nullable List<DocumentAttribute> attributes;
+    private @Nullable StringBuilder text;
+    private int textStart;
+  }
 
   /**
    * @param start the offset of its {@code <}
@@ -102,7 +110,9 @@ public final class DocumentElement {
 
   /** Where the tag starts. */
   public Location location() {
-    return source.location(start);
+    return content == null || content.place == null
+        ? source.location(start)
+        : content.place.location();
   }
 
   /** Where its last character stands; empty when the text breaks off before. */
@@ -117,9 +127,8 @@ public final class DocumentElement {
 
   /** The attributes as values, in order; those of a text that is edited are read each time. */
   public List<DocumentAttribute> attributes() {
-    List<DocumentAttribute> kept = attributes;
-    if (kept != null) {
-      return kept;
+    if (content != null && content.attributes != null) {
+      return content.attributes;
     }
     List<DocumentAttribute> read = new ArrayList<>();
     for (WrittenAttribute written : tag().attributes()) {
@@ -149,12 +158,14 @@ public final class DocumentElement {
 
   /** The text directly within the element; empty where it is white space only or not kept. */
   public String text() {
-    return text == null ? "" : text.characters().toString();
+    return content == null || content.text == null ? "" : content.text.toString();
   }
 
   /** Where that text begins; where the tag starts if there is none. */
   public Location textLocation() {
-    return text == null ? location() : source.location(text.start());
+    return content == null || content.text == null
+        ? location()
+        : source.location(content.textStart);
   }
 
   /** The text's revision in which it or something in it changed last. */
@@ -185,7 +196,23 @@ public final class DocumentElement {
   }
 
   public ElementLocation place() {
-    return new ElementLocation(source, start, location());
+    return content == null || content.place == null
+        ? new ElementLocation(source, start, location())
+        : content.place;
+  }
+
+  private Content content() {
+    Content known = content;
+    if (known == null) {
+      known = new Content();
+      content = known;
+    }
+    return known;
+  }
+
+  /** Keeps where it starts in a text that does not change, so that its lines need not be found. */
+  void place(ElementLocation found) {
+    content().place = found;
   }
 
   public void add(DocumentElement child) {
@@ -197,14 +224,16 @@ public final class DocumentElement {
   }
 
   public void attributes(List<DocumentAttribute> all) {
-    attributes = all;
+    content().attributes = all;
   }
 
   public void addText(String more, int at) {
-    if (text == null) {
-      text = new Text(new StringBuilder(more.length()), at);
+    Content into = content();
+    if (into.text == null) {
+      into.text = new StringBuilder(more.length());
+      into.textStart = at;
     }
-    text.characters().append(more);
+    into.text.append(more);
   }
 
   void endAt(int offset) {
@@ -215,11 +244,25 @@ public final class DocumentElement {
     if (end <= shift.first()) {
       return;
     }
+    if (start >= shift.last()) {
+      moveBy(shift.total());
+      return;
+    }
     start = shift.start(start);
     tagEnd = shift.end(tagEnd);
     end = shift.end(end);
     for (DocumentElement child : children) {
       child.move(shift);
+    }
+  }
+
+  /** Most elements stand behind the last change. */
+  private void moveBy(int growth) {
+    start += growth;
+    tagEnd += growth;
+    end += growth;
+    for (int i = 0; i < children.size(); i++) {
+      children.get(i).moveBy(growth);
     }
   }
 

@@ -73,8 +73,9 @@ public final class DocumentParser extends ElementParser {
   }
 
   @Override
-  void started(DocumentElement element) {
+  void started(DocumentElement element, ElementLocation place) {
     prototypes += element.name().equals("ProtoDeclare") ? 1 : 0;
+    element.place(place);
     element.attributes(attributes(element));
     document.add(element);
     flush(element);

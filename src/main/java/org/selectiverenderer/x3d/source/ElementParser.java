@@ -84,13 +84,14 @@ class ElementParser {
 
   private void start() {
     DocumentElement parent = open;
+    ElementLocation place = xml.place();
     DocumentElement element =
         new DocumentElement(
             source,
             xml.element(),
             xml.attribute("DEF"),
             xml.attribute("USE"),
-            xml.start() + shift,
+            place.offset() + shift,
             xml.end() + shift,
             revision);
     if (parent == null) {
@@ -98,7 +99,7 @@ class ElementParser {
     } else {
       parent.add(element);
     }
-    started(element);
+    started(element, place);
     open = element;
     depth++;
     count++;
@@ -114,8 +115,12 @@ class ElementParser {
     }
   }
 
-  /** An element has begun; the parser knows its attributes. */
-  void started(DocumentElement element) {}
+  /**
+   * An element has begun; the parser knows its attributes.
+   *
+   * @param place where, in the text that is parsed
+   */
+  void started(DocumentElement element, ElementLocation place) {}
 
   void ended(DocumentElement element) {}
 

@@ -23,6 +23,15 @@ final class OffsetShift {
     return from.length == 0 ? Integer.MAX_VALUE : from[0];
   }
 
+  /** The offset from which all moves alike, by {@link #total}. */
+  int last() {
+    return to.length == 0 ? Integer.MAX_VALUE : to[to.length - 1];
+  }
+
+  int total() {
+    return growth[growth.length - 1];
+  }
+
   /** Of something that begins here: what is inserted here comes before it. */
   int start(int offset) {
     return offset + growth[upTo(offset)];

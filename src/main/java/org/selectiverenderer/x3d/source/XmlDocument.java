@@ -21,9 +21,8 @@ public final class XmlDocument {
    */
   public record Comment(String text, Location location, @Nullable DocumentElement before) {}
 
-  /** A DOCTYPE; its identifiers are empty where it gives none. */
-  public record DocumentType(
-      Location location, String rootName, String publicId, String systemId) {}
+  /** A DOCTYPE; its public identifier is empty where it gives none. */
+  public record DocumentType(Location location, String publicId) {}
 
   private final String name;
   private final boolean compressed;

@@ -2,7 +2,6 @@ package org.selectiverenderer.x3d.source;
 
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
-import org.codehaus.stax2.DTDInfo;
 import org.codehaus.stax2.XMLStreamReader2;
 import org.codehaus.stax2.typed.TypedValueDecoder;
 import org.jspecify.annotations.Nullable;
@@ -138,21 +137,14 @@ public final class XmlEvents {
 
   /** The DOCTYPE that came. */
   XmlDocument.DocumentType type() {
+    Location at = place().location();
     try {
-      DTDInfo type = xml().getDTDInfo();
-      return new XmlDocument.DocumentType(
-          place().location(),
-          given(type.getDTDRootName()),
-          given(type.getDTDPublicId()),
-          given(type.getDTDSystemId()));
+      String identifier = xml().getDTDInfo().getDTDPublicId();
+      return new XmlDocument.DocumentType(at, identifier == null ? "" : identifier);
     } catch (XMLStreamException e) {
       breakOff(e);
-      return new XmlDocument.DocumentType(place().location(), "", "", "");
+      return new XmlDocument.DocumentType(at, "");
     }
-  }
-
-  private static String given(@Nullable String identifier) {
-    return identifier == null ? "" : identifier;
   }
 
   /** The name of the entity that came. */

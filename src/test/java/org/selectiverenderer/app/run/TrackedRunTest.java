@@ -66,7 +66,8 @@ class TrackedRunTest {
 
   @TempDir private Path folder;
 
-  private RunSettings settings(double seconds) throws IOException {
+  /** Without an end: a busy machine may take long to see what a test waits for. */
+  private RunSettings settings() throws IOException {
     Path scene = folder.resolve("scene.x3d");
     Files.writeString(scene, SCENE);
     DisplaySettings display =
@@ -85,7 +86,32 @@ class TrackedRunTest {
                 TrackerOptions.NONE,
                 WhenLost.FREEZE),
             Optional.of(new HeadLogSettings(folder.resolve("head.csv"))))
-        .lasting(OptionalDouble.of(seconds));
+        .lasting(OptionalDouble.of(Double.POSITIVE_INFINITY));
+  }
+
+  /** A run on a thread of its own. */
+  private record Running(FutureTask<RunResult> result, Thread thread, RunStop stop) {
+    static Running start(RunSettings settings, RunListener listener) {
+      RunStop stop = new RunStop();
+      FutureTask<RunResult> result =
+          new FutureTask<>(() -> SceneRunner.offscreen(settings, listener, stop));
+      Thread thread = new Thread(result, "tracked-run");
+      thread.start();
+      return new Running(result, thread, stop);
+    }
+
+    /** Waits until what the head looks at is logged, which is written while it runs. */
+    void awaitLogged(Path log, String object) throws IOException, InterruptedException {
+      while (!Files.exists(log) || !Files.readString(log).contains("," + object + ",")) {
+        thread.join(20);
+        assertThat(thread.isAlive()).as("the run goes on").isTrue();
+      }
+    }
+
+    RunResult end() throws InterruptedException, ExecutionException {
+      stop.stop();
+      return result.get();
+    }
   }
 
   private static RunListener listener(CountDownLatch trouble) {
@@ -132,11 +158,13 @@ class TrackedRunTest {
   }
 
   @Test
-  void theDrawnViewLooksWhereTheEmulatorsHeadLooks() throws IOException, InterruptedException {
+  void theDrawnViewLooksWhereTheEmulatorsHeadLooks()
+      throws IOException, InterruptedException, ExecutionException {
     try (EmulatedInterTrax2 device = plugged((t, into) -> into.turn(25, -8, 12))) {
       assertThat(device.link()).isEqualTo(folder.resolve("tracker"));
-      RunResult result =
-          SceneRunner.offscreen(settings(4), listener(new CountDownLatch(1)), new RunStop());
+      Running run = Running.start(settings(), listener(new CountDownLatch(1)));
+      run.awaitLogged(folder.resolve("head.csv"), "Red");
+      RunResult result = run.end();
       Screenshot shot = result.screenshot().orElseThrow();
       // The box lies level in the tilted view: its colour beside the middle, not above or below.
       for (int centre : new int[] {320, 960}) {
@@ -158,7 +186,6 @@ class TrackedRunTest {
   @Test
   void pullingTheCableAndPluggingItInAgainIsSurvived()
       throws IOException, InterruptedException, ExecutionException {
-    CountDownLatch turning = new CountDownLatch(1);
     CountDownLatch trouble = new CountDownLatch(1);
     CountDownLatch pulled = new CountDownLatch(1);
     HeadMotion motion =
@@ -168,27 +195,20 @@ class TrackedRunTest {
           } else {
             into.turn(-40, 0, 0);
           }
-          if (t > 0.7) {
-            turning.countDown();
-          }
         };
     try (EmulatedInterTrax2 device = plugged(motion)) {
-      FutureTask<RunResult> run =
-          new FutureTask<>(
-              () -> SceneRunner.offscreen(settings(9), listener(trouble), new RunStop()));
-      Thread thread = new Thread(run, "tracked-run");
-      thread.start();
-      turning.await();
+      Running run = Running.start(settings(), listener(trouble));
+      run.awaitLogged(folder.resolve("head.csv"), "Red");
       device.unplug();
       trouble.await();
       pulled.countDown();
       device.plug();
-      Screenshot shot = run.get().screenshot().orElseThrow();
+      run.awaitLogged(folder.resolve("head.csv"), "Green");
+      Screenshot shot = run.end().screenshot().orElseThrow();
       for (int centre : new int[] {320, 960}) {
         assertThat(cross(shot, centre).get(0)).isEqualTo(0x00ff00);
       }
       assertThat(log().stream().map(HeadSample::object).distinct()).contains("Red", "Green");
-      thread.join();
     }
   }
 }

@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
@@ -42,7 +41,7 @@ class VersionsEditTest {
     VersionsEdit versions = plan(file);
     assertThat(versions.versions()).hasSize(2);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
-    versions.apply(document, FileActions.REAL);
+    versions.apply(document);
     assertThat(folder.resolve("inlineNodes/Ball_v2.x3d")).exists();
     assertThat(file.path()).hasContent(SCENE);
     assertThat(new Enrichment(document, NodeCatalogue.load()).switches().get(0).choices())
@@ -58,8 +57,7 @@ class VersionsEditTest {
     DocumentFile file = DocumentFile.open(Files.writeString(folder.resolve("ball.x3d"), SCENE));
     VersionsEdit versions = plan(file);
     file.document().type(0, 0, " ");
-    assertThatThrownBy(() -> versions.apply(file.document(), FileActions.REAL))
-        .isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> versions.apply(file.document())).isInstanceOf(EditRefused.class);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
   }
 
@@ -69,7 +67,7 @@ class VersionsEditTest {
         "<X3D version='3.3'><Scene>\r\n    <Group DEF='Ball'><Shape><Sphere/></Shape></Group>\r\n"
             + "</Scene></X3D>";
     DocumentFile file = DocumentFile.open(Files.writeString(folder.resolve("ball.x3d"), scene));
-    plan(file).apply(file.document(), FileActions.REAL);
+    plan(file).apply(file.document());
     assertThat(file.document().text().toString())
         .isEqualTo(
             """

@@ -84,12 +84,14 @@ class SessionWindowsTest {
     JFrame form = OpenWindow.named(hands, "form");
     JButton begin = Hands.named(form, "Begin", JButton.class);
     hands.click(begin);
-    hands.click(Hands.named(form, "28-32", JRadioButton.class));
+    JRadioButton age = Hands.named(form, "28-32", JRadioButton.class);
+    OpenWindow.click(hands, age, age::isSelected);
     assertThat(Hands.onEdt(begin::isEnabled)).isFalse();
-    hands.click(Hands.named(form, wording.of("form.consent"), JCheckBox.class));
+    JCheckBox consent = Hands.named(form, wording.of("form.consent"), JCheckBox.class);
+    OpenWindow.click(hands, consent, consent::isSelected);
     hands.await("Begin", begin::isEnabled);
     pictures(form, "session-form");
-    hands.click(begin);
+    OpenWindow.click(hands, begin, () -> !form.isShowing());
     assertThat(OpenWindow.answer(asked)).contains("28-32");
   }
 
@@ -100,7 +102,8 @@ class SessionWindowsTest {
         OpenWindow.asking(() -> FormWindow.ask("007", wording, end));
     JFrame form = OpenWindow.named(hands, "form");
     pictures(form, "session-form-greek");
-    hands.click(Hands.named(form, wording.of("form.cancel"), JButton.class));
+    JButton cancel = Hands.named(form, wording.of("form.cancel"), JButton.class);
+    OpenWindow.click(hands, cancel, () -> !form.isShowing());
     assertThat(OpenWindow.answer(asked)).isEmpty();
   }
 
@@ -139,7 +142,9 @@ class SessionWindowsTest {
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, screen, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
-    hands.click(Hands.named(window, window.getTitle(), JLabel.class));
+    JLabel title = Hands.named(window, window.getTitle(), JLabel.class);
+    hands.click(title);
+    OpenWindow.click(hands, title, window::isFocused);
     List<String> expected = new ArrayList<>();
     for (int row = 0; row < screen.items().size(); row++) {
       boolean yes = row % 2 == 0;
@@ -149,6 +154,7 @@ class SessionWindowsTest {
       String object = screen.items().get(row).object();
       expected.add(object + (yes ? " yes0" : " no0"));
       expected.add(object + (yes ? " yes" : " no") + confidence);
+      hands.await("both answers", () -> heard.size() >= expected.size());
       if (row == screen.items().size() / 2) {
         hands.press(KeyEvent.VK_ENTER);
         assertThat(asked.isDone()).as("Enter while answers are wanting").isFalse();
@@ -169,10 +175,12 @@ class SessionWindowsTest {
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, screen, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
-    hands.click(Hands.named(window, name + ": Yes", JToggleButton.class));
-    hands.click(Hands.named(window, name + ": 3", JToggleButton.class));
-    hands.click(Hands.named(window, name + ": No", JToggleButton.class));
-    hands.await("three answers", () -> heard.size() == 3);
+    List<String> buttons = List.of(": Yes", ": 3", ": No");
+    for (int i = 0; i < buttons.size(); i++) {
+      int answers = i + 1;
+      JToggleButton button = Hands.named(window, name + buttons.get(i), JToggleButton.class);
+      OpenWindow.click(hands, button, () -> heard.size() == answers);
+    }
     assertThat(heard).containsExactly(last + " yes0", last + " yes3", last + " no3");
     assertThat(Hands.onEdt(Hands.named(window, "Continue", JButton.class)::isEnabled)).isFalse();
     OpenWindow.close(window);
@@ -191,7 +199,9 @@ class SessionWindowsTest {
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(pilot, screen, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
-    hands.click(Hands.named(window, window.getTitle(), JLabel.class));
+    JLabel title = Hands.named(window, window.getTitle(), JLabel.class);
+    hands.click(title);
+    OpenWindow.click(hands, title, window::isFocused);
     hands.press(KeyEvent.VK_6);
     hands.press(KeyEvent.VK_7);
     hands.press(KeyEvent.VK_DOWN);
@@ -222,11 +232,12 @@ class SessionWindowsTest {
         JFrame window = OpenWindow.named(hands, "controls");
         controls.status("exposure-kitchen: 12 s left");
         JTextField note = Hands.named(window, "Note to keep", JTextField.class);
-        hands.click(note);
+        OpenWindow.click(hands, note, note::isFocusOwner);
         hands.type("7");
+        hands.await("the note", () -> note.getText().equals("7"));
         hands.press(KeyEvent.VK_ENTER);
-        hands.click(Hands.named(window, "Pause", JToggleButton.class));
-        hands.await("the pause", controls::paused);
+        JToggleButton pause = Hands.named(window, "Pause", JToggleButton.class);
+        OpenWindow.click(hands, pause, controls::paused);
         JLabel status =
             Hands.onEdt(
                 () ->
@@ -235,11 +246,19 @@ class SessionWindowsTest {
                             .getLayoutComponent(BorderLayout.NORTH));
         hands.await("the status", () -> status.getText().startsWith("exposure-kitchen: 12 s left"));
         pictures(window, "session-controls");
-        hands.click(Hands.named(window, "Continue", JToggleButton.class));
-        hands.await("the end of the pause", () -> !controls.paused());
-        hands.click(Hands.named(window, "Go on", JButton.class));
-        hands.await("going on", controls::takeGoOn);
-        hands.click(Hands.named(window, "Abort ...", JButton.class));
+        OpenWindow.click(hands, pause, () -> !controls.paused());
+        AtomicBoolean went = new AtomicBoolean(); // Taken once.
+        OpenWindow.click(
+            hands,
+            Hands.named(window, "Go on", JButton.class),
+            () -> {
+              if (controls.takeGoOn()) {
+                went.set(true);
+              }
+              return went.get();
+            });
+        OpenWindow.click(
+            hands, Hands.named(window, "Abort ...", JButton.class), OpenWindow::asking);
         OpenWindow.answerDialog(hands, "Continue the Session");
         assertThat(controls.aborted()).isFalse();
         OpenWindow.close(window);

@@ -5,7 +5,7 @@ import java.util.List;
 import org.selectiverenderer.base.problem.Problem.Severity;
 
 /** How many problems there are of each kind. */
-public record ProblemCounts(int errors, int warnings, int notes) {
+public record ProblemCounts(int errors, int warnings, int remarks) {
   static ProblemCounts of(List<ProblemEntry> entries) {
     int[] counts = new int[Severity.values().length];
     entries.forEach(entry -> counts[entry.severity().ordinal()]++);
@@ -20,11 +20,11 @@ public record ProblemCounts(int errors, int warnings, int notes) {
     return switch (severity) {
       case ERROR -> errors;
       case WARNING -> warnings;
-      case INFO -> notes;
+      case INFO -> remarks;
     };
   }
 
-  /** As a status line shows it: {@code 2 errors, 1 note}, or {@code No problems}. */
+  /** As a status line shows it: {@code 2 errors, 1 remark}, or {@code No problems}. */
   public String words() {
     List<String> words = new ArrayList<>();
     for (Severity severity : Severity.values()) {
@@ -42,7 +42,7 @@ public record ProblemCounts(int errors, int warnings, int notes) {
         switch (severity) {
           case ERROR -> "error";
           case WARNING -> "warning";
-          case INFO -> "note";
+          case INFO -> "remark";
         };
     return "%,d %s%s".formatted(count, word, count == 1 ? "" : "s");
   }

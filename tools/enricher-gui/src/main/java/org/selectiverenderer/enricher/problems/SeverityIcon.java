@@ -39,7 +39,7 @@ public final class SeverityIcon extends FlatAbstractIcon {
     return switch (severity) {
       case ERROR -> "Error";
       case WARNING -> "Warning";
-      case INFO -> "Note";
+      case INFO -> "Remark";
     };
   }
 

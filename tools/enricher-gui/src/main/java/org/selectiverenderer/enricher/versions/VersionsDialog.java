@@ -19,7 +19,6 @@ import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.EditRefused;
@@ -208,7 +207,7 @@ public final class VersionsDialog extends JDialog {
     }
     session.document().removeListener(changes);
     try {
-      edit.get().apply(session.document(), FileActions.REAL);
+      edit.get().apply(session.document());
       dispose();
     } catch (EditRefused | IOException e) {
       session.document().addListener(changes);

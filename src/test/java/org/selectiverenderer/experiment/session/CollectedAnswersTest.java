@@ -1,0 +1,112 @@
+package org.selectiverenderer.experiment.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.schema.Band;
+import org.selectiverenderer.statistics.data.Responses;
+import org.selectiverenderer.statistics.data.ResponsesReader;
+
+/** What the sessions of a study come to. */
+class CollectedAnswersTest extends TwoRoomsStudy {
+  @Test
+  void aWholeSessionLeavesAnswersThatTheStatisticsAndTheEnricherRead() throws IOException {
+    try (Session session = begin("001")) {
+      assertThat(left(session))
+          .containsExactly("form", "recognition-hall", "recognition-bath", "expectancy-hall");
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "no", 1);
+      answerAll(session, "2", 0);
+      session.end();
+    }
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems);
+    assertThat(collected.responses())
+        .isEqualTo(Files.readString(folder.resolve("sub-001/ses-01/responses.csv")));
+    Responses responses =
+        ResponsesReader.parse("r", collected.responses(), Optional.empty(), problems).orElseThrow();
+    assertThat(responses.usable()).hasSize(3);
+    Ratings ratings =
+        Ratings.read("ratings.csv", collected.ratings().getBytes(StandardCharsets.UTF_8), problems)
+            .orElseThrow();
+    assertThat(ratings.means().get("coat").get("HallSchema").band()).isEqualTo(Band.NON_EXPECTANT);
+    assertThat(collected.bands())
+        .contains("hall,HallSchema,coat,2.000000,1,non-expectant,inconsistent");
+    assertThat(problems.list()).isEmpty();
+  }
+
+  private List<String> collecting(OptionalInt session, int lines) throws IOException {
+    Problems problems = new Problems();
+    assertThat(CollectedAnswers.of(material(), session, PaperAnswers.none(), problems).responses())
+        .hasLineCount(lines);
+    return problems.list().stream()
+        .filter(problem -> !problem.message().startsWith("the questions of"))
+        .map(Problem::toString)
+        .toList();
+  }
+
+  @Test
+  void ofTwoSessionsTheFirstCompleteOneCountsAndTheOtherIsSaidToBeLeftOut() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+    }
+    assertThat(collecting(OptionalInt.empty(), 3)).isEmpty();
+    try (Session session = Session.begin(material(), "001", 2, OPTIONS, new Problems())) {
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "yes", 4);
+      answerAll(session, "2", 0);
+    }
+    assertThat(collecting(OptionalInt.empty(), 4))
+        .singleElement()
+        .asString()
+        .contains("ses-01/events.jsonl: ")
+        .endsWith(
+            "2 answers of session 1 of the participant 001 are left out, because "
+                + "session 2 counts; --session 1 uses them");
+    assertThat(collecting(OptionalInt.of(1), 3))
+        .singleElement()
+        .asString()
+        .contains("5 answers of session 2 of the participant 001 are left out");
+    assertThat(collecting(OptionalInt.of(3), 1))
+        .anyMatch(line -> line.contains("the participant 001 has no session 3"))
+        .hasSize(3);
+  }
+
+  @Test
+  void answersThatTheStudyNoLongerAsksForAreSaidToBeLeftOut() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "no", 1);
+    }
+    Path items = folder.resolve("r.csv");
+    Files.writeString(items, "area,object,consistency,present,en\nhall,coat,consistent,yes,Coat\n");
+    assertThat(collecting(OptionalInt.empty(), 2))
+        .anyMatch(line -> line.contains("no longer asks about boat in recognition-hall"))
+        .anyMatch(line -> line.contains("the study no longer has recognition-bath"))
+        .hasSize(2);
+  }
+
+  @Test
+  void aParticipantWithAConditionAndNoSessionIsSaidToBeMissing() throws IOException {
+    new Participants(material().study()).assign("009", Optional.empty(), "18-22", false);
+    assertThat(collecting(OptionalInt.empty(), 1))
+        .singleElement()
+        .asString()
+        .contains("participants.tsv: ", "the participant 009 has no session;");
+  }
+}
