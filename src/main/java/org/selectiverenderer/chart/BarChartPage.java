@@ -3,9 +3,6 @@ package org.selectiverenderer.chart;
 import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.chart.BarChart.Bar;
-import org.selectiverenderer.geometry.font.FontFamily;
-import org.selectiverenderer.geometry.font.FontLibrary;
-import org.selectiverenderer.geometry.font.FontStyle;
 
 /** Lays charts out one below the other. */
 final class BarChartPage {
@@ -29,10 +26,10 @@ final class BarChartPage {
 
   BarChartPage(List<BarChart> charts) {
     this.charts = List.copyOf(charts);
-    FontLibrary fonts = new FontLibrary();
-    title = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.BOLD), 22, true);
-    label = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 15, false);
-    small = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 13, false);
+    Lettering lettering = Lettering.of(22, 15, 13);
+    title = lettering.title();
+    label = lettering.label();
+    small = lettering.small();
   }
 
   /** In pixels. */
