@@ -39,7 +39,8 @@ final class BarPlotDrawing {
     double right = PlotHead.WIDTH - PlotHead.MARGIN - Math.max(figures + 10, 30);
     double scale = (right - left) / plot.reach();
     double top = head.height();
-    axis(canvas, left, scale, top, top + bars);
+    new BarAxis(plot.reach(), left, scale)
+        .draw(canvas, top, top + bars, small, value -> PlotNumber.of(value) + plot.unit());
     for (Group group : plot.groups()) {
       draw(group, canvas, left, scale, top + BETWEEN_GROUPS / 2.0);
       top += height(group) + BETWEEN_GROUPS;
@@ -108,20 +109,5 @@ final class BarPlotDrawing {
   private void behind(String figure, SvgCanvas canvas, double end, double y) {
     canvas.rectangle(end + 3, y, label.width(figure) + 8, BAR, ChartColour.PAPER);
     canvas.text(figure, end + 7, y + BASE, label, ChartColour.INK);
-  }
-
-  private void axis(SvgCanvas canvas, double left, double scale, double top, double bottom) {
-    double step = AxisStep.of(plot.reach());
-    double free = Double.NEGATIVE_INFINITY; // right of the last number
-    for (int i = 0; i * step <= plot.reach() * (1 + 1e-9); i++) {
-      double x = Math.rint(left + i * step * scale);
-      canvas.rectangle(x, top, 1, bottom - top + 5, ChartColour.GRID);
-      String number = PlotNumber.of(i * step) + plot.unit();
-      double half = small.width(number) / 2;
-      if (x - half > free) {
-        canvas.text(number, x - half, bottom + 22, small, ChartColour.FAINT_INK);
-        free = x + half + 12;
-      }
-    }
   }
 }
