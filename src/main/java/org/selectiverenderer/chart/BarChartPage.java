@@ -3,9 +3,6 @@ package org.selectiverenderer.chart;
 import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.chart.BarChart.Bar;
-import org.selectiverenderer.geometry.font.FontFamily;
-import org.selectiverenderer.geometry.font.FontLibrary;
-import org.selectiverenderer.geometry.font.FontStyle;
 
 /** Lays charts out one below the other. */
 final class BarChartPage {
@@ -29,10 +26,10 @@ final class BarChartPage {
 
   BarChartPage(List<BarChart> charts) {
     this.charts = List.copyOf(charts);
-    FontLibrary fonts = new FontLibrary();
-    title = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.BOLD), 22, true);
-    label = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 15, false);
-    small = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.PLAIN), 13, false);
+    Lettering lettering = Lettering.of(22, 15, 13);
+    title = lettering.title();
+    label = lettering.label();
+    small = lettering.small();
   }
 
   /** In pixels. */
@@ -69,7 +66,8 @@ final class BarChartPage {
     double scale = (right - left) / chart.reach();
     double barsTop = top + HEAD;
     double barsBottom = barsTop + (double) ROW * chart.bars().size();
-    axis(chart, canvas, left, scale, barsTop, barsBottom);
+    new BarAxis(chart.reach(), left, scale)
+        .draw(canvas, barsTop, barsBottom, small, value -> number(value) + chart.unit());
     for (int i = 0; i < chart.bars().size(); i++) {
       Bar bar = chart.bars().get(i);
       double y = barsTop + (double) ROW * i + (ROW - BAR) / 2.0;
@@ -82,22 +80,6 @@ final class BarChartPage {
       canvas.text(bar.figure(), behind, y + 14.5, label, ChartColour.INK);
     }
     canvas.rectangle(left - 1, barsTop, 1, barsBottom - barsTop, ChartColour.FAINT_INK);
-  }
-
-  private void axis(
-      BarChart chart, Canvas canvas, double left, double scale, double top, double bottom) {
-    double step = AxisStep.of(chart.reach());
-    double free = Double.NEGATIVE_INFINITY; // right of the last number
-    for (int i = 0; i * step <= chart.reach() * (1 + 1e-9); i++) {
-      double x = Math.rint(left + i * step * scale);
-      canvas.rectangle(x, top, 1, bottom - top + 5, ChartColour.GRID);
-      String number = number(i * step) + chart.unit();
-      double half = small.width(number) / 2;
-      if (x - half > free) {
-        canvas.text(number, x - half, bottom + 22, small, ChartColour.FAINT_INK);
-        free = x + half + 12;
-      }
-    }
   }
 
   private static String number(double value) {

@@ -15,7 +15,9 @@ public enum ChartColour {
   BLUE(0x0072b2),
   GREEN(0x009e73),
   ORANGE(0xe69f00),
-  VERMILION(0xd55e00);
+  VERMILION(0xd55e00),
+  SKY(0x56b4e9),
+  PURPLE(0xcc79a7);
 
   private final int rgb;
 

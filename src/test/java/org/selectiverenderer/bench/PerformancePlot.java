@@ -1,0 +1,78 @@
+package org.selectiverenderer.bench;
+
+import java.util.Locale;
+
+/** The plots of docs/performance.md: what each shows, and how. */
+enum PerformancePlot {
+  FRAMES(
+      Form.GROUPS,
+      "Frames per second",
+      "1024x768, no anti-aliasing, software OpenGL; more is better",
+      ""),
+  PICTURE(
+      Form.GROUPS,
+      "From the start of the process to the complete picture",
+      "seconds; less is better",
+      " s"),
+  MEMORY(
+      Form.GROUPS, "Resident memory", "at most, while the scene is shown; less is better", " MB"),
+  START(
+      Form.PARTS,
+      "From the start of the process to the first frame",
+      "what the time goes into",
+      " ms"),
+  FRAME(Form.PARTS, "A frame", "what its time goes into", " ms"),
+  GROWTH_OBJECTS(
+      Form.CURVES, "More objects", "of as many triangles together", "objects", "milliseconds"),
+  GROWTH_SENSORS(
+      Form.CURVES, "More sensors", "of which few are near the viewer", "sensors", "milliseconds"),
+  GROWTH_SWITCHES(
+      Form.CURVES, "More switches", "of which ten change at a time", "switches", "milliseconds"),
+  GROWTH_INLINES(Form.CURVES, "More inlined files", "of equal size", "files", "milliseconds");
+
+  /** How the figures are drawn. */
+  enum Form {
+    /** Bars of several series beside each other. */
+    GROUPS,
+    /** Bars made of parts. */
+    PARTS,
+    /** Curves over logarithmic axes. */
+    CURVES
+  }
+
+  private final Form form;
+  private final String title;
+  private final String subtitle;
+
+  /** Behind the numbers of bars; else what the curves' axes are. */
+  private final String[] units;
+
+  PerformancePlot(Form form, String title, String subtitle, String... units) {
+    this.form = form;
+    this.title = title;
+    this.subtitle = subtitle;
+    this.units = units;
+  }
+
+  Form form() {
+    return form;
+  }
+
+  String title() {
+    return title;
+  }
+
+  String subtitle() {
+    return subtitle;
+  }
+
+  /** From 0; bars have one, curves have two, across and up. */
+  String unit(int index) {
+    return units[index];
+  }
+
+  /** Of its files, without the ending. */
+  String fileName() {
+    return name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+}
