@@ -54,7 +54,7 @@ if defined SELECTIVE_RENDERER_SAI (
 )
 set "SR_FLAGS=-XX:+IgnoreUnrecognizedVMOptions -XX:+DisplayVMOutputToStderr -Xlog:disable"
 rem Those that load and then do little in Java: quick code and a small heap.
-set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms96m -Xmn64m"
+set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms64m -Xmn32m"
 if /i "%~1"=="run" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="validate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"

@@ -63,6 +63,7 @@ class LauncherTest {
         """
         case "$*" in *ClassList*) exit 1 ;; esac
         for word in "$@"; do echo "java $word" >>"$NOTES"; done
+        env | grep -E '^(MALLOC|LC_ALL)' >>"$NOTES"
         cat
         exit "${JAVA_STATUS:-0}"
         """);
@@ -181,6 +182,25 @@ class LauncherTest {
   }
 
   @Test
+  void whatDrawsKeepsTheMemoryOfAFrameForTheNext() throws Exception {
+    launch("validate", "a.x3d");
+    assertThat(notes()).noneMatch(note -> note.startsWith("MALLOC_"));
+    environment.put("MALLOC_TOP_PAD_", "4096");
+    launch("run", "a.x3d");
+    assertThat(notes())
+        .contains("MALLOC_TOP_PAD_=4096")
+        .anyMatch(note -> note.startsWith("MALLOC_TRIM_THRESHOLD_="))
+        .anyMatch(note -> note.startsWith("MALLOC_MMAP_THRESHOLD_="));
+  }
+
+  @Test
+  void namesOfFilesKeepTheirLettersInTheCLocale() throws Exception {
+    environment.put("LC_ALL", "C");
+    launch("run", "a.x3d");
+    assertThat(notes()).contains("LC_ALL=C.UTF-8");
+  }
+
+  @Test
   void newJavaIsToldThatNativeCodeIsMeant() throws Exception {
     launch("--version");
     assertThat(notes()).doesNotContain("java --enable-native-access=ALL-UNNAMED");
@@ -290,7 +310,10 @@ class LauncherTest {
             .redirectInput(in.toFile())
             .redirectOutput(out.toFile())
             .redirectError(err.toFile());
-    builder.environment().keySet().removeIf(name -> name.startsWith("SELECTIVE_RENDERER_"));
+    builder
+        .environment()
+        .keySet()
+        .removeIf(name -> name.startsWith("SELECTIVE_RENDERER_") || name.startsWith("MALLOC_"));
     builder.environment().putAll(environment);
     int status = builder.start().waitFor();
     return new Run(

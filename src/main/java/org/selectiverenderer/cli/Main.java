@@ -9,6 +9,7 @@ import java.util.Locale;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.StandardOutput;
+import org.selectiverenderer.runtime.render.context.GlStart;
 import picocli.CommandLine.Help.Ansi;
 
 /** The program's entry: arguments to a command, and its end to an exit status. */
@@ -32,7 +33,10 @@ public final class Main {
     PrintStream err =
         new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
     LibraryNoise.silence(args, err);
-    System.exit(execute(args, new Console(out, err, colours)));
+    GlStart start = GlStart.begin(CommandCatalogue.draws(args));
+    int status = execute(args, new Console(out, err, colours));
+    start.await();
+    System.exit(status);
   }
 
   /** Runs one command within this process, as tests do, and returns its exit status. */
@@ -41,6 +45,6 @@ public final class Main {
   }
 
   private static int execute(String[] args, Console console) {
-    return new CommandRunner(console).run(args, CommandCatalogue.commands(console)).code();
+    return new CommandRunner(console).run(args, CommandCatalogue.commands(console, args)).code();
   }
 }

@@ -16,7 +16,9 @@ public final class LibraryProperties {
           // JOGL would try OpenGL ES too, and say at length where there is none.
           "jogl.disable.opengles", "true",
           // No probing for Groovy closures in every command.
-          "picocli.disable.closures", "true");
+          "picocli.disable.closures", "true",
+          // No converters of options that nobody has: they take classes of java.sql and java.time.
+          "picocli.converters.excludes", "java\\.(sql|time)\\..*");
 
   /** From this Java on, LWJGL can do without sun.misc.Unsafe, but does so only when told. */
   private static final int FOREIGN_MEMORY = 25;

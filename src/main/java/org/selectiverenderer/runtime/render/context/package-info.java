@@ -3,7 +3,8 @@
  *
  * <p>In: the environment. Out: a current context, a frame buffer of any size, pictures. {@link
  * org.selectiverenderer.runtime.render.context.GlAvailability} alone may be used before it is known
- * that there is a display. Uses {@code base.picture} and JOGL.
+ * that there is a display. JOGL's native parts are unpacked once, beside the program's jar. Uses
+ * {@code base.picture}, {@code base.files} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.context;

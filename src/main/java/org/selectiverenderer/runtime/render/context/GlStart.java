@@ -1,0 +1,67 @@
+package org.selectiverenderer.runtime.render.context;
+
+import com.jogamp.opengl.GLProfile;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.CodeSource;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+
+/**
+ * Begins OpenGL on a thread of its own, {@code gl-start}, while the program finds out what it is to
+ * draw: to load the driver and to ask it what it can takes longer than to read a small scene.
+ */
+public final class GlStart {
+  private final Optional<FutureTask<Boolean>> task;
+
+  private GlStart(Optional<FutureTask<Boolean>> task) {
+    this.task = task;
+  }
+
+  /**
+   * Begins it if there may be a display.
+   *
+   * @param wanted whether anything will be drawn
+   */
+  public static GlStart begin(boolean wanted) {
+    if (!wanted || GlAvailability.check().isPresent()) {
+      return new GlStart(Optional.empty());
+    }
+    FutureTask<Boolean> task = new FutureTask<>(GlStart::start);
+    Thread thread = new Thread(task, "gl-start");
+    thread.setDaemon(true);
+    thread.start();
+    return new GlStart(Optional.of(task));
+  }
+
+  private static boolean start() {
+    jar().ifPresent(JoglLibraries::use);
+    return GLProfile.isAvailable(GLProfile.GL3);
+  }
+
+  private static Optional<Path> jar() {
+    CodeSource source = GlStart.class.getProtectionDomain().getCodeSource();
+    try {
+      return source == null
+          ? Optional.empty()
+          : Optional.of(Path.of(source.getLocation().toURI())).filter(Files::isRegularFile);
+    } catch (URISyntaxException | IllegalArgumentException e) {
+      return Optional.empty(); // Of a class loader that has no files.
+    }
+  }
+
+  /** Waits until it has begun: a process that ends before would pull the driver from under it. */
+  public void await() {
+    try {
+      if (task.isPresent()) {
+        task.get().get();
+      }
+    } catch (ExecutionException e) {
+      // Whoever opened a context met the same failure and has told it.
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.selectiverenderer.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.Console;
+import picocli.CommandLine.Command;
+
+/** Which commands a command line brings up. */
+class CommandCatalogueTest {
+  private final PrintStream nowhere = new PrintStream(new ByteArrayOutputStream());
+  private final Console console = new Console(nowhere, nowhere, false);
+
+  @Test
+  void eachCommandAloneIsMadeByItsName() {
+    for (String name : names(CommandCatalogue.commands(console))) {
+      assertThat(names(commands(name, "--help"))).containsExactly(name);
+    }
+  }
+
+  @Test
+  void whatBeginsWithNoCommandGetsAll() {
+    int all = CommandCatalogue.commands(console).size();
+    assertThat(commands()).hasSize(all);
+    assertThat(commands("--debug", "run", "a.x3d")).hasSize(all);
+    assertThat(commands("rum", "a.x3d")).hasSize(all);
+  }
+
+  @Test
+  void onlyASceneThatIsRunIsDrawnAtOnce() {
+    assertThat(CommandCatalogue.draws(new String[] {"run", "a.x3d"})).isTrue();
+    assertThat(CommandCatalogue.draws(new String[] {"run", "--help"})).isFalse();
+    assertThat(CommandCatalogue.draws(new String[] {"run"})).isFalse();
+    assertThat(CommandCatalogue.draws(new String[] {"validate", "a.x3d"})).isFalse();
+  }
+
+  private List<CliCommand> commands(String... args) {
+    return CommandCatalogue.commands(console, args);
+  }
+
+  private static List<String> names(List<CliCommand> commands) {
+    return commands.stream()
+        .map(command -> command.getClass().getAnnotation(Command.class).name())
+        .toList();
+  }
+}
