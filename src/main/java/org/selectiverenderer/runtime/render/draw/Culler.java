@@ -26,7 +26,7 @@ final class Culler {
   private static final double LOOSE_PIXELS = 4;
 
   private final Visible out;
-  private final @Nullable Occlusion occlusion;
+  private @Nullable Occlusion occlusion;
   private final List<Camera> eyes;
   private final Frustum[] frusta;
   private final Frustum[] local;
@@ -34,9 +34,8 @@ final class Culler {
   private final Matrix4d inverse = new Matrix4d();
   private long hidden;
 
-  private Culler(Visible out, List<Camera> eyes, @Nullable Occlusion occlusion) {
+  private Culler(Visible out, List<Camera> eyes) {
     this.out = out;
-    this.occlusion = occlusion;
     this.eyes = eyes;
     frusta = eyes.stream().map(Frustum::of).toArray(Frustum[]::new);
     local = new Frustum[frusta.length];
@@ -52,12 +51,14 @@ final class Culler {
       List<DrawItem> items, List<Camera> eyes, @Nullable Occlusion occlusion, Visible out) {
     out.clear();
     long[] order = new long[items.size()];
-    int count = new Culler(out, eyes, null).inView(items, order);
-    boolean occluded = occlusion != null && occlude(items, order, count, eyes, occlusion);
-    Culler culler = new Culler(out, eyes, occluded ? occlusion : null);
+    Culler culler = new Culler(out, eyes);
+    int count = culler.inView(items, order);
+    if (occlusion != null && occlude(items, order, count, eyes, occlusion)) {
+      culler.occlusion = occlusion;
+    }
     culler.fill(items, order, count);
-    if (occlusion != null && occluded) {
-      occlusion.end(culler.hidden, out.indices());
+    if (culler.occlusion != null) {
+      culler.occlusion.end(culler.hidden, out.indices());
     }
   }
 
@@ -173,6 +174,7 @@ final class Culler {
       }
       if (occlusion != null) {
         occlusion.ask(world, item.source().bounds());
+        occlusion.enter(world);
       }
       clusters(mesh, all, solid);
     }

@@ -138,20 +138,27 @@ final class DepthGrid {
       double atRow = farthest + b * (row + 0.5) + a * 0.5;
       for (int word = 0; word < 2; word++) {
         long cells = inside[2 * row + word] & ~near[2 * row + word];
-        int at = row * COLUMNS + 64 * word;
-        for (int column = 64 * word; cells != 0; cells >>>= 1, column++, at++) {
-          if ((cells & 1) != 0) {
-            covered++;
-            float depth = (float) (atRow + a * column);
-            if (depth > hiddenFrom[at]) {
-              hiddenFrom[at] = depth;
-            }
-          }
+        while (cells != 0) {
+          int first = Long.numberOfTrailingZeros(cells);
+          int count = Long.numberOfTrailingZeros(~(cells >>> first));
+          fill(row, 64 * word + first, count, atRow, a);
+          covered += count;
+          cells &= first + count < 64 ? -1L << (first + count) : 0;
         }
       }
     }
     beginOutline();
     return covered;
+  }
+
+  private void fill(int row, int first, int count, double atRow, double a) {
+    int at = row * COLUMNS + first;
+    for (int column = first; column < first + count; column++, at++) {
+      float depth = (float) (atRow + a * column);
+      if (depth > hiddenFrom[at]) {
+        hiddenFrom[at] = depth;
+      }
+    }
   }
 
   /** Makes questions cheap; to be called after the last outline. */

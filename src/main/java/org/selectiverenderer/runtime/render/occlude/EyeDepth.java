@@ -12,7 +12,7 @@ import org.selectiverenderer.runtime.camera.Camera;
  */
 final class EyeDepth {
   /** Cells that a patch may cover at best; fewer are not worth drawing. */
-  private static final double FEWEST_CELLS = 24;
+  private static final double FEWEST_CELLS = 48;
 
   /** What thin triangles of a box may differ from its depths, as a share of its depth. */
   private static final double SLIVERS = 1 / 32.0;
@@ -93,7 +93,8 @@ final class EyeDepth {
     if (!usable) {
       return;
     }
-    place(world, Precision.terms(world, occluders.reach(), eye));
+    ask(world, occluders.reach());
+    view.mulAffine(world, toEye);
     if (!toEye.invertAffine(inverse).isFinite()) {
       return;
     }
@@ -101,13 +102,6 @@ final class EyeDepth {
     for (Patch patch : occluders.patches()) {
       cover(patch, occluders.solid());
     }
-  }
-
-  private void place(Matrix4dc world, double newTerms) {
-    view.mulAffine(world, toEye);
-    terms = newTerms;
-    sharpFrom = Math.max(near, Precision.sharpFrom(terms, focal));
-    stretch = Precision.stretch(toEye);
   }
 
   private void cover(Patch patch, boolean solid) {
@@ -120,15 +114,17 @@ final class EyeDepth {
     double z = sphere[2] - localEye.z;
     double centre2 = x * x + y * y + z * z;
     double farthest = Math.sqrt(centre2) + sphere[3];
+    double nearest = Math.max(distance, Math.sqrt(centre2) - sphere[3]);
+    double cells = patch.area() * distance / (nearest * nearest * nearest) * scaleX * scaleY;
     // Edge-on, some of the triangles may face the other way.
     boolean edgeOn = distance <= 2 * patch.thickness() + (2 * patch.tilt() + 1e-5) * farthest;
     if ((solid && before < 0)
         || edgeOn
-        || cells(sphere[3] * sphere[3], centre2) * distance / farthest < FEWEST_CELLS
+        || cells < FEWEST_CELLS
         || !clipper.clip(patch, toEye, sharpFrom)) {
       return;
     }
-    clipper.edges(grid, scaleX, scaleY, originX, originY);
+    clipper.edges(patch, grid, scaleX, scaleY, originX, originY);
     // 1 / depth over the plane, which is moved back by its thickness.
     double k = (before > 0 ? -1 : 1) / (distance + patch.thickness());
     Matrix4d m = inverse;
@@ -153,7 +149,16 @@ final class EyeDepth {
    */
   void ask(Matrix4dc world, double reach) {
     if (usable) {
-      place(world, Precision.terms(world, reach, eye));
+      terms = Precision.terms(world, reach, eye);
+      sharpFrom = Math.max(near, Precision.sharpFrom(terms, focal));
+    }
+  }
+
+  /** The coordinates of spheres that are asked about from now on. */
+  void enter(Matrix4dc world) {
+    if (usable) {
+      view.mulAffine(world, toEye);
+      stretch = Precision.stretch(toEye);
     }
   }
 
@@ -193,7 +198,7 @@ final class EyeDepth {
     return hides(minX, minY, maxX, maxY, nearest, farthest, pixels);
   }
 
-  /** Likewise a sphere in the coordinates that {@link #ask} has said. */
+  /** Likewise a sphere in the coordinates that were entered. */
   boolean hides(float[] spheres, int at) {
     if (!usable) {
       return false;

@@ -1,39 +1,51 @@
 package org.selectiverenderer.runtime.render.occlude;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** What of a mesh can hide other things, found once. Immutable; safe for use by several threads. */
+/**
+ * What of a mesh can hide other things: its large flat parts. They are looked for when the mesh is
+ * first seen large; few of a scene's meshes ever are. Made by any thread, then the renderer's.
+ */
 public final class Occluders {
-  /** Of a mesh that hides nothing worth looking for. */
-  public static final Occluders NONE = new Occluders(List.of(), true, 0);
-
-  private final List<Patch> patches;
   private final boolean solid;
   private final double reach;
+  private final int triangles;
+  private @Nullable Mesh mesh;
+  private List<Patch> patches = List.of();
 
-  private Occluders(List<Patch> patches, boolean solid, double reach) {
-    this.patches = patches;
-    this.solid = solid;
-    this.reach = reach;
+  private Occluders(Mesh mesh) {
+    solid = mesh.solid();
+    reach = Precision.reach(mesh.bounds());
+    triangles = mesh.polygons();
+    this.mesh = triangles > 0 ? mesh : null;
   }
 
-  /** The large flat parts of a mesh. Takes time in proportion to its triangles. */
+  /** Of a mesh, which it keeps until it has looked; lines and points hide nothing. */
   public static Occluders of(Mesh mesh) {
-    if (mesh.primitive() != Mesh.Primitive.TRIANGLES || mesh.isEmpty()) {
-      return NONE;
+    return new Occluders(mesh);
+  }
+
+  /** Whether there is nothing in it, as far as it was looked. */
+  boolean none() {
+    return mesh == null && patches.isEmpty();
+  }
+
+  /** Looks, unless that is done; takes time in proportion to the triangles. */
+  void find() {
+    if (mesh != null) {
+      patches = new PatchFinder(mesh).find();
+      mesh = null;
     }
-    List<Patch> patches = new PatchFinder(mesh).find();
-    return patches.isEmpty()
-        ? NONE
-        : new Occluders(patches, mesh.solid(), Precision.reach(mesh.bounds()));
   }
 
-  public boolean isEmpty() {
-    return patches.isEmpty();
+  /** How many triangles {@link #find} would look at. */
+  int unseen() {
+    return mesh == null ? 0 : triangles;
   }
 
-  /** The largest first. */
+  /** The largest first; none before {@link #find}. */
   List<Patch> patches() {
     return patches;
   }

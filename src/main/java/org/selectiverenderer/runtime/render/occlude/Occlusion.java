@@ -14,13 +14,16 @@ import org.selectiverenderer.runtime.camera.Camera;
  */
 public final class Occlusion {
   /** Shapes that hide others, per frame: the largest in view. */
-  private static final int MOST_OCCLUDERS = 64;
+  private static final int MOST_OCCLUDERS = 32;
+
+  /** Triangles among which flat parts are looked for, per frame: what is left waits. */
+  private static final int MOST_UNSEEN = 16_384;
 
   /** Cells that a shape may show itself in at best; smaller ones hide too little. */
   private static final double FEWEST_CELLS = 48;
 
   /** Frames that are let pass after one that found little, at most. */
-  private static final int LONGEST_REST = 16;
+  private static final int LONGEST_REST = 8;
 
   /** Indices whose drawing costs more than looking what is hidden. */
   private static final long WORTHWHILE = 6000;
@@ -33,6 +36,7 @@ public final class Occlusion {
   private long[] order = new long[64];
   private int eyes;
   private boolean on;
+  private boolean waiting;
   private int rest;
   private int nextRest = 1;
 
@@ -58,7 +62,7 @@ public final class Occlusion {
    * @param box min x, y, z, max x, y, z in the world
    */
   public void offer(Occluders occluders, Matrix4dc world, double[] box) {
-    if (!on || occluders.isEmpty()) {
+    if (!on || occluders.none()) {
       return;
     }
     double cells = 0;
@@ -88,15 +92,32 @@ public final class Occlusion {
       return false;
     }
     Arrays.sort(order, 0, offered.size());
-    for (int eye = 0; eye < eyes; eye++) {
-      EyeDepth depth = depths.get(eye);
-      for (int i = 0; i < Math.min(MOST_OCCLUDERS, offered.size()); i++) {
-        int at = (int) order[i];
-        depth.cover(offered.get(at), places.get(at));
+    waiting = false;
+    int unseen = 0;
+    int used = 0;
+    for (int i = 0; i < offered.size() && used < MOST_OCCLUDERS; i++) {
+      Occluders occluders = offered.get((int) order[i]);
+      // The first is looked at however large it is.
+      if (unseen == 0 || unseen + occluders.unseen() <= MOST_UNSEEN) {
+        unseen += occluders.unseen();
+        occluders.find();
       }
-      depth.finish();
+      waiting |= occluders.unseen() > 0;
+      if (!occluders.patches().isEmpty()) {
+        used++;
+        cover(occluders, places.get((int) order[i]));
+      }
     }
-    return true;
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).finish();
+    }
+    return used > 0;
+  }
+
+  private void cover(Occluders occluders, Matrix4dc world) {
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).cover(occluders, world);
+    }
   }
 
   /**
@@ -121,6 +142,13 @@ public final class Occlusion {
     return depths.get(eye).hides(box, pixels);
   }
 
+  /** Clusters of that shape are asked about from now on. */
+  public void enter(Matrix4dc world) {
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).enter(world);
+    }
+  }
+
   /**
    * Whether an eye cannot see anything of a sphere in the shape's local coordinates.
    *
@@ -139,7 +167,7 @@ public final class Occlusion {
   public void end(long hidden, long drawn) {
     if (hidden >= Math.min(WORTHWHILE, drawn / WORTHWHILE_SHARE)) {
       nextRest = 1;
-    } else {
+    } else if (!waiting) {
       rest = nextRest;
       nextRest = Math.min(LONGEST_REST, 2 * nextRest);
     }

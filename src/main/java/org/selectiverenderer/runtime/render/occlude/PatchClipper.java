@@ -11,17 +11,15 @@ final class PatchClipper {
   private double[] cuts = new double[24];
 
   private int cutCount;
-  private Patch patch;
   private double nearest;
 
   /**
    * @param nearest what is left has this depth or more
    * @return whether anything is left
    */
-  boolean clip(Patch newPatch, Matrix4dc toEye, double newNearest) {
-    patch = newPatch;
+  boolean clip(Patch patch, Matrix4dc toEye, double newNearest) {
     nearest = newNearest;
-    double[] p = newPatch.points();
+    double[] p = patch.points();
     if (points.length < p.length) {
       points = new double[2 * p.length];
     }
@@ -38,8 +36,9 @@ final class PatchClipper {
     return any;
   }
 
-  /** Draws the outline into the grid; a direction maps to cells by scale and origin. */
-  void edges(DepthGrid grid, double scaleX, double scaleY, double originX, double originY) {
+  /** Draws the outline of that patch; a direction maps to cells by scale and origin. */
+  void edges(
+      Patch patch, DepthGrid grid, double scaleX, double scaleY, double originX, double originY) {
     cutCount = 0;
     int[] pairs = patch.edges();
     for (int i = 0; i < pairs.length; i += 2) {

@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.TriangleMath;
  * The edges that an odd number of triangles have. Corners in the same place are one corner,
  * whatever their numbers: OpenGL leaves no gap between triangles whose corners agree to the bit.
  */
-final class Outline {
+final class PatchOutline {
   /** The sine of the angle by which edges may turn and still be drawn as one. */
   private static final double STRAIGHT = 1e-9;
 
@@ -24,7 +24,7 @@ final class Outline {
   /**
    * @param positions x, y, z per vertex
    */
-  Outline(float[] positions) {
+  PatchOutline(float[] positions) {
     this.positions = positions;
   }
 
