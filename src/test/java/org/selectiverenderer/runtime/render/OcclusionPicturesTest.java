@@ -19,8 +19,10 @@ import org.selectiverenderer.testing.RequiresDisplay;
 /** Leaving out what is hidden changes no pixel. */
 @RequiresDisplay
 class OcclusionPicturesTest {
-  private static final int WIDTH = 96;
-  private static final int HEIGHT = 72;
+  /** Large enough that a mistake of one coarse cell, of 128 by 96, shows. */
+  private static final int WIDTH = 480;
+
+  private static final int HEIGHT = 360;
 
   /** Longer than it rests after it has found little. */
   private static final int LOOKS = 12;
@@ -32,8 +34,8 @@ class OcclusionPicturesTest {
   void inTheApartment() {
     TestScene scene = TestScene.load(Path.of("scenes/apartment.x3d"));
     scene.tree().update();
-    assertThat(share(scene, 120, 0, 8.7, 1.2, 3.3)).isLessThan(0.6);
-    assertThat(share(scene, 30, 4, 8.7, 1.2, 3.3)).isLessThan(0.6);
+    assertThat(share(scene, 50, 0, 8.7, 1.2, 3.3)).isLessThan(0.6);
+    assertThat(share(scene, 10, 4, 8.7, 1.2, 3.3)).isLessThan(0.6);
   }
 
   @Test
