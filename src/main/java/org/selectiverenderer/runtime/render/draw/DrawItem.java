@@ -32,6 +32,11 @@ public record DrawItem(
     boolean blended,
     int rank) {
 
+  /** Whether every pixel of it covers what is behind. */
+  boolean opaque() {
+    return !blended && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE);
+  }
+
   /** Whether the shape still has what this was made from. */
   boolean current() {
     return shape.surface() == surface && shape.mesh().orElse(null) == source;

@@ -6,6 +6,7 @@ import java.util.List;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.render.occlude.Occlusion;
 
 /**
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
@@ -22,6 +23,7 @@ public final class SceneRenderer {
   private final DrawList list = new DrawList(assets);
   private final BackdropPainter backdropPainter = new BackdropPainter();
   private final Visible visible = new Visible();
+  private final Occlusion occlusion = new Occlusion();
   private final float pointSize;
 
   /**
@@ -44,9 +46,18 @@ public final class SceneRenderer {
     return list.items();
   }
 
-  /** What the eyes can see of the tree last prepared. The result is reused by the next call. */
+  /**
+   * What the eyes can see of the tree last prepared, without most of what is hidden behind other
+   * things. The result is reused by the next call.
+   */
   public Visible cull(List<Camera> eyes) {
-    Culler.cull(list.items(), eyes, visible);
+    Culler.cull(list.items(), eyes, occlusion, visible);
+    return visible;
+  }
+
+  /** Likewise, with what is hidden: for pictures through which one can see. */
+  public Visible cullToView(List<Camera> eyes) {
+    Culler.cull(list.items(), eyes, null, visible);
     return visible;
   }
 

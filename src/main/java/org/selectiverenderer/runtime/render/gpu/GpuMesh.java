@@ -5,6 +5,7 @@ import com.jogamp.opengl.GL3;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
+import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /** A mesh on the graphics card: a vertex array with its vertex and index buffer. */
 public final class GpuMesh {
@@ -15,6 +16,7 @@ public final class GpuMesh {
   private final int indexBytes;
   private final int indexCount;
   private final Clusters clusters;
+  private final Occluders occluders;
   private final boolean solid;
   private final boolean translucentColors;
 
@@ -29,6 +31,7 @@ public final class GpuMesh {
     indexBytes = mesh.indexBytes();
     indexCount = mesh.indexCount();
     clusters = mesh.clusters();
+    occluders = mesh.occluders();
     solid = mesh.solid();
     translucentColors = mesh.translucentColors();
     int[] array = new int[1];
@@ -62,6 +65,11 @@ public final class GpuMesh {
 
   public Clusters clusters() {
     return clusters;
+  }
+
+  /** What of it hides other things, where it is drawn opaquely. */
+  public Occluders occluders() {
+    return occluders;
   }
 
   /** The kind of primitive, as GL numbers it. */

@@ -84,7 +84,8 @@ public final class MarkedView implements AutoCloseable {
     Camera camera =
         Camera.of(
             world.viewer(), on.width(), on.height(), sight.range().near(), sight.range().far());
-    Visible seen = renderer.cull(List.of(camera));
+    List<Camera> eyes = List.of(camera);
+    Visible seen = marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
     if (marking.wireframe()) {
       gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
     }

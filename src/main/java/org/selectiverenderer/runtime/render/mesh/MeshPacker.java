@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
  * Packs a mesh: orders triangles by cluster, numbers vertices in the order of their first use,
@@ -43,6 +44,7 @@ public final class MeshPacker {
         wide,
         indices.length,
         clusters,
+        Occluders.of(mesh),
         translucent(mesh));
   }
 

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.render.mesh;
 
 import java.nio.ByteBuffer;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
  * A mesh as the bytes of one vertex and one index buffer, both direct and in native order.
@@ -9,6 +10,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  * @param wideIndices whether an index takes four bytes, else two
  * @param indexCount number of indices, three, two or one per primitive
  * @param clusters the triangles' clusters; lines and points are one cluster that is never culled
+ * @param occluders what of it hides other things
  * @param translucentColors whether a vertex colour is not opaque
  */
 public record PackedMesh(
@@ -20,6 +22,7 @@ public record PackedMesh(
     boolean wideIndices,
     int indexCount,
     Clusters clusters,
+    Occluders occluders,
     boolean translucentColors) {
 
   /** Bytes per index. */

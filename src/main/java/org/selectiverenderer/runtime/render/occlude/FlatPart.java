@@ -1,0 +1,129 @@
+package org.selectiverenderer.runtime.render.occlude;
+
+import java.util.Arrays;
+import org.selectiverenderer.geometry.TriangleMath;
+
+/** Triangles of one plane that face the same way, while they are gathered. */
+final class FlatPart {
+  /** The sine of the angle between plane and triangles that is let pass: thin triangles err. */
+  private static final double MOST_TILT = 1e-3;
+
+  /** Refuses most without taking the sine. */
+  private static final double LEAST_COSINE = 0.999;
+
+  /** Distance from the plane that is let pass, as a share of the mesh's size. */
+  private static final double FLATNESS = 1e-5;
+
+  private final float[] positions;
+  private final int[] indices;
+  private final double tolerance;
+  private final double[] n = new double[3];
+  private final double[] cross = new double[3];
+  private double d;
+  private double area;
+  private double tilt;
+  private int[] triangles = new int[16];
+  private int count;
+
+  /**
+   * Begins without a plane and so holds nothing.
+   *
+   * @param indices three per triangle
+   * @param tolerance distance from the plane that is let pass
+   */
+  FlatPart(float[] positions, int[] indices, double tolerance) {
+    this.positions = positions;
+    this.indices = indices;
+    this.tolerance = tolerance;
+  }
+
+  /**
+   * What to let pass.
+   *
+   * @param size of the mesh
+   * @param reach of the mesh, as {@link Precision#reach}: its numbers are rounded there
+   */
+  static double tolerance(double size, double reach) {
+    return FLATNESS * size + 0x1p-22 * reach;
+  }
+
+  /**
+   * Takes a triangle's plane; of no area yet.
+   *
+   * @param i where its indices begin
+   * @param normal across it, of any length
+   */
+  void begin(int i, double[] normal, double length) {
+    for (int axis = 0; axis < 3; axis++) {
+      n[axis] = normal[axis] / length;
+    }
+    d = along(indices[i]);
+    area = 0;
+  }
+
+  private double along(int vertex) {
+    return n[0] * positions[3 * vertex]
+        + n[1] * positions[3 * vertex + 1]
+        + n[2] * positions[3 * vertex + 2];
+  }
+
+  /** Whether a triangle lies in the plane; parameters as for {@link #begin}. */
+  boolean holds(int i, double[] normal, double length) {
+    double cosine = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
+    return cosine > LEAST_COSINE * length
+        && Math.abs(along(indices[i]) - d) <= tolerance
+        && Math.abs(along(indices[i + 1]) - d) <= tolerance
+        && Math.abs(along(indices[i + 2]) - d) <= tolerance
+        && sine(normal, length) <= MOST_TILT;
+  }
+
+  private double sine(double[] normal, double length) {
+    TriangleMath.cross(n[0], n[1], n[2], normal[0], normal[1], normal[2], cross);
+    return TriangleMath.length(cross) / length;
+  }
+
+  boolean samePlane(FlatPart other) {
+    return n[0] * other.n[0] + n[1] * other.n[1] + n[2] * other.n[2] > LEAST_COSINE
+        && sine(other.n, 1) <= MOST_TILT
+        && Math.abs(d - other.d) <= tolerance;
+  }
+
+  /** Its triangles' area. */
+  double area() {
+    return area;
+  }
+
+  void grow(double by) {
+    area += by;
+  }
+
+  /** Leaves the plane without triangles. */
+  void clear() {
+    area = 0;
+  }
+
+  /** Adds a triangle that it holds. */
+  void add(int i, double[] normal, double length) {
+    if (count == triangles.length) {
+      triangles = Arrays.copyOf(triangles, 2 * count);
+    }
+    triangles[count++] = i;
+    area += length / 2;
+    tilt = Math.max(tilt, sine(normal, length));
+  }
+
+  /** What was added. */
+  Patch patch() {
+    PatchOutline outline = new PatchOutline(positions);
+    double thickness = 0;
+    for (int t = 0; t < count; t++) {
+      int i = triangles[t];
+      for (int corner = 0; corner < 3; corner++) {
+        int v = indices[i + corner];
+        thickness = Math.max(thickness, Math.abs(along(v) - d));
+        outline.toggle(v, indices[i + (corner + 1) % 3]);
+      }
+    }
+    return outline.patch(new double[] {n[0], n[1], n[2], d}, thickness, tilt, area);
+  }
+}

@@ -1,0 +1,175 @@
+package org.selectiverenderer.runtime.render.occlude;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.joml.Matrix4dc;
+import org.selectiverenderer.runtime.camera.Camera;
+
+/**
+ * What is hidden behind walls and the like in a frame: {@link #begin}, {@link #offer} for
+ * everything opaque in view, {@link #cover}, then questions, then {@link #end}. Looks away for a
+ * while when it finds little; that changes how much is drawn, never what is seen. Belongs to one
+ * thread.
+ */
+public final class Occlusion {
+  /** Shapes that hide others, per frame: the largest in view. */
+  private static final int MOST_OCCLUDERS = 32;
+
+  /** Triangles among which flat parts are looked for, per frame: what is left waits. */
+  private static final int MOST_UNSEEN = 16_384;
+
+  /** Cells that a shape may show itself in at best; smaller ones hide too little. */
+  private static final double FEWEST_CELLS = 48;
+
+  /** Frames that are let pass after one that found little, at most. */
+  private static final int LONGEST_REST = 8;
+
+  /** Indices whose drawing costs more than looking what is hidden. */
+  private static final long WORTHWHILE = 6000;
+
+  private static final long WORTHWHILE_SHARE = 10;
+
+  private final List<EyeDepth> depths = new ArrayList<>();
+  private final List<Occluders> offered = new ArrayList<>();
+  private final List<Matrix4dc> places = new ArrayList<>();
+  private long[] order = new long[64];
+  private int eyes;
+  private boolean on;
+  private boolean waiting;
+  private int rest;
+  private int nextRest = 1;
+
+  /** Begins a frame. */
+  public void begin(List<Camera> cameras) {
+    offered.clear();
+    places.clear();
+    eyes = cameras.size();
+    on = rest == 0;
+    rest = Math.max(0, rest - 1);
+    while (depths.size() < eyes) {
+      depths.add(new EyeDepth());
+    }
+    for (int eye = 0; eye < eyes && on; eye++) {
+      depths.get(eye).look(cameras.get(eye));
+    }
+  }
+
+  /**
+   * A shape whose every triangle is drawn opaquely and as a whole, or only seen from the front if
+   * its mesh is solid.
+   *
+   * @param box min x, y, z, max x, y, z in the world
+   */
+  public void offer(Occluders occluders, Matrix4dc world, double[] box) {
+    if (!on || occluders.none()) {
+      return;
+    }
+    double cells = 0;
+    for (int eye = 0; eye < eyes; eye++) {
+      cells = Math.max(cells, depths.get(eye).cells(box));
+    }
+    if (cells >= FEWEST_CELLS) {
+      int at = offered.size();
+      if (at == order.length) {
+        order = Arrays.copyOf(order, 2 * at);
+      }
+      // The bits of a float that is not negative are in the order of its values.
+      order[at] = (long) -Float.floatToIntBits((float) cells) << 32 | at;
+      offered.add(occluders);
+      places.add(world);
+    }
+  }
+
+  /**
+   * Draws the largest of what was offered.
+   *
+   * @return whether asking is worth it
+   */
+  public boolean cover() {
+    on &= !offered.isEmpty();
+    if (!on) {
+      return false;
+    }
+    Arrays.sort(order, 0, offered.size());
+    waiting = false;
+    int unseen = 0;
+    int used = 0;
+    for (int i = 0; i < offered.size() && used < MOST_OCCLUDERS; i++) {
+      Occluders occluders = offered.get((int) order[i]);
+      // The first is looked at however large it is.
+      if (unseen == 0 || unseen + occluders.unseen() <= MOST_UNSEEN) {
+        unseen += occluders.unseen();
+        occluders.find();
+      }
+      waiting |= occluders.unseen() > 0;
+      if (!occluders.patches().isEmpty()) {
+        used++;
+        cover(occluders, places.get((int) order[i]));
+      }
+    }
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).finish();
+    }
+    return used > 0;
+  }
+
+  private void cover(Occluders occluders, Matrix4dc world) {
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).cover(occluders, world);
+    }
+  }
+
+  /**
+   * The shape that is asked about from now on.
+   *
+   * @param local its box in local coordinates, minima and maxima
+   */
+  public void ask(Matrix4dc world, float[] local) {
+    double reach = Precision.reach(local);
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).ask(world, reach);
+    }
+  }
+
+  /**
+   * Whether an eye cannot see anything of a box, because it is hidden or not in view.
+   *
+   * @param box min x, y, z, max x, y, z in the world
+   * @param pixels by which points and lines may reach beyond it; 0 for triangles
+   */
+  public boolean hides(int eye, double[] box, double pixels) {
+    return depths.get(eye).hides(box, pixels);
+  }
+
+  /** Clusters of that shape are asked about from now on. */
+  public void enter(Matrix4dc world) {
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).enter(world);
+    }
+  }
+
+  /**
+   * Whether an eye cannot see anything of a sphere in the shape's local coordinates.
+   *
+   * @param at where its centre x, y, z and radius stand
+   */
+  public boolean hides(int eye, float[] spheres, int at) {
+    return depths.get(eye).hides(spheres, at);
+  }
+
+  /**
+   * Ends a frame in which questions were asked.
+   *
+   * @param hidden indices that are not drawn because of the answers
+   * @param drawn indices that are drawn
+   */
+  public void end(long hidden, long drawn) {
+    if (hidden >= Math.min(WORTHWHILE, drawn / WORTHWHILE_SHARE)) {
+      nextRest = 1;
+    } else if (!waiting) {
+      rest = nextRest;
+      nextRest = Math.min(LONGEST_REST, 2 * nextRest);
+    }
+  }
+}

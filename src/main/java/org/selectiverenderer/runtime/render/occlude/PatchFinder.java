@@ -1,0 +1,109 @@
+package org.selectiverenderer.runtime.render.occlude;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.selectiverenderer.geometry.TriangleMath;
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/**
+ * Finds the large flat parts of a mesh. Those begin as runs of triangles that follow each other in
+ * one plane, as walls do in files and as tessellators write faces; then every triangle is looked at
+ * whether it lies in one of those planes. A mesh without such runs, as curved ones are, costs no
+ * more than a look at each triangle.
+ */
+final class PatchFinder {
+  private static final int MOST_PATCHES = 16;
+  private static final int MOST_EDGES = 400;
+
+  /** The share of the bounding box's surface that makes a run, and a patch, large. */
+  private static final double RUN_SHARE = 1 / 1000.0;
+
+  private static final double PATCH_SHARE = 1 / 60.0;
+
+  private final float[] positions;
+  private final int[] indices;
+  private final double surface;
+  private final double tolerance;
+  private final List<FlatPart> parts = new ArrayList<>();
+  private final double[] normal = new double[3];
+
+  PatchFinder(Mesh mesh) {
+    positions = mesh.positions();
+    indices = mesh.indices();
+    float[] box = mesh.bounds();
+    double x = (double) box[3] - box[0];
+    double y = (double) box[4] - box[1];
+    double z = (double) box[5] - box[2];
+    surface = 2 * (x * y + y * z + z * x);
+    tolerance = FlatPart.tolerance(Math.max(x, Math.max(y, z)), Precision.reach(box));
+  }
+
+  /** The largest first. */
+  List<Patch> find() {
+    if (!(surface > 0) || surface == Double.POSITIVE_INFINITY) {
+      return List.of();
+    }
+    runs();
+    parts.removeIf(part -> part.area() < PATCH_SHARE / 2 * surface);
+    parts.sort(Comparator.comparingDouble(part -> -part.area()));
+    List<FlatPart> largest = parts.subList(0, Math.min(MOST_PATCHES, parts.size()));
+    if (!largest.isEmpty()) {
+      collect(largest);
+    }
+    return largest.stream()
+        .filter(part -> part.area() >= PATCH_SHARE * surface)
+        .map(FlatPart::patch)
+        .filter(patch -> patch.edges().length > 0 && patch.edges().length <= 2 * MOST_EDGES)
+        .sorted(Comparator.comparingDouble(patch -> -patch.area()))
+        .toList();
+  }
+
+  private void runs() {
+    FlatPart run = new FlatPart(positions, indices, tolerance);
+    for (int i = 0; i < indices.length; i += 3) {
+      double length = normal(i);
+      if (length > 0) {
+        if (!run.holds(i, normal, length)) {
+          run = keep(run);
+          run.begin(i, normal, length);
+        }
+        run.grow(length / 2);
+      }
+    }
+    keep(run);
+  }
+
+  /** Keeps a run if it is large; returns what the next one may be written to. */
+  private FlatPart keep(FlatPart run) {
+    if (run.area() < RUN_SHARE * surface) {
+      return run;
+    }
+    for (FlatPart part : parts) {
+      if (part.samePlane(run)) {
+        part.grow(run.area());
+        return run;
+      }
+    }
+    parts.add(run);
+    return new FlatPart(positions, indices, tolerance);
+  }
+
+  private void collect(List<FlatPart> into) {
+    into.forEach(FlatPart::clear);
+    for (int i = 0; i < indices.length; i += 3) {
+      double length = normal(i);
+      for (int p = 0; p < into.size() && length > 0; p++) {
+        if (into.get(p).holds(i, normal, length)) {
+          into.get(p).add(i, normal, length);
+          break;
+        }
+      }
+    }
+  }
+
+  private double normal(int i) {
+    TriangleMath.normal(positions, 3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2], normal);
+    return TriangleMath.length(normal);
+  }
+}
