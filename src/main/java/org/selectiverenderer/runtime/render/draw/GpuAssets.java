@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -23,12 +25,17 @@ import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
-/** What is on the graphics card, once per mesh and image however many shapes use it. */
+/**
+ * What is on the graphics card: batches of small shapes, other meshes and images once however many
+ * shapes use them.
+ */
 final class GpuAssets {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
   private final Map<Mesh, GpuMesh> meshes = new IdentityHashMap<>();
+  private final List<GpuMesh> merged = new ArrayList<>();
   private final Map<Texture, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
   private final Map<DrawList.State, Integer> ranks = new HashMap<>();
@@ -39,19 +46,35 @@ final class GpuAssets {
     return uploads;
   }
 
-  /** Uploads the meshes of shapes; those that are new are packed on all processors. */
-  void prepare(GL3 gl, List<ShapeInstance> shapes) {
+  /**
+   * Uploads what new shapes draw: small ones of one look together in batches, the meshes of others
+   * each by itself. All is packed on all processors.
+   *
+   * @return the parts of shapes in batches; others draw their own mesh
+   */
+  Map<ShapeInstance, Part> prepare(GL3 gl, List<BatchPlan.Candidate> shapes) {
+    Map<ShapeInstance, Part> parts = new IdentityHashMap<>();
+    BatchPlan.of(shapes).parallelStream()
+        .map(PackedBatch::pack)
+        .toList()
+        .forEach(
+            batch -> {
+              GpuMesh gpu = new GpuMesh(gl, batch.merged().mesh());
+              merged.add(gpu);
+              uploads++;
+              batch.parts(gpu, parts);
+            });
     Set<Mesh> missing = Collections.newSetFromMap(new IdentityHashMap<>());
-    for (ShapeInstance shape : shapes) {
-      shape
-          .mesh()
-          .filter(mesh -> !mesh.isEmpty() && !meshes.containsKey(mesh))
-          .ifPresent(missing::add);
+    for (BatchPlan.Candidate shape : shapes) {
+      if (!parts.containsKey(shape.shape()) && !meshes.containsKey(shape.mesh())) {
+        missing.add(shape.mesh());
+      }
     }
     missing.parallelStream()
         .map(mesh -> Map.entry(mesh, MeshPacker.pack(mesh)))
         .toList()
         .forEach(packed -> upload(gl, packed.getKey(), packed.getValue()));
+    return parts;
   }
 
   private GpuMesh upload(GL3 gl, Mesh mesh, PackedMesh packed) {
@@ -61,11 +84,30 @@ final class GpuAssets {
     return gpu;
   }
 
-  DrawItem item(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
+  /** What a shape draws that is in no batch: its mesh, uploaded unless it is there. */
+  Part part(GL3 gl, Mesh mesh) {
     GpuMesh gpu = meshes.get(mesh);
-    if (gpu == null) {
-      gpu = upload(gl, mesh, MeshPacker.pack(mesh));
-    }
+    return Part.whole(gpu == null ? upload(gl, mesh, MeshPacker.pack(mesh)) : gpu);
+  }
+
+  DrawItem item(ShapeInstance shape, Mesh mesh, Look look, Part part) {
+    return new DrawItem(
+        shape,
+        mesh,
+        shape.surface(),
+        part,
+        look.texture(),
+        look.programs(),
+        look.lights(),
+        look.material().array(),
+        look.textureTransform().array(),
+        look.blended(),
+        ranks.computeIfAbsent(
+            new DrawList.State(look.programs(), look.texture()), state -> ranks.size()));
+  }
+
+  /** How a shape with that mesh is drawn; its texture is uploaded unless it is there. */
+  Look look(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
     Surface surface = shape.surface();
     GpuTexture texture =
         surface.texture() == null || mesh.texCoords() == null
@@ -76,26 +118,23 @@ final class GpuAssets {
                   uploads++;
                   return new GpuTexture(gl, image);
                 });
-    boolean blended = blended(surface, gpu, texture);
-    ShapePrograms.Family family = programs.get(variant(mesh, surface, scope, texture, blended));
+    boolean blended = blended(surface, mesh, texture);
     float[] transform = surface.textureTransform();
-    return new DrawItem(
-        shape,
-        mesh,
-        surface,
-        gpu,
+    return new Look(
+        programs.get(variant(mesh, surface, scope, texture, blended)),
         texture,
-        family,
         scope,
-        numbers(surface),
-        transform == null ? NO_TRANSFORM : transform,
+        FloatBuffer.wrap(numbers(surface)),
+        FloatBuffer.wrap(transform == null ? NO_TRANSFORM : transform),
         blended,
-        ranks.computeIfAbsent(new DrawList.State(family, texture), state -> ranks.size()));
+        VertexLayout.of(mesh),
+        mesh.primitive(),
+        mesh.solid());
   }
 
-  private static boolean blended(Surface surface, GpuMesh mesh, @Nullable GpuTexture texture) {
+  private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
     return surface.transparency() > 0
-        || mesh.translucentColors()
+        || MeshPacker.translucent(mesh)
         || (texture != null && texture.alpha() == GpuTexture.Alpha.BLENDED);
   }
 
@@ -155,6 +194,14 @@ final class GpuAssets {
       usedTextures.add(item.texture());
     }
     sweep(meshes, usedMeshes, (mesh, unused) -> mesh.dispose(gl));
+    merged.removeIf(
+        mesh -> {
+          boolean unused = !usedMeshes.contains(mesh);
+          if (unused) {
+            mesh.dispose(gl);
+          }
+          return unused;
+        });
     sweep(textures, usedTextures, (texture, unused) -> texture.dispose(gl));
     ranks.keySet().removeIf(s -> s.texture() != null && !usedTextures.contains(s.texture()));
   }

@@ -22,6 +22,7 @@ public final class SceneRenderer {
   private final DrawList list = new DrawList(assets);
   private final BackdropPainter backdropPainter = new BackdropPainter();
   private final Visible visible = new Visible();
+  private final Culler culler = new Culler(visible);
   private final float pointSize;
 
   /**
@@ -46,7 +47,7 @@ public final class SceneRenderer {
 
   /** What the eyes can see of the tree last prepared. The result is reused by the next call. */
   public Visible cull(List<Camera> eyes) {
-    Culler.cull(list.items(), eyes, visible);
+    culler.cull(list.items(), eyes);
     return visible;
   }
 
@@ -63,11 +64,11 @@ public final class SceneRenderer {
         new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize);
     painter.paint(0, seen.opaque);
     backdropPainter.paint(gl, backdrop, camera);
-    if (seen.opaque < seen.items.size()) {
+    if (seen.opaque < seen.calls.size()) {
       gl.glEnable(GL.GL_BLEND);
       gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
       gl.glDepthMask(false);
-      painter.blend(seen.opaque, seen.items.size());
+      painter.blend(seen.opaque, seen.calls.size());
       gl.glDepthMask(true);
       gl.glDisable(GL.GL_BLEND);
     }

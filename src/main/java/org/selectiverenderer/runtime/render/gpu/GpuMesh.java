@@ -16,7 +16,6 @@ public final class GpuMesh {
   private final int indexCount;
   private final Clusters clusters;
   private final boolean solid;
-  private final boolean translucentColors;
 
   public GpuMesh(GL3 gl, PackedMesh mesh) {
     mode =
@@ -30,7 +29,6 @@ public final class GpuMesh {
     indexCount = mesh.indexCount();
     clusters = mesh.clusters();
     solid = mesh.solid();
-    translucentColors = mesh.translucentColors();
     int[] array = new int[1];
     gl.glGenVertexArrays(1, array, 0);
     vertexArray = array[0];
@@ -84,10 +82,6 @@ public final class GpuMesh {
 
   public boolean solid() {
     return solid;
-  }
-
-  public boolean translucentColors() {
-    return translucentColors;
   }
 
   public void bind(GL3 gl) {

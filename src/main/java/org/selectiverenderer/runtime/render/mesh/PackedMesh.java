@@ -9,7 +9,6 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  * @param wideIndices whether an index takes four bytes, else two
  * @param indexCount number of indices, three, two or one per primitive
  * @param clusters the triangles' clusters; lines and points are one cluster that is never culled
- * @param translucentColors whether a vertex colour is not opaque
  */
 public record PackedMesh(
     Mesh.Primitive primitive,
@@ -19,8 +18,7 @@ public record PackedMesh(
     ByteBuffer indices,
     boolean wideIndices,
     int indexCount,
-    Clusters clusters,
-    boolean translucentColors) {
+    Clusters clusters) {
 
   /** Bytes per index. */
   public int indexBytes() {
