@@ -12,7 +12,9 @@ import org.selectiverenderer.runtime.render.mesh.MeshMerger;
 
 /** Decides which shapes share a batch: those of one look that are small and near each other. */
 final class BatchPlan {
-  /** Indices of a mesh beyond which a call of its own costs next to nothing beside its triangles. */
+  /**
+   * Indices of a mesh beyond which a call of its own costs next to nothing beside its triangles.
+   */
   private static final int MOST_OF_ONE = 3 * 1024;
 
   /** Indices of a batch: still few enough for batches to be drawn front to back. */
@@ -71,7 +73,8 @@ final class BatchPlan {
     }
     double[] box = bounds(alike);
     if (fits(alike, box)) {
-      // In the order in which they are visited each frame, neighbours in the buffers are one stretch.
+      // In the order in which they are visited each frame, neighbours in the buffers are one
+      // stretch.
       batches.add(alike.stream().sorted(Comparator.comparingInt(Candidate::number)).toList());
       return;
     }

@@ -52,8 +52,6 @@ public record DrawItem(
 
   /** Whether the shape still has what this was made from. */
   boolean current() {
-    return shape.surface() == surface
-        && shape.mesh().orElse(null) == source
-        && part.holds(shape);
+    return shape.surface() == surface && shape.mesh().orElse(null) == source && part.holds(shape);
   }
 }

@@ -117,8 +117,7 @@ final class DrawList {
   }
 
   private Look look(GL3 gl, ShapeInstance shape, Mesh mesh) {
-    return assets.look(
-        gl, shape, mesh, scopes.computeIfAbsent(shape.lights(), lights -> lights));
+    return assets.look(gl, shape, mesh, scopes.computeIfAbsent(shape.lights(), lights -> lights));
   }
 
   private void publish(GL3 gl) {

@@ -29,8 +29,7 @@ record PackedBatch(
     double y = (box[1] + box[4]) / 2;
     double z = (box[2] + box[5]) / 2;
     Matrix4dc toBatch = new Matrix4d().translation(-x, -y, -z);
-    List<Matrix4dc> worlds =
-        shapes.stream().map(candidate -> candidate.shape().world()).toList();
+    List<Matrix4dc> worlds = shapes.stream().map(candidate -> candidate.shape().world()).toList();
     MeshMerger.Merged merged =
         MeshMerger.merge(
             shapes.stream()
