@@ -36,13 +36,13 @@ final class BatchPlan {
    *
    * @param number of the shape among the tree's, the order in a batch too
    */
-  record Candidate(int number, ShapeInstance shape, Mesh mesh, Look look) {}
+  record Candidate(int number, ShapeInstance shape, Mesh mesh, DrawLook look) {}
 
   /** The batches, of two shapes or more each; shapes that are in none are drawn by themselves. */
   static List<List<Candidate>> of(List<Candidate> candidates) {
     Map<Mesh, Integer> uses = new IdentityHashMap<>();
     candidates.forEach(candidate -> uses.merge(candidate.mesh(), 1, Integer::sum));
-    Map<Look, List<Candidate>> byLook = new LinkedHashMap<>();
+    Map<DrawLook, List<Candidate>> byLook = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       if (mergeable(candidate, uses.get(candidate.mesh()))) {
         byLook.computeIfAbsent(candidate.look(), look -> new ArrayList<>()).add(candidate);

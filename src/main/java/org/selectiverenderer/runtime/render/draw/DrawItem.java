@@ -26,7 +26,7 @@ public record DrawItem(
     ShapeInstance shape,
     Mesh source,
     Surface surface,
-    Part part,
+    MeshPart part,
     @Nullable GpuTexture texture,
     ShapePrograms.Family programs,
     List<LightInstance> lights,

@@ -73,19 +73,19 @@ final class DrawList {
   /** Makes the items of new shapes, in batches where that is worth it. */
   private void fill(GL3 gl) {
     List<BatchPlan.Candidate> fresh = new ArrayList<>();
-    Map<Look, Look> looks = new HashMap<>();
+    Map<DrawLook, DrawLook> looks = new HashMap<>();
     for (int i = 0; i < slots.length; i++) {
       ShapeInstance shape = shapes.get(i);
       Mesh mesh = mesh(shape);
       if (slots[i] == null && mesh != null) {
         // Equal looks are the same object, whose numbers are then sent once.
-        Look look = looks.computeIfAbsent(look(gl, shape, mesh), known -> known);
+        DrawLook look = looks.computeIfAbsent(look(gl, shape, mesh), known -> known);
         fresh.add(new BatchPlan.Candidate(i, shape, mesh, look));
       }
     }
-    Map<ShapeInstance, Part> parts = assets.prepare(gl, fresh);
+    Map<ShapeInstance, MeshPart> parts = assets.prepare(gl, fresh);
     for (BatchPlan.Candidate one : fresh) {
-      Part part = parts.get(one.shape());
+      MeshPart part = parts.get(one.shape());
       slots[one.number()] =
           assets.item(
               one.shape(),
@@ -116,7 +116,7 @@ final class DrawList {
     }
   }
 
-  private Look look(GL3 gl, ShapeInstance shape, Mesh mesh) {
+  private DrawLook look(GL3 gl, ShapeInstance shape, Mesh mesh) {
     return assets.look(gl, shape, mesh, scopes.computeIfAbsent(shape.lights(), lights -> lights));
   }
 

@@ -52,8 +52,8 @@ final class GpuAssets {
    *
    * @return the parts of shapes in batches; others draw their own mesh
    */
-  Map<ShapeInstance, Part> prepare(GL3 gl, List<BatchPlan.Candidate> shapes) {
-    Map<ShapeInstance, Part> parts = new IdentityHashMap<>();
+  Map<ShapeInstance, MeshPart> prepare(GL3 gl, List<BatchPlan.Candidate> shapes) {
+    Map<ShapeInstance, MeshPart> parts = new IdentityHashMap<>();
     BatchPlan.of(shapes).parallelStream()
         .map(PackedBatch::pack)
         .toList()
@@ -85,12 +85,12 @@ final class GpuAssets {
   }
 
   /** What a shape draws that is in no batch: its mesh, uploaded unless it is there. */
-  Part part(GL3 gl, Mesh mesh) {
+  MeshPart part(GL3 gl, Mesh mesh) {
     GpuMesh gpu = meshes.get(mesh);
-    return Part.whole(gpu == null ? upload(gl, mesh, MeshPacker.pack(mesh)) : gpu);
+    return MeshPart.whole(gpu == null ? upload(gl, mesh, MeshPacker.pack(mesh)) : gpu);
   }
 
-  DrawItem item(ShapeInstance shape, Mesh mesh, Look look, Part part) {
+  DrawItem item(ShapeInstance shape, Mesh mesh, DrawLook look, MeshPart part) {
     return new DrawItem(
         shape,
         mesh,
@@ -107,7 +107,7 @@ final class GpuAssets {
   }
 
   /** How a shape with that mesh is drawn; its texture is uploaded unless it is there. */
-  Look look(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
+  DrawLook look(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
     Surface surface = shape.surface();
     GpuTexture texture =
         surface.texture() == null || mesh.texCoords() == null
@@ -120,7 +120,7 @@ final class GpuAssets {
                 });
     boolean blended = blended(surface, mesh, texture);
     float[] transform = surface.textureTransform();
-    return new Look(
+    return new DrawLook(
         programs.get(variant(mesh, surface, scope, texture, blended)),
         texture,
         scope,

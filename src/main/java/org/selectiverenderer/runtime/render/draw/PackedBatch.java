@@ -44,10 +44,11 @@ record PackedBatch(
   }
 
   /** Tells each shape its part of the uploaded buffers. */
-  void parts(GpuMesh mesh, Map<ShapeInstance, Part> parts) {
+  void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
     Batch batch = new Batch(origin);
     for (int i = 0; i < shapes.size(); i++) {
-      parts.put(shapes.get(i).shape(), new Part(mesh, merged.parts().get(i), batch, worlds.get(i)));
+      parts.put(
+          shapes.get(i).shape(), new MeshPart(mesh, merged.parts().get(i), batch, worlds.get(i)));
     }
   }
 }

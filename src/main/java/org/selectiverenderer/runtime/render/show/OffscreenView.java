@@ -16,8 +16,6 @@ import org.selectiverenderer.runtime.render.context.Screenshot;
  * calls.
  */
 public final class OffscreenView implements AutoCloseable {
-  private static final long SECOND = 1_000_000_000L;
-
   /**
    * Triangles of a frame that may still be filled while the next is drawn. A software renderer
    * keeps the triangles of both in memory, about 350 bytes each.
@@ -27,7 +25,7 @@ public final class OffscreenView implements AutoCloseable {
   private final OffscreenContext context;
   private final OffscreenTarget target;
   private final WorldPainter painter;
-  private long previousFrame;
+  private final FramePace pace = new FramePace();
   private long previousTriangles;
 
   private OffscreenView(OffscreenContext context, OffscreenTarget target, ViewLayout layout) {
@@ -73,7 +71,7 @@ public final class OffscreenView implements AutoCloseable {
    * possible before it is drawn; {@link #draw} would wait after that. Nothing overlaps then.
    */
   public void awaitReady() {
-    awaitPrevious(context.gl());
+    pace.await(context.gl());
   }
 
   /**
@@ -85,23 +83,12 @@ public final class OffscreenView implements AutoCloseable {
     GL3 gl = context.gl();
     target.bind(gl);
     if (previousTriangles > MOST_OVERLAPPED) {
-      awaitPrevious(gl);
+      pace.await(gl);
     }
     Drawn drawn = painter.paint(gl, world, target.width(), target.height());
-    long frame = gl.glFenceSync(GL3.GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.glFlush();
-    awaitPrevious(gl);
-    previousFrame = frame;
+    pace.submitted(gl);
     previousTriangles = drawn.triangles();
     return drawn;
-  }
-
-  private void awaitPrevious(GL3 gl) {
-    if (previousFrame != 0) {
-      gl.glClientWaitSync(previousFrame, 0, SECOND);
-      gl.glDeleteSync(previousFrame);
-      previousFrame = 0;
-    }
   }
 
   /** Waits until everything is drawn. */
@@ -117,7 +104,7 @@ public final class OffscreenView implements AutoCloseable {
   @Override
   public void close() {
     GL3 gl = context.gl();
-    awaitPrevious(gl);
+    pace.await(gl);
     painter.dispose(gl);
     target.dispose(gl);
     context.close();

@@ -17,7 +17,7 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
  * @param material as the fragment shader wants it; compared by its numbers
  * @param textureTransform nine numbers, compared likewise
  */
-record Look(
+record DrawLook(
     ShapePrograms.Family programs,
     @Nullable GpuTexture texture,
     List<LightInstance> lights,

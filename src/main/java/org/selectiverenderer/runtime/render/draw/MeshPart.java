@@ -13,11 +13,12 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
  * @param batch whose buffers they are, or null for the mesh's own
  * @param merged the shape's {@code world()} when it was put into the batch, or null without one
  */
-record Part(GpuMesh mesh, Clusters clusters, @Nullable Batch batch, @Nullable Matrix4dc merged) {
+record MeshPart(
+    GpuMesh mesh, Clusters clusters, @Nullable Batch batch, @Nullable Matrix4dc merged) {
 
   /** All of a mesh's own buffers. */
-  static Part whole(GpuMesh mesh) {
-    return new Part(mesh, mesh.clusters(), null, null);
+  static MeshPart whole(GpuMesh mesh) {
+    return new MeshPart(mesh, mesh.clusters(), null, null);
   }
 
   /** Whether the shape still stands where its buffers say. */
