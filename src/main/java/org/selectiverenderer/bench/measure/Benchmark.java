@@ -54,9 +54,13 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     progress.accept("heavy scene: 784,000 triangles");
     ChildRun.Result result = child.run(heavy);
     gl.setAll((ObjectNode) result.gl());
-    put(report.putObject("heavy"), heavy, result);
+    ObjectNode heavyNode = report.putObject("heavy");
+    put(heavyNode, heavy, result);
+    RawFrames.measure(heavy, heavyNode);
     progress.accept("light scene: a sixth of it");
-    put(report.putObject("light"), light, child.run(light));
+    ObjectNode lightNode = report.putObject("light");
+    put(lightNode, light, child.run(light));
+    RawFrames.measure(light, lightNode);
     progress.accept("both eyes");
     ObjectNode stereo = report.putObject("stereo");
     StereoCost.measure(heavy, DisplayProfile.PROVIEW_50, stereo.putObject("heavy"));

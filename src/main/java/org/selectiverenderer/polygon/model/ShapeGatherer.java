@@ -11,6 +11,7 @@ import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.MeshPlacement;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.geometry.tessellate.TransformPlacement;
 import org.selectiverenderer.x3d.catalogue.NodeView;

@@ -14,7 +14,8 @@ class BenchmarkTextTest {
        "gl": {"renderer": "Pencil", "version": "4.5"},
        "read": {"mb_per_s": 51.2, "cold_mb_per_s": 20.1},
        "activation": {"us": 3.5, "affected": 10, "switches": 1000, "idle_frame_us": 0.1},
-       "heavy": {"load_ms": 1234, "fps": 41.5, "rss_mb": 300, "process_to_first_frame_ms": 2345},
+       "heavy": {"load_ms": 1234, "fps": 41.5, "rss_mb": 300, "process_to_first_frame_ms": 2345,
+         "raw_fps": 50.5, "fps_to_raw": 0.82},
        "light": {"load_ms": 100, "fps": 400.5, "rss_mb": 200, "process_to_first_frame_ms": 999},
        "simplify": {"objects_ms": 2345.6, "objects": 50, "large_ms": 1234.5,
          "large_triangles": 1001112, "large_left": 100111},
@@ -51,6 +52,8 @@ class BenchmarkTextTest {
         .startsWith("machine     Abacus, 4 processors\njava        17\nOpenGL      Pencil, 4.5\n")
         .contains("reading     51.2 MB/s over all processors (20.1 MB/s cold)\n")
         .contains("activation  3.5 us for a frame in which 10 of 1000 switches change")
+        .contains(
+            "yardstick   heavy scene: 50.5 frames/s of all triangles in one raw call; ours are 0.82")
         .containsPattern("from the start of reading\\) +1.23 +41.5 +300 +0.10 +400.5 +200\n")
         .containsPattern("from process start\\) +2.35 +1.00 +\n")
         .endsWith(APARTMENT);

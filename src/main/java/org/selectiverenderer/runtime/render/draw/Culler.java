@@ -8,7 +8,6 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.occlude.Occlusion;
 
@@ -17,6 +16,9 @@ import org.selectiverenderer.runtime.render.occlude.Occlusion;
  * within a shape, by clusters of triangles outside of every eye's frustum, hidden or, when the
  * shape is solid, turned away from all eyes. Keeps too much rather than too little. Makes no GL
  * calls.
+ *
+ * <p>What is seen is drawn by program and texture, within that front to back, which spares covered
+ * pixels; a batch stands where its nearest item does.
  */
 final class Culler {
   /** Fewer clusters are not worth looking at. */
@@ -26,89 +28,101 @@ final class Culler {
   private static final double LOOSE_PIXELS = 4;
 
   private final Visible out;
-  private @Nullable Occlusion occlusion;
-  private final List<Camera> eyes;
-  private final Frustum[] frusta;
-  private final Frustum[] local;
-  private final Vector3d[] localEyes;
   private final Matrix4d inverse = new Matrix4d();
+  private List<Camera> eyes = List.of();
+  private Frustum[] frusta = {};
+  private Frustum[] local = {};
+  private Vector3d[] localEyes = {};
+  private long[] order = new long[16];
+  private int[] next = new int[16];
+  private @Nullable Occlusion occlusion;
   private long hidden;
 
-  private Culler(Visible out, List<Camera> eyes) {
+  /**
+   * @param out where what is seen is put
+   */
+  Culler(Visible out) {
     this.out = out;
-    this.eyes = eyes;
-    frusta = eyes.stream().map(Frustum::of).toArray(Frustum[]::new);
-    local = new Frustum[frusta.length];
-    localEyes = eyes.stream().map(eye -> new Vector3d()).toArray(Vector3d[]::new);
   }
 
   /**
    * Fills the list with what of the items some eye sees.
    *
-   * @param occlusion null to keep what is hidden behind other things
+   * @param hiding null to keep what is hidden behind other things
    */
-  static void cull(
-      List<DrawItem> items, List<Camera> eyes, @Nullable Occlusion occlusion, Visible out) {
+  void cull(List<DrawItem> items, List<Camera> seeing, @Nullable Occlusion hiding) {
     out.clear();
-    long[] order = new long[items.size()];
-    Culler culler = new Culler(out, eyes);
-    int count = culler.inView(items, order);
-    if (occlusion != null && occlude(items, order, count, eyes, occlusion)) {
-      culler.occlusion = occlusion;
+    look(seeing);
+    hidden = 0;
+    if (next.length < items.size()) {
+      next = new int[2 * items.size()];
+      order = new long[2 * items.size()];
     }
-    culler.fill(items, order, count);
-    if (culler.occlusion != null) {
-      culler.occlusion.end(culler.hidden, out.indices());
+    int inView = inView(items);
+    occlusion = hiding != null && occlude(items, inView, hiding) ? hiding : null;
+    fill(items, inView);
+    if (occlusion != null) {
+      occlusion.end(hidden, out.indices());
     }
   }
 
-  /** Which items lie in some eye's frustum. */
-  private int inView(List<DrawItem> items, long[] indices) {
+  /** Puts the indices of the items in some eye's frustum into the order; returns how many. */
+  private int inView(List<DrawItem> items) {
     int count = 0;
     for (int i = 0; i < items.size(); i++) {
       DrawItem item = items.get(i);
       if (item.shape().shown() && side(item.shape().bounds()) != Frustum.Side.OUTSIDE) {
-        indices[count++] = i;
+        order[count++] = i;
       }
     }
     return count;
   }
 
-  private static boolean occlude(
-      List<DrawItem> items, long[] indices, int count, List<Camera> eyes, Occlusion occlusion) {
-    occlusion.begin(eyes);
-    for (int i = 0; i < count; i++) {
-      DrawItem item = items.get((int) indices[i]);
-      if (item.opaque()) {
-        occlusion.offer(item.mesh().occluders(), item.shape().world(), item.shape().bounds());
-      }
-    }
-    return occlusion.cover();
-  }
-
-  private void fill(List<DrawItem> items, long[] order, int inView) {
-    int count = 0;
+  private boolean occlude(List<DrawItem> items, int inView, Occlusion hiding) {
+    hiding.begin(eyes);
     for (int i = 0; i < inView; i++) {
       DrawItem item = items.get((int) order[i]);
-      if (hidden(item)) {
-        hidden += item.mesh().indexCount();
-      } else {
-        order[count++] = key(item, (int) order[i]);
-        out.opaque += item.blended() ? 0 : 1;
+      if (item.opaque()) {
+        hiding.offer(item.part().occluders(), item.place(), item.shape().bounds());
       }
+    }
+    return hiding.cover();
+  }
+
+  private void fill(List<DrawItem> items, int inView) {
+    int count = 0;
+    for (int at = 0; at < inView; at++) {
+      int i = (int) order[at];
+      DrawItem item = items.get(i);
+      if (hides(item)) {
+        hidden += item.clusters().indexCount();
+        continue;
+      }
+      Batch batch = item.part().batch();
+      if (batch == null) {
+        order[count++] = key(item, distance(item), i);
+      } else if (string(batch, i, distance(item))) {
+        order[count++] = i;
+      }
+    }
+    for (int i = 0; i < count; i++) {
+      // Of a batch the place in the order is known when all its items are.
+      DrawItem item = items.get((int) order[i] & INDEX_MASK);
+      Batch batch = item.part().batch();
+      order[i] = batch == null ? order[i] : key(item, batch.nearest, batch.first);
     }
     Arrays.sort(order, 0, count);
     for (int i = 0; i < count; i++) {
-      add(items.get((int) order[i] & INDEX_MASK));
+      add(items, (int) order[i] & INDEX_MASK);
     }
     // Clusters may have emptied items; those stay in the list without stretches.
   }
 
-  private boolean hidden(DrawItem item) {
+  private boolean hides(DrawItem item) {
     if (occlusion == null) {
       return false;
     }
-    occlusion.ask(item.shape().world(), item.source().bounds());
+    occlusion.ask(item.place(), item.part().occluders());
     double pixels = item.source().primitive() == Mesh.Primitive.TRIANGLES ? 0 : LOOSE_PIXELS;
     for (int eye = 0; eye < frusta.length; eye++) {
       if (!occlusion.hides(eye, item.shape().bounds(), pixels)) {
@@ -116,6 +130,42 @@ final class Culler {
       }
     }
     return true;
+  }
+
+  private void look(List<Camera> seeing) {
+    eyes = seeing;
+    frusta = eyes.stream().map(Frustum::of).toArray(Frustum[]::new);
+    if (local.length != frusta.length) {
+      local = eyes.stream().map(eye -> new Frustum()).toArray(Frustum[]::new);
+      localEyes = eyes.stream().map(eye -> new Vector3d()).toArray(Vector3d[]::new);
+    }
+  }
+
+  /** Adds an item to those of its batch; true for the first. */
+  private boolean string(Batch batch, int index, int distance) {
+    boolean first = batch.first < 0;
+    if (first) {
+      batch.first = index;
+    } else {
+      next[batch.last] = index;
+    }
+    batch.last = index;
+    batch.nearest = Math.min(batch.nearest, distance);
+    return first;
+  }
+
+  /** Adds an item, or all of its batch that is seen, in the order of the index buffer. */
+  private void add(List<DrawItem> items, int index) {
+    Batch batch = items.get(index).part().batch();
+    if (batch == null) {
+      add(items.get(index));
+      return;
+    }
+    for (int i = index; i != batch.last; i = next[i]) {
+      add(items.get(i));
+    }
+    add(items.get(batch.last));
+    batch.forget();
   }
 
   private static final int INDEX_BITS = 24;
@@ -126,21 +176,25 @@ final class Culler {
    * then front to back, which spares covered pixels; blended ones back to front. Sixteen bits of
    * rank, 23 of distance, 24 of place in the list.
    */
-  private long key(DrawItem item, int index) {
-    double[] box = item.shape().bounds();
-    double nearest = Double.POSITIVE_INFINITY;
-    for (Camera eye : eyes) {
-      double x = (box[0] + box[3]) / 2;
-      double y = (box[1] + box[4]) / 2;
-      double z = (box[2] + box[5]) / 2;
-      Matrix4dc v = eye.view();
-      nearest = Math.min(nearest, -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32()));
-    }
-    // The bits of a float that is not negative are in the order of its values.
-    int distance = Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;
+  private static long key(DrawItem item, int distance, int index) {
     long rank = item.blended() ? (1L << 15) : Math.min(item.rank(), (1 << 15) - 1);
     long depth = item.blended() ? (1 << 23) - 1 - distance : distance;
     return rank << (23 + INDEX_BITS) | depth << INDEX_BITS | index;
+  }
+
+  /** From the nearest eye to the middle of an item's box, along the line of sight. */
+  private int distance(DrawItem item) {
+    double[] box = item.shape().bounds();
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int eye = 0; eye < frusta.length; eye++) {
+      double x = (box[0] + box[3]) / 2;
+      double y = (box[1] + box[4]) / 2;
+      double z = (box[2] + box[5]) / 2;
+      Matrix4dc v = eyes.get(eye).view();
+      nearest = Math.min(nearest, -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32()));
+    }
+    // The bits of a float that is not negative are in the order of its values.
+    return Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;
   }
 
   private Frustum.Side side(double[] box) {
@@ -159,43 +213,31 @@ final class Culler {
   }
 
   private void add(DrawItem item) {
-    GpuMesh mesh = item.mesh();
-    if (mesh.clusters().size() < FEWEST_CLUSTERS || item.blended()) {
-      out.range(0, mesh.indexCount());
-    } else {
-      Matrix4dc world = item.shape().world();
-      boolean all = eyes.size() == 1 && side(item.shape().bounds()) == Frustum.Side.INSIDE;
-      boolean solid = mesh.solid() && world.invertAffine(inverse).isFinite();
-      for (int eye = 0; eye < frusta.length; eye++) {
-        local[eye] = frusta[eye].local(world);
-        if (solid) {
-          inverse.transformPosition(eyes.get(eye).eye(), localEyes[eye]);
-        }
-      }
-      if (occlusion != null) {
-        occlusion.ask(world, item.source().bounds());
-        occlusion.enter(world);
-      }
-      clusters(mesh, all, solid);
+    out.begin(item);
+    Clusters clusters = item.clusters();
+    int indexBytes = item.mesh().indexBytes();
+    if (clusters.size() < FEWEST_CLUSTERS || item.blended()) {
+      out.range(clusters.firstIndex()[0], clusters.indexCount(), indexBytes);
+      return;
     }
-    out.add(item);
-  }
-
-  private void clusters(GpuMesh mesh, boolean inside, boolean solid) {
-    Clusters clusters = mesh.clusters();
+    Matrix4dc place = item.place();
+    boolean all = eyes.size() == 1 && side(item.shape().bounds()) == Frustum.Side.INSIDE;
+    boolean solid = item.mesh().solid() && place.invertAffine(inverse).isFinite();
+    for (int eye = 0; eye < frusta.length; eye++) {
+      frusta[eye].local(place, local[eye]);
+      if (solid) {
+        inverse.transformPosition(eyes.get(eye).eye(), localEyes[eye]);
+      }
+    }
+    if (occlusion != null) {
+      occlusion.ask(place, item.part().occluders());
+      occlusion.enter(place);
+    }
     int[] first = clusters.firstIndex();
-    int start = -1;
     for (int c = 0; c < clusters.size(); c++) {
-      if (seen(clusters, c, inside, solid)) {
-        start = start < 0 ? first[c] : start;
-      } else if (start >= 0) {
-        out.range((long) start * mesh.indexBytes(), first[c] - start);
-        start = -1;
+      if (seen(clusters, c, all, solid)) {
+        out.range(first[c], first[c + 1] - first[c], indexBytes);
       }
-    }
-    if (start >= 0) {
-      int end = first[clusters.size()];
-      out.range((long) start * mesh.indexBytes(), end - start);
     }
   }
 

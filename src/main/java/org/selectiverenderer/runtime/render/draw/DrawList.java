@@ -23,6 +23,7 @@ final class DrawList {
   private final GpuAssets assets;
   private @Nullable InstanceTree tree;
   private long structureVersion;
+  private long placementVersion;
   private List<ShapeInstance> shapes = List.of();
   private @Nullable DrawItem[] slots = {};
   private List<DrawItem> items = List.of();
@@ -39,24 +40,58 @@ final class DrawList {
   /** Follows the tree; what is not on the graphics card yet is uploaded. */
   void follow(GL3 gl, InstanceTree newTree) {
     boolean changed = newTree != tree || newTree.structureVersion() != structureVersion;
+    if (!changed && newTree.placementVersion() == placementVersion) {
+      return; // Nothing moved and nothing has another mesh or surface.
+    }
+    placementVersion = newTree.placementVersion();
     if (changed) {
       restructure(newTree);
-    }
-    if (changed) {
-      assets.prepare(gl, shapes);
+      fill(gl);
     }
     for (int i = 0; i < slots.length; i++) {
       DrawItem slot = slots[i];
       ShapeInstance shape = shapes.get(i);
-      Mesh mesh = shape.mesh().filter(m -> !m.isEmpty()).orElse(null);
+      Mesh mesh = mesh(shape);
       boolean current = slot == null ? mesh == null : slot.current();
       if (!current) {
-        slots[i] = mesh == null ? null : item(gl, shape, mesh);
+        slots[i] =
+            mesh == null
+                ? null
+                : assets.item(shape, mesh, look(gl, shape, mesh), assets.part(gl, mesh));
         changed = true;
       }
     }
     if (changed) {
       publish(gl);
+    }
+  }
+
+  private static @Nullable Mesh mesh(ShapeInstance shape) {
+    return shape.mesh().filter(mesh -> !mesh.isEmpty()).orElse(null);
+  }
+
+  /** Makes the items of new shapes, in batches where that is worth it. */
+  private void fill(GL3 gl) {
+    List<BatchPlan.Candidate> fresh = new ArrayList<>();
+    Map<DrawLook, DrawLook> looks = new HashMap<>();
+    for (int i = 0; i < slots.length; i++) {
+      ShapeInstance shape = shapes.get(i);
+      Mesh mesh = mesh(shape);
+      if (slots[i] == null && mesh != null) {
+        // Equal looks are the same object, whose numbers are then sent once.
+        DrawLook look = looks.computeIfAbsent(look(gl, shape, mesh), known -> known);
+        fresh.add(new BatchPlan.Candidate(i, shape, mesh, look));
+      }
+    }
+    Map<ShapeInstance, MeshPart> parts = assets.prepare(gl, fresh);
+    for (BatchPlan.Candidate one : fresh) {
+      MeshPart part = parts.get(one.shape());
+      slots[one.number()] =
+          assets.item(
+              one.shape(),
+              one.mesh(),
+              one.look(),
+              part == null ? assets.part(gl, one.mesh()) : part);
     }
   }
 
@@ -71,16 +106,18 @@ final class DrawList {
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
       // Another light may have come into scope: such items are made anew, their assets are kept.
-      slots[i] = before != null && before.lights().equals(before.shape().lights()) ? before : null;
+      slots[i] =
+          before != null && before.current() && before.lights().equals(before.shape().lights())
+              ? before
+              : null;
       if (slots[i] != null) {
         scopes.putIfAbsent(before.lights(), before.lights());
       }
     }
   }
 
-  private DrawItem item(GL3 gl, ShapeInstance shape, Mesh mesh) {
-    List<LightInstance> scope = scopes.computeIfAbsent(shape.lights(), lights -> lights);
-    return assets.item(gl, shape, mesh, scope);
+  private DrawLook look(GL3 gl, ShapeInstance shape, Mesh mesh) {
+    return assets.look(gl, shape, mesh, scopes.computeIfAbsent(shape.lights(), lights -> lights));
   }
 
   private void publish(GL3 gl) {

@@ -13,7 +13,8 @@ final class Frustum {
   private static final int PLANES = 6;
   private final double[] planes = new double[4 * PLANES];
 
-  private Frustum() {}
+  /** Planes that are set later. */
+  Frustum() {}
 
   static Frustum of(Camera camera) {
     Matrix4d clip = camera.projection().mul(camera.view(), new Matrix4d());
@@ -30,9 +31,9 @@ final class Frustum {
    * The same planes in local coordinates.
    *
    * @param world from local to this frustum's coordinates
+   * @param local is made the result
    */
-  Frustum local(Matrix4dc world) {
-    Frustum local = new Frustum();
+  Frustum local(Matrix4dc world, Frustum local) {
     for (int i = 0; i < PLANES; i++) {
       double a = planes[4 * i];
       double b = planes[4 * i + 1];

@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -9,7 +11,8 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Light;
@@ -23,12 +26,18 @@ import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+import org.selectiverenderer.runtime.render.mesh.VertexLayout;
+import org.selectiverenderer.runtime.render.occlude.Occluders;
 
-/** What is on the graphics card, once per mesh and image however many shapes use it. */
+/**
+ * What is on the graphics card: batches of small shapes, other meshes and images once however many
+ * shapes use them.
+ */
 final class GpuAssets {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-  private final Map<Mesh, GpuMesh> meshes = new IdentityHashMap<>();
+  private final Map<Mesh, MeshPart> meshes = new IdentityHashMap<>();
+  private final List<GpuMesh> merged = new ArrayList<>();
   private final Map<Texture, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
   private final Map<DrawList.State, Integer> ranks = new HashMap<>();
@@ -39,33 +48,68 @@ final class GpuAssets {
     return uploads;
   }
 
-  /** Uploads the meshes of shapes; those that are new are packed on all processors. */
-  void prepare(GL3 gl, List<ShapeInstance> shapes) {
+  /**
+   * Uploads what new shapes draw: small ones of one look together in batches, the meshes of others
+   * each by itself. All is packed on all processors.
+   *
+   * @return the parts of shapes in batches; others draw their own mesh
+   */
+  Map<ShapeInstance, MeshPart> prepare(GL3 gl, List<BatchPlan.Candidate> shapes) {
+    Map<ShapeInstance, MeshPart> parts = new IdentityHashMap<>();
+    BatchPlan.of(shapes).parallelStream()
+        .map(PackedBatch::pack)
+        .toList()
+        .forEach(
+            batch -> {
+              GpuMesh gpu = new GpuMesh(gl, batch.merged().mesh());
+              merged.add(gpu);
+              uploads++;
+              batch.parts(gpu, parts);
+            });
     Set<Mesh> missing = Collections.newSetFromMap(new IdentityHashMap<>());
-    for (ShapeInstance shape : shapes) {
-      shape
-          .mesh()
-          .filter(mesh -> !mesh.isEmpty() && !meshes.containsKey(mesh))
-          .ifPresent(missing::add);
+    for (BatchPlan.Candidate shape : shapes) {
+      if (!parts.containsKey(shape.shape()) && !meshes.containsKey(shape.mesh())) {
+        missing.add(shape.mesh());
+      }
     }
     missing.parallelStream()
         .map(mesh -> Map.entry(mesh, MeshPacker.pack(mesh)))
         .toList()
         .forEach(packed -> upload(gl, packed.getKey(), packed.getValue()));
+    return parts;
   }
 
-  private GpuMesh upload(GL3 gl, Mesh mesh, PackedMesh packed) {
-    GpuMesh gpu = new GpuMesh(gl, packed);
-    meshes.put(mesh, gpu);
+  private MeshPart upload(GL3 gl, Mesh mesh, PackedMesh packed) {
+    MeshPart whole = MeshPart.whole(new GpuMesh(gl, packed), Occluders.of(mesh));
+    meshes.put(mesh, whole);
     uploads++;
-    return gpu;
+    return whole;
   }
 
-  DrawItem item(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
-    GpuMesh gpu = meshes.get(mesh);
-    if (gpu == null) {
-      gpu = upload(gl, mesh, MeshPacker.pack(mesh));
-    }
+  /** What a shape draws that is in no batch: its mesh, uploaded unless it is there. */
+  MeshPart part(GL3 gl, Mesh mesh) {
+    MeshPart whole = meshes.get(mesh);
+    return whole == null ? upload(gl, mesh, MeshPacker.pack(mesh)) : whole;
+  }
+
+  DrawItem item(ShapeInstance shape, Mesh mesh, DrawLook look, MeshPart part) {
+    return new DrawItem(
+        shape,
+        mesh,
+        shape.surface(),
+        part,
+        look.texture(),
+        look.programs(),
+        look.lights(),
+        look.material().array(),
+        look.textureTransform().array(),
+        look.blended(),
+        ranks.computeIfAbsent(
+            new DrawList.State(look.programs(), look.texture()), state -> ranks.size()));
+  }
+
+  /** How a shape with that mesh is drawn; its texture is uploaded unless it is there. */
+  DrawLook look(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
     Surface surface = shape.surface();
     GpuTexture texture =
         surface.texture() == null || mesh.texCoords() == null
@@ -76,26 +120,23 @@ final class GpuAssets {
                   uploads++;
                   return new GpuTexture(gl, image);
                 });
-    boolean blended = blended(surface, gpu, texture);
-    ShapePrograms.Family family = programs.get(variant(mesh, surface, scope, texture, blended));
+    boolean blended = blended(surface, mesh, texture);
     float[] transform = surface.textureTransform();
-    return new DrawItem(
-        shape,
-        mesh,
-        surface,
-        gpu,
+    return new DrawLook(
+        programs.get(variant(mesh, surface, scope, texture, blended)),
         texture,
-        family,
         scope,
-        numbers(surface),
-        transform == null ? NO_TRANSFORM : transform,
+        FloatBuffer.wrap(numbers(surface)),
+        FloatBuffer.wrap(transform == null ? NO_TRANSFORM : transform),
         blended,
-        ranks.computeIfAbsent(new DrawList.State(family, texture), state -> ranks.size()));
+        VertexLayout.of(mesh),
+        mesh.primitive(),
+        mesh.solid());
   }
 
-  private static boolean blended(Surface surface, GpuMesh mesh, @Nullable GpuTexture texture) {
+  private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
     return surface.transparency() > 0
-        || mesh.translucentColors()
+        || MeshPacker.translucent(mesh)
         || (texture != null && texture.alpha() == GpuTexture.Alpha.BLENDED);
   }
 
@@ -154,16 +195,24 @@ final class GpuAssets {
       usedMeshes.add(item.mesh());
       usedTextures.add(item.texture());
     }
-    sweep(meshes, usedMeshes, (mesh, unused) -> mesh.dispose(gl));
-    sweep(textures, usedTextures, (texture, unused) -> texture.dispose(gl));
+    sweep(meshes, part -> usedMeshes.contains(part.mesh()), part -> part.mesh().dispose(gl));
+    merged.removeIf(
+        mesh -> {
+          boolean unused = !usedMeshes.contains(mesh);
+          if (unused) {
+            mesh.dispose(gl);
+          }
+          return unused;
+        });
+    sweep(textures, usedTextures::contains, texture -> texture.dispose(gl));
     ranks.keySet().removeIf(s -> s.texture() != null && !usedTextures.contains(s.texture()));
   }
 
-  private static <K, V> void sweep(Map<K, V> all, Set<V> used, BiConsumer<V, K> dispose) {
+  private static <K, V> void sweep(Map<K, V> all, Predicate<V> used, Consumer<V> dispose) {
     for (Iterator<Map.Entry<K, V>> i = all.entrySet().iterator(); i.hasNext(); ) {
       Map.Entry<K, V> entry = i.next();
-      if (!used.contains(entry.getValue())) {
-        dispose.accept(entry.getValue(), entry.getKey());
+      if (!used.test(entry.getValue())) {
+        dispose.accept(entry.getValue());
         i.remove();
       }
     }

@@ -36,7 +36,7 @@ final class ItemPainter {
   /** Opaque items. */
   void paint(int from, int to) {
     for (int i = from; i < to; i++) {
-      DrawItem item = visible.items.get(i);
+      DrawItem item = visible.calls.get(i);
       if (visible.firstRange[i] == visible.firstRange[i + 1]) {
         continue;
       }
@@ -52,7 +52,7 @@ final class ItemPainter {
     texture = null;
     mesh = null;
     for (int i = from; i < to; i++) {
-      DrawItem item = visible.items.get(i);
+      DrawItem item = visible.calls.get(i);
       bind(item);
       if (!item.mesh().solid()) {
         cull(GL.GL_FRONT);
@@ -89,7 +89,7 @@ final class ItemPainter {
     }
     needed.material(gl, item.numbers(), item.textureTransform());
     needed.lights(gl, packed.numbers());
-    place(item.shape().world());
+    place(item.place());
     needed.object(gl, object);
     gl.glFrontFace(toEye.determinant3x3() < 0 ? GL.GL_CW : GL.GL_CCW);
   }
@@ -114,7 +114,7 @@ final class ItemPainter {
   }
 
   private void elements(int i) {
-    GpuMesh drawn = visible.items.get(i).mesh();
+    GpuMesh drawn = visible.calls.get(i).mesh();
     int from = visible.firstRange[i];
     int count = visible.firstRange[i + 1] - from;
     if (count == 1) {

@@ -4,55 +4,84 @@ import com.jogamp.common.nio.Buffers;
 import com.jogamp.common.nio.PointerBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
  * What a frame draws: the shapes that some eye sees, in the order of drawing, and of each the
- * stretches of its index buffer. Filled by {@link SceneRenderer#cull}, good for every eye that it
- * was made for, until the next call.
+ * stretches of its index buffer. Neighbours of one batch are one call, stretches that touch are one
+ * stretch. Filled by {@link SceneRenderer#cull}, good for every eye that it was made for, until the
+ * next call.
  */
 public final class Visible {
-  final List<DrawItem> items = new ArrayList<>();
+  /** The first item of each call; the others of a batch differ from it in nothing but stretches. */
+  final List<DrawItem> calls = new ArrayList<>();
+
+  /** How many of the calls are opaque; they come first. */
   int opaque;
+
+  /** Where each call's stretches begin, and where those of the last end. */
   int[] firstRange = new int[16];
+
   int ranges;
+  private int shapes;
   private IntBuffer counts = Buffers.newDirectIntBuffer(1024);
   private PointerBuffer offsets = PointerBuffer.allocateDirect(1024);
   private long indices;
+  private long rangeEnd;
 
   Visible() {}
 
   void clear() {
-    items.clear();
+    calls.clear();
     opaque = 0;
     ranges = 0;
+    shapes = 0;
     indices = 0;
   }
 
-  /** Ends the stretches of the item last added. */
-  void add(DrawItem item) {
-    if (firstRange.length < items.size() + 2) {
-      firstRange = java.util.Arrays.copyOf(firstRange, 2 * firstRange.length);
+  /** Begins an item: its stretches follow. */
+  void begin(DrawItem item) {
+    shapes++;
+    Batch batch = item.part().batch();
+    if (batch != null && !calls.isEmpty() && calls.get(calls.size() - 1).part().batch() == batch) {
+      return;
     }
-    items.add(item);
-    firstRange[items.size()] = ranges;
+    if (firstRange.length < calls.size() + 2) {
+      firstRange = Arrays.copyOf(firstRange, 2 * firstRange.length);
+    }
+    calls.add(item);
+    opaque += item.blended() ? 0 : 1;
+    firstRange[calls.size() - 1] = ranges;
+    firstRange[calls.size()] = ranges;
   }
 
-  /** Adds a stretch of the index buffer of the item that is added next. */
-  void range(long byteOffset, int count) {
-    if (ranges == counts.capacity()) {
-      IntBuffer moreCounts = Buffers.newDirectIntBuffer(2 * ranges);
-      moreCounts.put(counts.clear()).clear();
-      counts = moreCounts;
-      PointerBuffer moreOffsets = PointerBuffer.allocateDirect(2 * ranges);
-      for (int i = 0; i < ranges; i++) {
-        moreOffsets.put(i, offsets.get(i));
-      }
-      offsets = moreOffsets;
-    }
-    counts.put(ranges, count);
-    offsets.put(ranges++, byteOffset);
+  /** Adds a stretch of the index buffer of the item begun last. */
+  void range(int firstIndex, int count, int indexBytes) {
+    long byteOffset = (long) firstIndex * indexBytes;
     indices += count;
+    if (ranges > firstRange[calls.size() - 1] && byteOffset == rangeEnd) {
+      counts.put(ranges - 1, counts.get(ranges - 1) + count);
+    } else {
+      if (ranges == counts.capacity()) {
+        grow();
+      }
+      counts.put(ranges, count);
+      offsets.put(ranges++, byteOffset);
+      firstRange[calls.size()] = ranges;
+    }
+    rangeEnd = byteOffset + (long) count * indexBytes;
+  }
+
+  private void grow() {
+    IntBuffer moreCounts = Buffers.newDirectIntBuffer(2 * ranges);
+    moreCounts.put(counts.clear()).clear();
+    counts = moreCounts;
+    PointerBuffer moreOffsets = PointerBuffer.allocateDirect(2 * ranges);
+    for (int i = 0; i < ranges; i++) {
+      moreOffsets.put(i, offsets.get(i));
+    }
+    offsets = moreOffsets;
   }
 
   IntBuffer counts(int from) {
@@ -74,7 +103,12 @@ public final class Visible {
 
   /** The number of shapes in it. */
   public int shapes() {
-    return items.size();
+    return shapes;
+  }
+
+  /** The number of calls that draw them. */
+  public int calls() {
+    return calls.size();
   }
 
   /** The number of indices that an eye's drawing takes, three per triangle. */

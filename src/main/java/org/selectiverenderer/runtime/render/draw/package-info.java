@@ -3,9 +3,22 @@
  *
  * <p>In: an {@link org.selectiverenderer.runtime.instance.InstanceTree} and a camera. Out: pixels,
  * by {@link org.selectiverenderer.runtime.render.draw.SceneRenderer}: what is in the frustum,
- * sorted, with its lights. What lives on the graphics card is {@code runtime.render.gpu}'s. Uses
- * it, {@code runtime.render.mesh}, {@code runtime.render.occlude}, {@code runtime.instance}, {@code
- * runtime.camera}, {@code geometry.mesh} and JOGL.
+ * sorted, with its lights. What lives on the graphics card is {@code runtime.render.gpu}'s.
+ *
+ * <p>A shape is a {@link org.selectiverenderer.runtime.render.draw.DrawItem}. What it draws is its
+ * {@link org.selectiverenderer.runtime.render.draw.MeshPart}: a stretch of an index buffer, cut
+ * into clusters. Either the buffer is its own mesh's, which all shapes with that mesh share, or
+ * that of a {@link org.selectiverenderer.runtime.render.draw.Batch}: small opaque shapes of one
+ * look, near each other, put into one pair of buffers in coordinates around the batch's origin.
+ * Culling and Switches work on items, in a batch too; what is seen of a batch is then drawn by one
+ * call, since nothing but the stretches changes from one of its shapes to the next. Which shapes
+ * share a batch is decided when the tree's structure changes. A shape that moves, or gets another
+ * mesh or look, leaves its batch for good: its stretch there is not drawn any more, its own mesh is
+ * uploaded in the same frame, the others stay as they are. A shape that a Switch hides stays in its
+ * batch.
+ *
+ * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.mesh}, {@code runtime.render.occlude},
+ * {@code runtime.instance}, {@code runtime.camera}, {@code geometry.mesh} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.draw;

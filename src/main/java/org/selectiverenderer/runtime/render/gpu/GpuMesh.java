@@ -5,7 +5,6 @@ import com.jogamp.opengl.GL3;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
-import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /** A mesh on the graphics card: a vertex array with its vertex and index buffer. */
 public final class GpuMesh {
@@ -16,9 +15,7 @@ public final class GpuMesh {
   private final int indexBytes;
   private final int indexCount;
   private final Clusters clusters;
-  private final Occluders occluders;
   private final boolean solid;
-  private final boolean translucentColors;
 
   public GpuMesh(GL3 gl, PackedMesh mesh) {
     mode =
@@ -31,9 +28,7 @@ public final class GpuMesh {
     indexBytes = mesh.indexBytes();
     indexCount = mesh.indexCount();
     clusters = mesh.clusters();
-    occluders = mesh.occluders();
     solid = mesh.solid();
-    translucentColors = mesh.translucentColors();
     int[] array = new int[1];
     gl.glGenVertexArrays(1, array, 0);
     vertexArray = array[0];
@@ -67,11 +62,6 @@ public final class GpuMesh {
     return clusters;
   }
 
-  /** What of it hides other things, where it is drawn opaquely. */
-  public Occluders occluders() {
-    return occluders;
-  }
-
   /** The kind of primitive, as GL numbers it. */
   public int mode() {
     return mode;
@@ -92,10 +82,6 @@ public final class GpuMesh {
 
   public boolean solid() {
     return solid;
-  }
-
-  public boolean translucentColors() {
-    return translucentColors;
   }
 
   public void bind(GL3 gl) {

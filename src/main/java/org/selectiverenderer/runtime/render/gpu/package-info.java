@@ -3,8 +3,8 @@
  * current on the calling thread.
  *
  * <p>In: packed meshes, images, shader texts from the resources. Out: GL objects, each with a
- * {@code dispose}. Uses {@code runtime.render.mesh}, {@code runtime.render.occlude}, {@code
- * runtime.instance}, {@code geometry.mesh} and JOGL.
+ * {@code dispose}. Uses {@code runtime.render.mesh}, {@code runtime.instance}, {@code
+ * geometry.mesh} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.gpu;

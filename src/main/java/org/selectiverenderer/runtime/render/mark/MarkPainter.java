@@ -13,6 +13,7 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.draw.DrawItem;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.Program;
+import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 
 /**
@@ -79,7 +80,7 @@ final class MarkPainter {
       Program used = begin(gl);
       for (DrawItem item : items) {
         if (item.shape().shown() && masked.contains(item.shape())) {
-          draw(gl, used, item.mesh(), item.shape().world(), MASK, camera);
+          draw(gl, used, item.mesh(), item.clusters(), item.place(), MASK, camera);
         }
       }
       end(gl);
@@ -103,11 +104,26 @@ final class MarkPainter {
 
   private void draw(
       GL3 gl, Program used, GpuMesh mesh, Matrix4dc world, float[] color, Camera camera) {
+    draw(gl, used, mesh, mesh.clusters(), world, color, camera);
+  }
+
+  private void draw(
+      GL3 gl,
+      Program used,
+      GpuMesh mesh,
+      Clusters part,
+      Matrix4dc world,
+      float[] color,
+      Camera camera) {
     camera.projection().mul(camera.view(), place).mul(world);
     gl.glUniformMatrix4fv(used.uniform(gl, "place"), 1, false, place.get(numbers), 0);
     gl.glUniform4fv(used.uniform(gl, "color"), 1, color, 0);
     mesh.bind(gl);
-    gl.glDrawElements(mesh.mode(), mesh.indexCount(), mesh.indexType(), 0);
+    gl.glDrawElements(
+        mesh.mode(),
+        part.indexCount(),
+        mesh.indexType(),
+        (long) part.firstIndex()[0] * mesh.indexBytes());
   }
 
   private static GpuMesh upload(GL3 gl, Mesh.Primitive primitive, int[] indices) {

@@ -21,6 +21,20 @@ public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
         new float[] {0, 0, 1, 1});
   }
 
+  /** The same clusters in an index buffer in which they begin elsewhere. */
+  Clusters from(int index) {
+    int[] moved = firstIndex.clone();
+    for (int i = 0; i < moved.length; i++) {
+      moved[i] += index - firstIndex[0];
+    }
+    return new Clusters(moved, spheres, cones);
+  }
+
+  /** The number of indices in all of them. */
+  public int indexCount() {
+    return firstIndex[size()] - firstIndex[0];
+  }
+
   /**
    * Whether every triangle of a cluster turns its back to the eye: the eye lies behind all the
    * planes that touch a cone of normals around the bounding sphere. (The test of the direction to

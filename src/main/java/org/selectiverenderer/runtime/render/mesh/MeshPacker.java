@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
  * Packs a mesh: orders triangles by cluster, numbers vertices in the order of their first use,
@@ -19,7 +18,8 @@ public final class MeshPacker {
    */
   static final int CLUSTER_TRIANGLES = 512;
 
-  private static final int SHORT_INDEX_VERTICES = 1 << 16;
+  /** Vertices that an index of two bytes can name. */
+  static final int SHORT_INDEX_VERTICES = 1 << 16;
 
   private MeshPacker() {}
 
@@ -43,9 +43,7 @@ public final class MeshPacker {
         indices(indices, numbers, wide),
         wide,
         indices.length,
-        clusters,
-        Occluders.of(mesh),
-        translucent(mesh));
+        clusters);
   }
 
   private static int[] reorder(int[] indices, int[] triangles) {
@@ -122,7 +120,8 @@ public final class MeshPacker {
     return ByteBuffer.allocateDirect(Math.toIntExact(bytes)).order(ByteOrder.nativeOrder());
   }
 
-  private static boolean translucent(Mesh mesh) {
+  /** Whether a vertex colour is not opaque. */
+  public static boolean translucent(Mesh mesh) {
     float[] colors = mesh.colors();
     for (int i = 3; colors != null && i < colors.length; i += 4) {
       if (Math.round(clamp(colors[i], 0) * 255) < 255) {

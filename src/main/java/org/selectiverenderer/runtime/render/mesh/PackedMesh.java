@@ -2,7 +2,6 @@ package org.selectiverenderer.runtime.render.mesh;
 
 import java.nio.ByteBuffer;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
  * A mesh as the bytes of one vertex and one index buffer, both direct and in native order.
@@ -10,8 +9,6 @@ import org.selectiverenderer.runtime.render.occlude.Occluders;
  * @param wideIndices whether an index takes four bytes, else two
  * @param indexCount number of indices, three, two or one per primitive
  * @param clusters the triangles' clusters; lines and points are one cluster that is never culled
- * @param occluders what of it hides other things
- * @param translucentColors whether a vertex colour is not opaque
  */
 public record PackedMesh(
     Mesh.Primitive primitive,
@@ -21,9 +18,7 @@ public record PackedMesh(
     ByteBuffer indices,
     boolean wideIndices,
     int indexCount,
-    Clusters clusters,
-    Occluders occluders,
-    boolean translucentColors) {
+    Clusters clusters) {
 
   /** Bytes per index. */
   public int indexBytes() {

@@ -14,7 +14,8 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 public record VertexLayout(int stride, int normal, int color, int texCoord) {
   private static final int POSITION_BYTES = 12;
 
-  static VertexLayout of(Mesh mesh) {
+  /** The layout of a mesh's attributes. */
+  public static VertexLayout of(Mesh mesh) {
     int stride = POSITION_BYTES;
     int normal = -1;
     int color = -1;

@@ -1,8 +1,11 @@
 package org.selectiverenderer.runtime.render.occlude;
 
 import java.util.List;
+import java.util.function.Supplier;
+import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.MeshPlacement;
 
 /**
  * What of a mesh can hide other things: its large flat parts. They are looked for when the mesh is
@@ -12,19 +15,34 @@ public final class Occluders {
   private final boolean solid;
   private final double reach;
   private final int triangles;
-  private @Nullable Mesh mesh;
+  private @Nullable Supplier<Mesh> mesh;
   private List<Patch> patches = List.of();
 
-  private Occluders(Mesh mesh) {
-    solid = mesh.solid();
-    reach = Precision.reach(mesh.bounds());
-    triangles = mesh.polygons();
+  private Occluders(boolean solid, double reach, int triangles, Supplier<Mesh> mesh) {
+    this.solid = solid;
+    this.reach = reach;
+    this.triangles = triangles;
     this.mesh = triangles > 0 ? mesh : null;
   }
 
   /** Of a mesh, which it keeps until it has looked; lines and points hide nothing. */
   public static Occluders of(Mesh mesh) {
-    return new Occluders(mesh);
+    return new Occluders(
+        mesh.solid(), Precision.reach(mesh.bounds()), mesh.polygons(), () -> mesh);
+  }
+
+  /**
+   * Of a mesh that has been placed elsewhere, which is done again when it is looked at: only the
+   * mesh as it was is kept.
+   *
+   * @param bounds of the placed mesh
+   */
+  public static Occluders placed(Mesh mesh, Matrix4dc placement, float[] bounds) {
+    return new Occluders(
+        mesh.solid(),
+        Precision.reach(bounds),
+        mesh.polygons(),
+        () -> MeshPlacement.place(mesh, placement));
   }
 
   /** Whether there is nothing in it, as far as it was looked. */
@@ -35,7 +53,7 @@ public final class Occluders {
   /** Looks, unless that is done; takes time in proportion to the triangles. */
   void find() {
     if (mesh != null) {
-      patches = new PatchFinder(mesh).find();
+      patches = new PatchFinder(mesh.get()).find();
       mesh = null;
     }
   }

@@ -59,9 +59,10 @@ public final class Occlusion {
    * A shape whose every triangle is drawn opaquely and as a whole, or only seen from the front if
    * its mesh is solid.
    *
+   * @param place from the coordinates of its buffers to the world
    * @param box min x, y, z, max x, y, z in the world
    */
-  public void offer(Occluders occluders, Matrix4dc world, double[] box) {
+  public void offer(Occluders occluders, Matrix4dc place, double[] box) {
     if (!on || occluders.none()) {
       return;
     }
@@ -77,7 +78,7 @@ public final class Occlusion {
       // The bits of a float that is not negative are in the order of its values.
       order[at] = (long) -Float.floatToIntBits((float) cells) << 32 | at;
       offered.add(occluders);
-      places.add(world);
+      places.add(place);
     }
   }
 
@@ -123,12 +124,13 @@ public final class Occlusion {
   /**
    * The shape that is asked about from now on.
    *
-   * @param local its box in local coordinates, minima and maxima
+   * @param place from the coordinates of its buffers to the world
+   * @param shape its own, whose reach counts
    */
-  public void ask(Matrix4dc world, float[] local) {
-    double reach = Precision.reach(local);
+  public void ask(Matrix4dc place, Occluders shape) {
+    double reach = shape.reach();
     for (int eye = 0; eye < eyes; eye++) {
-      depths.get(eye).ask(world, reach);
+      depths.get(eye).ask(place, reach);
     }
   }
 

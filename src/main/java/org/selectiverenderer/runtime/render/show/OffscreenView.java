@@ -16,12 +16,17 @@ import org.selectiverenderer.runtime.render.context.Screenshot;
  * calls.
  */
 public final class OffscreenView implements AutoCloseable {
-  private static final long SECOND = 1_000_000_000L;
+  /**
+   * Triangles of a frame that may still be filled while the next is drawn. A software renderer
+   * keeps the triangles of both in memory, about 350 bytes each.
+   */
+  private static final long MOST_OVERLAPPED = 120_000;
 
   private final OffscreenContext context;
   private final OffscreenTarget target;
   private final WorldPainter painter;
-  private long previousFrame;
+  private final FramePace pace = new FramePace();
+  private long previousTriangles;
 
   private OffscreenView(OffscreenContext context, OffscreenTarget target, ViewLayout layout) {
     this.context = context;
@@ -63,33 +68,27 @@ public final class OffscreenView implements AutoCloseable {
 
   /**
    * Waits until the frame before is complete, for whoever wants to step the world as late as
-   * possible before it is drawn; {@link #draw} would wait after that.
+   * possible before it is drawn; {@link #draw} would wait after that. Nothing overlaps then.
    */
   public void awaitReady() {
-    awaitPrevious(context.gl());
+    pace.await(context.gl());
   }
 
   /**
-   * Draws a frame. Like a window with two buffers it lets one frame be under way while the next is
-   * prepared: it returns when the frame before this one is complete.
+   * Draws a frame. While it does the work that comes before pixels, the rasteriser may still fill
+   * the frame before, unless that has too many triangles. Returns when the frame before this one is
+   * complete, so that at most one is under way.
    */
   public Drawn draw(World world) {
     GL3 gl = context.gl();
     target.bind(gl);
-    awaitPrevious(gl);
-    Drawn drawn = painter.paint(gl, world, target.width(), target.height());
-    long frame = gl.glFenceSync(GL3.GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.glFlush();
-    previousFrame = frame;
-    return drawn;
-  }
-
-  private void awaitPrevious(GL3 gl) {
-    if (previousFrame != 0) {
-      gl.glClientWaitSync(previousFrame, 0, SECOND);
-      gl.glDeleteSync(previousFrame);
-      previousFrame = 0;
+    if (previousTriangles > MOST_OVERLAPPED) {
+      pace.await(gl);
     }
+    Drawn drawn = painter.paint(gl, world, target.width(), target.height());
+    pace.submitted(gl);
+    previousTriangles = drawn.triangles();
+    return drawn;
   }
 
   /** Waits until everything is drawn. */
@@ -105,7 +104,7 @@ public final class OffscreenView implements AutoCloseable {
   @Override
   public void close() {
     GL3 gl = context.gl();
-    awaitPrevious(gl);
+    pace.await(gl);
     painter.dispose(gl);
     target.dispose(gl);
     context.close();

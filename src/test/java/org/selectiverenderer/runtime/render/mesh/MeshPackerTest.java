@@ -112,21 +112,21 @@ class MeshPackerTest {
     float[] positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     float[] normals = {0.6f, 0, 0.8f, 0, -1, 0, 0, 0, 1};
     float[] colors = {0.5f, 0, 1, 1, 0, 0, 0, 0.25f, 1, 1, 1, 1};
-    PackedMesh packed =
-        MeshPacker.pack(
-            new Mesh(
-                Mesh.Primitive.TRIANGLES,
-                positions,
-                normals,
-                colors,
-                null,
-                new int[] {0, 1, 2},
-                true,
-                Mesh.boundsOf(positions, new int[] {0, 1, 2})));
+    Mesh mesh =
+        new Mesh(
+            Mesh.Primitive.TRIANGLES,
+            positions,
+            normals,
+            colors,
+            null,
+            new int[] {0, 1, 2},
+            true,
+            Mesh.boundsOf(positions, new int[] {0, 1, 2}));
+    PackedMesh packed = MeshPacker.pack(mesh);
     int at = packed.layout().normal();
     assertThat(packed.vertices().getShort(at) / 32767.0).isCloseTo(0.6, within(1e-4));
     assertThat(packed.vertices().get(packed.layout().color()) & 0xff).isEqualTo(128);
-    assertThat(packed.translucentColors()).isTrue();
+    assertThat(MeshPacker.translucent(mesh)).isTrue();
   }
 
   @Test

@@ -12,6 +12,18 @@ import org.selectiverenderer.runtime.camera.Camera;
 
 /** The eye is at the origin and looks along -Z, a right angle wide, 100 x 100 pixels. */
 class OcclusionTest {
+  /** Nothing, but of that size: what is asked about. */
+  private static final Mesh EIGHTEEN_METRES =
+      new Mesh(
+          Mesh.Primitive.TRIANGLES,
+          new float[0],
+          null,
+          null,
+          null,
+          new int[0],
+          true,
+          new float[] {-9, -9, -9, 9, 9, 9});
+
   private static final Matrix4dc HERE = new Matrix4d();
   private static final double[] BEHIND = {-0.5, -0.5, -6, 0.5, 0.5, -5};
   private static final int[] QUAD = {0, 1, 2, 0, 2, 3};
@@ -39,7 +51,7 @@ class OcclusionTest {
     if (!occlusion.cover()) {
       return false;
     }
-    occlusion.ask(HERE, new float[] {-9, -9, -9, 9, 9, 9});
+    occlusion.ask(HERE, Occluders.of(EIGHTEEN_METRES));
     return IntStream.range(0, eyes.length).allMatch(eye -> occlusion.hides(eye, box, 0));
   }
 

@@ -1,18 +1,22 @@
-package org.selectiverenderer.polygon.model;
+package org.selectiverenderer.geometry.mesh;
 
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.mesh.Mesh;
 
 /** Meshes put where a Transform places its children. */
-final class MeshPlacement {
+public final class MeshPlacement {
   private MeshPlacement() {}
 
-  /** The mesh in its parent's frame; a mirror turns the triangles, so that the front stays. */
-  static Mesh place(Mesh mesh, Matrix4dc placement) {
+  /**
+   * The mesh in its parent's frame, normals of length 1; a mirror turns the triangles, so that the
+   * front stays.
+   *
+   * @param placement from the mesh's frame to the parent's, affine
+   */
+  public static Mesh place(Mesh mesh, Matrix4dc placement) {
     if (new Matrix4d().equals(placement)) {
       return mesh;
     }
@@ -23,7 +27,7 @@ final class MeshPlacement {
       put(v, positions, i);
     }
     int[] indices = mesh.indices();
-    if (placement.determinant3x3() < 0) {
+    if (mesh.primitive() == Mesh.Primitive.TRIANGLES && placement.determinant3x3() < 0) {
       indices = indices.clone();
       for (int i = 0; i < indices.length; i += 3) {
         int kept = indices[i + 1];

@@ -1,0 +1,102 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.draw.RawDraw;
+import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+import org.selectiverenderer.runtime.render.show.OffscreenView;
+import org.selectiverenderer.runtime.render.show.RawView;
+import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.runtime.viewer.CameraPathReader;
+import org.selectiverenderer.runtime.viewer.PathMotion;
+
+/**
+ * Times our frames beside the same walk drawn by one raw call per frame: all triangles of the
+ * scene, no light, nothing culled. Rounds of ours and of raw ones alternate, so that whatever else
+ * the machine does falls on both.
+ *
+ * <p>{@code fps_to_raw} is our frames per raw frame, the median of the rounds. It is above 1 where
+ * culling spares more than lights, materials and calls cost.
+ */
+final class RawFrames {
+  private static final int WIDTH = 1024;
+  private static final int HEIGHT = 768;
+  private static final int ROUNDS = 5;
+  private static final int FRAMES = 30;
+
+  /** Frames per second of the walk: a round spans what a run of a scene does. */
+  private static final double RATE = 6;
+
+  private RawFrames() {}
+
+  /** Adds {@code raw_fps} and {@code fps_to_raw}. */
+  static void measure(BenchScene scene, ObjectNode node) throws IOException {
+    Optional<CameraPath> path = CameraPathReader.read(scene.path(), new Problems());
+    if (path.isEmpty()) {
+      throw new IOException("the benchmark's path is broken");
+    }
+    double[] raw = new double[ROUNDS];
+    double[] ratio = new double[ROUNDS];
+    try (Walkthrough walk =
+        Walkthrough.open(
+            scene.scene(),
+            SelectiveController.Settings.SELECTIVE,
+            problem -> {},
+            event -> {},
+            text -> {})) {
+      PackedMesh triangles = RawDraw.pack(walk.world().instances());
+      double time = 0;
+      for (int round = -1; round < ROUNDS; round++) { // The first warms up.
+        double ours = ours(walk, path.get(), time);
+        double yardstick = raw(walk, path.get(), triangles, time + FRAMES / RATE);
+        time += 2 * FRAMES / RATE;
+        if (round >= 0) {
+          raw[round] = yardstick;
+          ratio[round] = ours / yardstick;
+        }
+      }
+    }
+    node.put("raw_fps", Rounded.to(1, Medians.median(raw)));
+    node.put("fps_to_raw", Rounded.to(2, Medians.median(ratio)));
+  }
+
+  private static double ours(Walkthrough walk, CameraPath path, double start) throws IOException {
+    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, ViewLayout.MONO)) {
+      view.prepare(walk.world());
+      return perSecond(walk, path, start, view::draw, view::finish);
+    }
+  }
+
+  private static double raw(Walkthrough walk, CameraPath path, PackedMesh triangles, double start)
+      throws IOException {
+    try (RawView view = new RawView(triangles, WIDTH, HEIGHT)) {
+      return perSecond(walk, path, start, view::draw, view::finish);
+    }
+  }
+
+  private static double perSecond(
+      Walkthrough walk, CameraPath path, double start, Consumer<World> draw, Runnable finish)
+      throws IOException {
+    // Each round walks the same way.
+    PathMotion motion = new PathMotion(path, start - path.start());
+    walk.step(start, motion);
+    draw.accept(walk.world());
+    finish.run();
+    long begun = System.nanoTime();
+    for (int frame = 1; frame <= FRAMES; frame++) {
+      walk.step(start + frame / RATE, motion);
+      draw.accept(walk.world());
+    }
+    finish.run();
+    return FRAMES * 1e9 / (System.nanoTime() - begun);
+  }
+}

@@ -1,0 +1,65 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.MeshPlacement;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.render.gpu.GpuMesh;
+import org.selectiverenderer.runtime.render.mesh.MeshMerger;
+import org.selectiverenderer.runtime.render.mesh.MeshPacker;
+import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+import org.selectiverenderer.runtime.render.occlude.Occluders;
+
+/**
+ * A batch ready to be uploaded.
+ *
+ * @param origin in the world, of the coordinates in the buffers
+ * @param worlds of the shapes when they were put there
+ * @param occluders what of each shape hides other things, in the coordinates of the buffers
+ */
+record PackedBatch(
+    List<BatchPlan.Candidate> shapes,
+    Matrix4dc origin,
+    List<Matrix4dc> worlds,
+    MeshMerger.Merged merged,
+    List<Occluders> occluders) {
+
+  /** Puts shapes into one pair of buffers around the middle of them all; any thread. */
+  static PackedBatch pack(List<BatchPlan.Candidate> shapes) {
+    double[] box = BatchPlan.bounds(shapes);
+    double x = (box[0] + box[3]) / 2;
+    double y = (box[1] + box[4]) / 2;
+    double z = (box[2] + box[5]) / 2;
+    Matrix4dc toBatch = new Matrix4d().translation(-x, -y, -z);
+    List<Matrix4dc> worlds = shapes.stream().map(candidate -> candidate.shape().world()).toList();
+    List<PackedMesh> packed = new ArrayList<>();
+    List<Occluders> occluders = new ArrayList<>();
+    for (int i = 0; i < shapes.size(); i++) {
+      Matrix4d placement = toBatch.mul(worlds.get(i), new Matrix4d());
+      Mesh mesh = shapes.get(i).mesh();
+      Mesh placed = MeshPlacement.place(mesh, placement);
+      packed.add(MeshPacker.pack(placed));
+      occluders.add(Occluders.placed(mesh, placement, placed.bounds()));
+    }
+    return new PackedBatch(
+        shapes,
+        new Matrix4d().translation(x, y, z),
+        worlds,
+        MeshMerger.merge(packed),
+        occluders);
+  }
+
+  /** Tells each shape its part of the uploaded buffers. */
+  void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
+    Batch batch = new Batch(origin);
+    for (int i = 0; i < shapes.size(); i++) {
+      parts.put(
+          shapes.get(i).shape(),
+          new MeshPart(mesh, merged.parts().get(i), occluders.get(i), batch, worlds.get(i)));
+    }
+  }
+}

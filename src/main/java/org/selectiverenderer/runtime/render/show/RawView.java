@@ -1,0 +1,66 @@
+package org.selectiverenderer.runtime.render.show;
+
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.render.VisibleRange;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.draw.RawDraw;
+import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+
+/**
+ * The triangles of a world drawn by one call, without a window: what {@link OffscreenView} is
+ * measured by. The thread that opens it owns its GL context and makes all calls.
+ */
+public final class RawView implements AutoCloseable {
+  private final OffscreenContext context = OffscreenContext.open();
+  private final FramePace pace = new FramePace();
+  private final OffscreenTarget target;
+  private final RawDraw raw;
+
+  /**
+   * Opens a context and a target without anti-aliasing and uploads.
+   *
+   * @param triangles by {@link RawDraw#pack}
+   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
+   *     display or no OpenGL 3.3
+   */
+  public RawView(PackedMesh triangles, int width, int height) {
+    target = new OffscreenTarget(context.gl(), width, height, 0);
+    raw = new RawDraw(context.gl(), triangles);
+  }
+
+  /** Draws a frame as the world's viewer sees it; returns when the one before is complete. */
+  public void draw(World world) {
+    target.bind(context.gl());
+    VisibleRange sight = VisibleRange.of(world);
+    Camera camera =
+        Camera.of(
+            world.viewer(),
+            target.width(),
+            target.height(),
+            sight.range().near(),
+            sight.range().far());
+    raw.draw(context.gl(), camera);
+    pace.submitted(context.gl());
+  }
+
+  /** Waits until everything is drawn. */
+  public void finish() {
+    target.finish(context.gl());
+  }
+
+  /** The picture last drawn. */
+  public Screenshot screenshot() {
+    return target.read(context.gl());
+  }
+
+  @Override
+  public void close() {
+    pace.await(context.gl());
+    raw.dispose(context.gl());
+    target.dispose(context.gl());
+    context.close();
+  }
+}
