@@ -1,0 +1,29 @@
+package org.selectiverenderer.cli.batch;
+
+/**
+ * How the texts of many files become one output.
+ *
+ * @param begin before the first one
+ * @param between two of them; each loses its own last line end where there is one
+ * @param end after the last one
+ */
+public record BatchForm(String begin, String between, String end) {
+  /** Lines that say themselves which file they are about. */
+  public static final BatchForm LINES = new BatchForm("", "", "");
+
+  /** Texts with an empty line between them. */
+  public static final BatchForm TEXTS = new BatchForm("", "\n", "");
+
+  /** JSON values, as one array. */
+  public static final BatchForm JSON_ARRAY = new BatchForm("[\n", ",\n", "\n]\n");
+
+  /** Rows of a table. */
+  public static BatchForm table(String header) {
+    return new BatchForm(header, "", "");
+  }
+
+  /** A text as it stands among the others. */
+  String trimmed(String text) {
+    return end.isEmpty() ? text : text.stripTrailing();
+  }
+}
