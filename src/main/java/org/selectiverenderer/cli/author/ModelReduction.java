@@ -80,7 +80,8 @@ record ModelReduction(Goal goal, @Nullable Path output, boolean json, boolean ma
     LeftFiles.tell(writing.commit(), console);
   }
 
-  private void print(Path file, ModelSize size, Simplified reduced, long milliseconds, Console console) {
+  private void print(
+      Path file, ModelSize size, Simplified reduced, long milliseconds, Console console) {
     if (json) {
       ObjectNode report = JsonTree.object();
       if (many) {

@@ -110,8 +110,7 @@ public final class PolygonsCommand extends CliCommand {
   private ExitStatus one(Path scene, Console own) throws IOException {
     Problems problems = new Problems(own::problem);
     SceneStatistics statistics = count(scene, problems);
-    own.out()
-        .print(format == Format.csv ? StatisticsCsv.rowsOfMany(statistics) : text(statistics));
+    own.out().print(format == Format.csv ? StatisticsCsv.rowsOfMany(statistics) : text(statistics));
     return ExitStatus.of(problems);
   }
 

@@ -115,7 +115,8 @@ public final class SimplifyCommand extends CliCommand {
     FileArguments files = new FileArguments(names);
     if (files.one()) {
       Path file = files.file();
-      Path target = outputDir == null ? output : OutputFolder.open(outputDir, List.of(file)).of(file);
+      Path target =
+          outputDir == null ? output : OutputFolder.open(outputDir, List.of(file)).of(file);
       if (target != null
           && Files.exists(target)
           && Files.exists(file)

@@ -107,8 +107,7 @@ public final class SimulateCommand extends CliCommand {
 
   private ExitStatus simulate(Path scene, CameraPath walked, TimelineJson json, Console to)
       throws IOException, InterruptedException {
-    Function<TimelineEvent, String> text =
-        format.json() ? json::line : new TimelineText()::line;
+    Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
     RunSettings settings =
         new RunSettings(scene, condition.settings())
             .with(MotionSettings.following(FollowedPath.at(rate, walked)));
