@@ -183,7 +183,8 @@ public final class ContentRoot {
     if (parent == null || name == null) {
       return "";
     }
-    return listed.computeIfAbsent(parent, ContentRoot::list)
+    return listed
+        .computeIfAbsent(parent, ContentRoot::list)
         .getOrDefault(folded(name.toString()), List.of())
         .stream()
         .filter(file -> file.equalsIgnoreCase(name.toString()) && !file.equals(name.toString()))
