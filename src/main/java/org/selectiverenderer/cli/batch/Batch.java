@@ -89,7 +89,7 @@ public final class Batch {
       }
       print(await(open.remove()));
     } while (!open.isEmpty() && !stopped.get());
-    print(begun || form.end().isEmpty() ? form.end() : form.begin() + "]\n");
+    print(begun ? form.end() : form.ofNone());
   }
 
   private static Result await(Future<Result> result) {

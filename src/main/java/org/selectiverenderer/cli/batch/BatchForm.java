@@ -4,8 +4,8 @@ package org.selectiverenderer.cli.batch;
  * How the texts of many files become one output.
  *
  * @param begin before the first one
- * @param between two of them; each loses its own last line end where there is one
- * @param end after the last one
+ * @param between two of them
+ * @param end after the last one; where there is one, each text loses its own last line end
  */
 public record BatchForm(String begin, String between, String end) {
   /** Lines that say themselves which file they are about. */
@@ -20,6 +20,11 @@ public record BatchForm(String begin, String between, String end) {
   /** Rows of a table. */
   public static BatchForm table(String header) {
     return new BatchForm(header, "", "");
+  }
+
+  /** The output when there is no text at all. */
+  String ofNone() {
+    return end.isEmpty() ? "" : begin + end.stripLeading();
   }
 
   /** A text as it stands among the others. */
