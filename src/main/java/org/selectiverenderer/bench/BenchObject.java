@@ -14,20 +14,25 @@ final class BenchObject {
    * @param number picks the colour
    */
   static String text(String name, int number, FormMesh mesh) {
+    X3dWriter out = new X3dWriter(21 * mesh.triangles().length + 16 * mesh.points().length + 800);
+    write(out.file("Interchange", "3.3").open("Scene"), name, number, mesh);
+    return out.finish();
+  }
+
+  /** The Shape alone, in a file that is being written. */
+  static void write(X3dWriter out, String name, int number, FormMesh mesh) {
     StringBuilder index = new StringBuilder(7 * mesh.triangles().length);
     int[] triangles = mesh.triangles();
     for (int t = 0; t < triangles.length; t += 3) {
       index.append(triangles[t]).append(' ').append(triangles[t + 1]).append(' ');
       index.append(triangles[t + 2]).append(" -1 ");
     }
-    X3dWriter out = new X3dWriter(index.length() + 16 * mesh.points().length + 800);
-    out.file("Interchange", "3.3").open("Scene").open("Shape", "DEF", name);
+    out.open("Shape", "DEF", name);
     out.material(
         "diffuseColor", colour(number), "specularColor", "0.3 0.3 0.3", "shininess", "0.3");
     out.open("IndexedFaceSet").numbers("coordIndex", index);
     out.open("Coordinate").numbers("point", fixed(mesh.points(), 5)).close();
-    out.open("Normal").numbers("vector", fixed(mesh.normals(), 3)).close();
-    return out.finish();
+    out.open("Normal").numbers("vector", fixed(mesh.normals(), 3)).close().close().close();
   }
 
   private static StringBuilder fixed(double[] values, int decimals) {

@@ -1,17 +1,9 @@
 package org.selectiverenderer.cli;
 
-import java.io.FileNotFoundException;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.CharacterCodingException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystemException;
-import java.nio.file.NoSuchFileException;
-import java.nio.file.NotDirectoryException;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.FailureSentence;
 import org.selectiverenderer.cli.output.OutputFailure;
 
 /** Turns whatever ended a command into one line for the user and an exit status. */
@@ -36,7 +28,7 @@ final class FailureReport {
     if (failure instanceof OutputFailure output && output.readerHasGone()) {
       return ExitStatus.DONE;
     }
-    console.message(command + ": " + sentence(failure).strip().replaceAll("\\s*\\R\\s*", "; "));
+    console.message(command + ": " + FailureSentence.of(failure));
     if (failure instanceof CommandFailure cause && cause.wrongUsage()) {
       console.message("Try '" + command + " --help'.");
     }
@@ -44,39 +36,5 @@ final class FailureReport {
       failure.printStackTrace(console.err());
     }
     return ExitStatus.FAILURE;
-  }
-
-  private static String sentence(Throwable failure) {
-    if (failure instanceof CommandFailure) {
-      return failure.getMessage();
-    } else if (failure instanceof OutputFailure output) {
-      return "cannot write to standard output: " + sentence(output.getCause());
-    } else if (failure instanceof UncheckedIOException unchecked) {
-      return sentence(unchecked.getCause());
-    } else if (failure instanceof FileSystemException file) {
-      return fileSentence(file);
-    } else if (failure instanceof CharacterCodingException) {
-      return "a file is not UTF-8 text";
-    } else if (failure instanceof IOException && failure.getMessage() != null) {
-      String prefix = failure instanceof FileNotFoundException ? "cannot open " : "";
-      return prefix + failure.getMessage();
-    } else if (failure instanceof OutOfMemoryError) {
-      return "out of memory; give it more with SELECTIVE_RENDERER_JAVA_OPTS=-Xmx4g";
-    }
-    return "internal error, please report it: " + failure;
-  }
-
-  private static String fileSentence(FileSystemException failure) {
-    String file = failure.getFile();
-    if (failure instanceof NoSuchFileException) {
-      return "no such file: " + file;
-    } else if (failure instanceof AccessDeniedException) {
-      return "permission denied: " + file;
-    } else if (failure instanceof FileAlreadyExistsException) {
-      return "the file exists already: " + file;
-    } else if (failure instanceof NotDirectoryException) {
-      return "not a folder: " + file;
-    }
-    return failure.getReason() == null ? "cannot use " + file : file + ": " + failure.getReason();
   }
 }

@@ -19,7 +19,6 @@ import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
-import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -56,7 +55,7 @@ public final class World {
   private LiveFiles files;
   private Pointing pointing;
   private final MeshTrees meshes = new MeshTrees();
-  private List<FrameNode> frameNodes = List.of();
+  private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
   private boolean cutOff;
   private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
@@ -86,10 +85,13 @@ public final class World {
     LiveFiles live = new LiveFiles(loaded, problems, this::post);
     files = live;
     instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
+    instances.onMoved(node -> round.moved(node));
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
     AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
     pointing = new Pointing(instances, meshes, links::follow);
+    round.close();
+    round = new FrameRound(List.of());
     frameNodesOf = -1;
     cutOff = false;
     reportCutOff();
@@ -294,9 +296,8 @@ public final class World {
     instances.update();
     pointing.frame(drain(pointed), viewer, cascade);
     WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
-    for (FrameNode node : frameNodes()) {
-      node.frame(frame, cascade);
-    }
+    frameNodes();
+    round.frame(frame, cascade);
     settle();
   }
 
@@ -330,16 +331,18 @@ public final class World {
     return drained;
   }
 
-  /** The nodes that look at every frame; follows the structure of the scene. */
-  private List<FrameNode> frameNodes() {
+  /** Follows the structure of the scene with the nodes that look at every frame. */
+  private void frameNodes() {
     if (frameNodesOf != instances.structureVersion()) {
       frameNodesOf = instances.structureVersion();
       FrameNodes walk = FrameNodes.of(scene, instances);
-      frameNodes = walk.frameNodes();
+      if (!round.isOf(walk.frameNodes())) {
+        round.close();
+        round = new FrameRound(walk.frameNodes());
+      }
       files.watch(walk.inlines());
       pointing.touchable(walk.touchable());
     }
-    return frameNodes;
   }
 
   /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */

@@ -1,15 +1,30 @@
 package org.selectiverenderer.app.timeline;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Optional;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.control.ControlEvent;
 
 /** The time line as JSON, one object per line, keys in the order that the command line promises. */
 public final class TimelineJson {
+  private final Optional<String> scene;
+
+  /** Lines about one scene. */
+  public TimelineJson() {
+    scene = Optional.empty();
+  }
+
+  /** Lines about one of many scenes, each with the key {@code scene} first. */
+  public TimelineJson(String scene) {
+    this.scene = Optional.of(scene);
+  }
+
   /** One line, without its end. */
   public String line(TimelineEvent event) {
-    ObjectNode node = JsonTree.object().put("t", Rounded.to(6, event.t()));
+    ObjectNode node = JsonTree.object();
+    scene.ifPresent(name -> node.put("scene", name));
+    node.put("t", Rounded.to(6, event.t()));
     if (event instanceof TimelineEvent.Told told) {
       put(node, told.event());
     } else if (event instanceof TimelineEvent.End end) {

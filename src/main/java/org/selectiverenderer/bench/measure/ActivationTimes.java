@@ -31,24 +31,34 @@ final class ActivationTimes {
             event -> {},
             text -> {})) {
       double loadMs = (System.nanoTime() - begun) * 1e-6;
-      double[] changing = new double[ROUNDS];
-      double[] resting = new double[ROUNDS];
-      double time = 0;
-      for (int round = 0; round < 2 * ROUNDS; round++) {
-        // The first half warms up.
-        int at = round % ROUNDS;
-        changing[at] = step(walk, time += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
-        resting[at] = step(walk, time += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
-      }
+      node.put("switches", scene.switches());
+      node.put("affected", affected);
+      frames(walk, 0, ROUNDS, node);
       if (walk.enteredAreas().size() > 1) {
         throw new IOException("the benchmark's scene does not behave");
       }
-      node.put("switches", scene.switches());
-      node.put("affected", affected);
-      node.put("us", Rounded.to(1, Medians.median(changing)));
-      node.put("idle_frame_us", Rounded.to(1, Medians.median(resting)));
       node.put("load_ms", Rounded.to(1, loadMs));
     }
+  }
+
+  /**
+   * Steps in and out of the area.
+   *
+   * @param time of the walk so far
+   * @param rounds measured, after as many to warm up
+   */
+  static void frames(Walkthrough walk, double time, int rounds, ObjectNode node) {
+    double[] changing = new double[rounds];
+    double[] resting = new double[rounds];
+    double now = time;
+    for (int round = 0; round < 2 * rounds; round++) {
+      // The first half warms up.
+      int at = round % rounds;
+      changing[at] = step(walk, now += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
+      resting[at] = step(walk, now += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
+    }
+    node.put("us", Rounded.to(1, Medians.median(changing)));
+    node.put("idle_frame_us", Rounded.to(1, Medians.median(resting)));
   }
 
   private static double step(Walkthrough walk, double time, Vector3dc eye) {

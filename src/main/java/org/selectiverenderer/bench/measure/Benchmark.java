@@ -2,11 +2,8 @@ package org.selectiverenderer.bench.measure;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
@@ -32,11 +29,8 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
    * @throws InterruptedException when the waiting thread is interrupted
    */
   public ObjectNode run() throws IOException, InterruptedException {
-    Path folder = Files.createTempDirectory("selective-renderer-bench");
-    try {
-      return measure(folder);
-    } finally {
-      delete(folder);
+    try (BenchFolder folder = new BenchFolder()) {
+      return measure(folder.path());
     }
   }
 
@@ -95,13 +89,5 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     node.put("frame_p50_ms", result.p50());
     node.put("frame_p99_ms", result.p99());
     node.put("rss_mb", result.rss());
-  }
-
-  private static void delete(Path folder) throws IOException {
-    try (Stream<Path> files = Files.walk(folder)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    }
   }
 }

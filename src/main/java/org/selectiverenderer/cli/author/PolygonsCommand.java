@@ -5,10 +5,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.chart.ChartFile;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.option.SceneArgument;
+import org.selectiverenderer.cli.batch.Batch;
+import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.option.FileArguments;
+import org.selectiverenderer.cli.option.ScenesArgument;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -26,10 +30,15 @@ import picocli.CommandLine.Option;
 
 @Command(
     name = "polygons",
-    description =
-        "Counts the polygons of each object's versions, and of each part of the "
-            + "scene for every set of schemas that can be active there.",
-    footer = "  ./selective-renderer polygons scenes/trashcan.x3d --chart polygons.svg")
+    description = {
+      "Counts the polygons of each object's versions, and of each part of the "
+          + "scene for every set of schemas that can be active there.",
+      "Of several scenes it works on as many at a time as there are processors."
+    },
+    footer = {
+      "  ./selective-renderer polygons scenes/trashcan.x3d --chart polygons.svg",
+      "  ./selective-renderer polygons scenes/ --format csv"
+    })
 public final class PolygonsCommand extends CliCommand {
   private enum Format {
     text,
@@ -37,7 +46,7 @@ public final class PolygonsCommand extends CliCommand {
     json
   }
 
-  @Mixin private SceneArgument scene = new SceneArgument();
+  @Mixin private ScenesArgument scenes = new ScenesArgument();
 
   @Option(
       names = "--scope",
@@ -71,26 +80,49 @@ public final class PolygonsCommand extends CliCommand {
       throw CommandFailure.usage("--chart needs a file that ends in .png or .svg, not " + chart);
     }
     OutputFile.check("--chart", chart);
-    Problems problems = new Problems(console()::problem);
-    SceneStatistics statistics;
-    try {
-      statistics = PolygonStatistics.of(scene.file(), scopes, problems);
-    } catch (ScopeException e) {
-      throw CommandFailure.usage("--scope: " + e.getMessage());
+    FileArguments files = scenes.files();
+    if (!files.one()) {
+      if (chart != null) {
+        throw CommandFailure.usage("--chart draws one scene; name one");
+      }
+      return new Batch(console(), form()).run(files.files(FileFinder.SCENES), this::one);
     }
-    console()
-        .out()
-        .print(
-            switch (format) {
-              case text -> StatisticsText.of(statistics);
-              case csv -> StatisticsCsv.of(statistics);
-              case json -> StatisticsJson.of(statistics);
-            });
+    Problems problems = new Problems(console()::problem);
+    SceneStatistics statistics = count(files.file(), problems);
+    console().out().print(format == Format.csv ? StatisticsCsv.of(statistics) : text(statistics));
     console().out().flush();
     if (chartFile.isPresent()) {
       String title = "Polygons of " + Path.of(statistics.scene()).getFileName();
       chartFile.get().write(title, StatisticsCharts.of(statistics));
     }
     return ExitStatus.of(problems);
+  }
+
+  private BatchForm form() {
+    return switch (format) {
+      case text -> BatchForm.TEXTS;
+      case csv -> BatchForm.table(StatisticsCsv.headerOfMany());
+      case json -> BatchForm.JSON_ARRAY;
+    };
+  }
+
+  /** One of many. */
+  private ExitStatus one(Path scene, Console own) throws IOException {
+    Problems problems = new Problems(own::problem);
+    SceneStatistics statistics = count(scene, problems);
+    own.out().print(format == Format.csv ? StatisticsCsv.rowsOfMany(statistics) : text(statistics));
+    return ExitStatus.of(problems);
+  }
+
+  private SceneStatistics count(Path scene, Problems problems) throws IOException {
+    try {
+      return PolygonStatistics.of(scene, scopes, problems);
+    } catch (ScopeException e) {
+      throw CommandFailure.usage("--scope: " + e.getMessage());
+    }
+  }
+
+  private String text(SceneStatistics statistics) {
+    return format == Format.json ? StatisticsJson.of(statistics) : StatisticsText.of(statistics);
   }
 }

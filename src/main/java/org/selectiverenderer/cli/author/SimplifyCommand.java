@@ -1,30 +1,20 @@
 package org.selectiverenderer.cli.author;
 
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
-import java.util.Optional;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.batch.Batch;
+import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.polygon.model.Model;
-import org.selectiverenderer.polygon.model.ModelReader;
-import org.selectiverenderer.polygon.model.ModelWriter;
 import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.polygon.simplify.ModelSize;
-import org.selectiverenderer.polygon.simplify.Simplified;
-import org.selectiverenderer.polygon.simplify.Simplifier;
-import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.source.Gzip;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -35,18 +25,23 @@ import picocli.CommandLine.Parameters;
     description = {
       "Makes one reduced version of a model: X3D, OBJ, PLY, STL or glTF to X3D.",
       "Without --output the model goes to standard output, and the figures to standard error; with"
-          + " --format json and no --output only the figures are printed."
+          + " --format json and no --output only the figures are printed.",
+      "Of several models it works on as many at a time as there are processors."
     },
     footer = {
       "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 --output"
           + " trashCan_v2.x3d",
-      "  ./selective-renderer simplify chair.glb --polygons 500 --output chair_v2.x3d"
+      "  ./selective-renderer simplify chair.glb --polygons 500 --output chair_v2.x3d",
+      "  ./selective-renderer simplify inlineNodes/ --vert-percent 10 --output-dir reduced"
     })
 public final class SimplifyCommand extends CliCommand {
   private enum Format {
     text,
     json
   }
+
+  private static final FileFinder MODELS =
+      new FileFinder("model", List.of(".x3d", ".x3dz", ".obj", ".ply", ".stl", ".gltf", ".glb"));
 
   /** One of the ways to say how far to reduce. */
   static final class GoalOptions {
@@ -84,14 +79,22 @@ public final class SimplifyCommand extends CliCommand {
 
   @Parameters(
       paramLabel = "MODEL",
-      description = "model (.x3d, .x3dz, .obj, .ply, .stl, .gltf, .glb)")
-  private Path file = Path.of("");
+      arity = "1..*",
+      description =
+          "models (.x3d, .x3dz, .obj, .ply, .stl, .gltf, .glb), folders of models, patterns")
+  private List<String> names = List.of();
 
   @ArgGroup(exclusive = true, multiplicity = "1")
   private GoalOptions options = new GoalOptions();
 
   @Option(names = "--output", paramLabel = "OUT.x3d", description = "writes the model to a file")
   private @Nullable Path output;
+
+  @Option(
+      names = "--output-dir",
+      paramLabel = "DIR",
+      description = "writes each model to a file in a folder, named as the model, with .x3d")
+  private @Nullable Path outputDir;
 
   @Option(
       names = "--format",
@@ -106,87 +109,34 @@ public final class SimplifyCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     Goal goal = options.goal();
     OutputFile.check("--output", output, ".x3d", ".x3dz");
-    if (output != null
-        && Files.exists(output)
-        && Files.exists(file)
-        && Files.isSameFile(output, file)) {
-      throw CommandFailure.environment(
-          "--output " + output + ": is the model itself, which would be lost; name another file");
+    if (output != null && outputDir != null) {
+      throw CommandFailure.usage("--output and --output-dir exclude each other; give one");
     }
-    Problems problems = new Problems(console()::problem);
-    Optional<Model> read = new ModelReader(NodeCatalogue.load()).read(file, problems);
-    if (read.isEmpty()) {
-      return ExitStatus.PROBLEMS;
+    FileArguments files = new FileArguments(names);
+    if (files.one()) {
+      Path file = files.file();
+      Path target =
+          outputDir == null ? output : OutputFolder.open(outputDir, List.of(file)).of(file);
+      if (target != null
+          && Files.exists(target)
+          && Files.exists(file)
+          && Files.isSameFile(target, file)) {
+        throw CommandFailure.environment(
+            "--output " + target + ": is the model itself, which would be lost; name another file");
+      }
+      return new ModelReduction(goal, target, format == Format.json, false).run(file, console());
     }
-    Model model = read.get();
-    ModelSize size = ModelSize.of(model.meshes());
-    if (GoalText.beyond(goal, size, file, problems)) {
-      return ExitStatus.PROBLEMS;
+    if (output != null || outputDir == null && format != Format.json) {
+      throw CommandFailure.usage("several models need --output-dir, a folder for the results");
     }
-    long start = System.nanoTime();
-    Simplified reduced = new Simplifier().simplify(model.meshes(), goal);
-    long milliseconds = (System.nanoTime() - start) / 1_000_000;
-    write(model.with(reduced.parts()), reduced);
-    print(size, reduced, milliseconds);
-    if (!reduced.met()) {
-      console().message(GoalText.shortfall(file.toString(), goal, reduced));
-    }
-    return reduced.met() ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
-  }
-
-  private void write(Model model, Simplified reduced) throws IOException {
-    Path target = output == null ? Path.of("model.x3d") : output;
-    if (output == null && format == Format.json) {
-      return;
-    }
-    Path folder = target.toAbsolutePath().getParent();
-    String text =
-        new ModelWriter()
-            .text(
-                model,
-                folder == null ? target.toAbsolutePath() : folder,
-                String.valueOf(target.getFileName()),
-                "%s, reduced to %s"
-                    .formatted(file.getFileName(), GoalText.polygonText(reduced.polygons())));
-    if (output == null) {
-      console().out().print(text);
-      return;
-    }
-    FileTransaction writing = new FileTransaction();
-    byte[] plain = text.getBytes(StandardCharsets.UTF_8);
-    boolean packed = output.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
-    writing.add(output, packed ? Gzip.packed(plain) : plain);
-    LeftFiles.tell(writing.commit(), console());
-  }
-
-  private void print(ModelSize size, Simplified reduced, long milliseconds) {
-    if (format == Format.json) {
-      ObjectNode report = JsonTree.object();
-      report.putObject("input").put("vertices", size.vertices()).put("polygons", size.polygons());
-      report
-          .putObject("output")
-          .put("vertices", reduced.vertices())
-          .put("polygons", reduced.polygons());
-      report.put("error", reduced.error()).put("ms", milliseconds);
-      console().out().println(report);
-      return;
-    }
-    String text =
-        String.format(
-            Locale.ROOT,
-            "Max Vertex     %9d   polygons %9d%n"
-                + "Vert Count     %9d   polygons %9d%n"
-                + "Vert Percent   %8.1f%%            %8.1f%%%n"
-                + "largest error  %8.3f%%  of the model's largest extent%n"
-                + "took           %9d ms%n",
-            size.vertices(),
-            size.polygons(),
-            reduced.vertices(),
-            reduced.polygons(),
-            100.0 * reduced.vertices() / size.vertices(),
-            100.0 * reduced.polygons() / size.polygons(),
-            100 * reduced.error(),
-            milliseconds);
-    (output == null ? console().err() : console().out()).print(text);
+    List<Path> models = files.files(MODELS);
+    OutputFolder folder = outputDir == null ? null : OutputFolder.open(outputDir, models);
+    boolean json = format == Format.json;
+    return new Batch(console(), json ? BatchForm.JSON_ARRAY : BatchForm.TEXTS)
+        .run(
+            models,
+            (model, own) ->
+                new ModelReduction(goal, folder == null ? null : folder.of(model), json, true)
+                    .run(model, own));
   }
 }

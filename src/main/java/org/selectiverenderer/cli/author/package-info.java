@@ -2,8 +2,8 @@
  * The commands for authors of scenes: {@code enrich}, {@code versions}, {@code simplify}, {@code
  * polygons}, {@code radiosity}, {@code validate}, {@code apartment}.
  *
- * <p>May use {@code cli.base}, {@code cli.option}, {@code cli.output} and the packages that do the
- * work.
+ * <p>May use {@code cli.base}, {@code cli.batch}, {@code cli.option}, {@code cli.output} and the
+ * packages that do the work.
  */
 @NullMarked
 package org.selectiverenderer.cli.author;

@@ -1,8 +1,8 @@
 /**
  * Options and parameters that several commands share, as picocli mixins.
  *
- * <p>In: arguments. Out: settings of other packages. Uses {@code cli.output}, {@code control} for
- * conditions and {@code tracker} for trackers.
+ * <p>In: arguments. Out: settings of other packages. Uses {@code cli.output}, {@code base.files}
+ * for files named in many ways, {@code control} for conditions and {@code tracker} for trackers.
  */
 @NullMarked
 package org.selectiverenderer.cli.option;

@@ -3,10 +3,16 @@ package org.selectiverenderer.cli.view;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.bench.GrowthSeries;
 import org.selectiverenderer.bench.measure.Benchmark;
 import org.selectiverenderer.bench.measure.BenchmarkText;
+import org.selectiverenderer.bench.measure.GrowthBenchmark;
+import org.selectiverenderer.bench.measure.GrowthText;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
@@ -22,7 +28,10 @@ import picocli.CommandLine.Option;
       "Measures this machine: reading, loading, frames per second, activation, memory.",
       "Takes a minute or two; run nothing else on the machine meanwhile."
     },
-    footer = "  ./selective-renderer bench --format text")
+    footer = {
+      "  ./selective-renderer bench --format text",
+      "  ./selective-renderer bench --growth --format text"
+    })
 public final class BenchCommand extends CliCommand {
   private enum Format {
     text,
@@ -49,6 +58,21 @@ public final class BenchCommand extends CliCommand {
           "number of runs of each scene; the median is reported (default: ${DEFAULT-VALUE})")
   private int runs;
 
+  @Option(
+      names = "--growth",
+      description =
+          "measures instead how loading, memory and frames grow with the number of objects, "
+              + "sensors, Switches, Inlines and triangles")
+  private boolean growth;
+
+  @Option(
+      names = "--series",
+      split = ",",
+      paramLabel = "NAME",
+      description =
+          "series that --growth measures: ${COMPLETION-CANDIDATES} (default: all of them)")
+  private Set<GrowthSeries> series = EnumSet.allOf(GrowthSeries.class);
+
   private final String program;
 
   /**
@@ -61,30 +85,48 @@ public final class BenchCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
+    if (!growth && series.size() < GrowthSeries.values().length) {
+      throw CommandFailure.usage("--series chooses what --growth measures; give --growth too");
+    }
     if (runs < 1) {
       throw CommandFailure.usage("--runs must be a whole number of at least 1");
     }
     OutputFile.check("--output", output);
-    GlAvailability.check()
-        .ifPresent(
-            reason -> {
-              throw CommandFailure.environment(reason);
-            });
     try {
-      ObjectNode report =
-          new Benchmark(program, runs, step -> console().message("bench: " + step)).run();
+      ObjectNode report = growth ? growth() : whole();
       if (output != null) {
         OutputFile.write(output, JsonText.of(report));
       }
       if (output == null || format == Format.text) {
-        console()
-            .out()
-            .print(format == Format.text ? BenchmarkText.of(report) : JsonText.of(report));
+        console().out().print(format == Format.text ? text(report) : JsonText.of(report));
       }
       return ExitStatus.DONE;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted");
     }
+  }
+
+  private ObjectNode whole() throws IOException, InterruptedException {
+    GlAvailability.check()
+        .ifPresent(
+            reason -> {
+              throw CommandFailure.environment(reason);
+            });
+    return new Benchmark(program, runs, this::progress).run();
+  }
+
+  private ObjectNode growth() throws IOException, InterruptedException {
+    Optional<String> undrawn = GlAvailability.check();
+    undrawn.ifPresent(reason -> progress("nothing is drawn: " + reason));
+    return new GrowthBenchmark(program, undrawn.isEmpty(), runs, this::progress).run(series);
+  }
+
+  private void progress(String step) {
+    console().message("bench: " + step);
+  }
+
+  private String text(ObjectNode report) {
+    return growth ? GrowthText.of(report) : BenchmarkText.of(report);
   }
 }

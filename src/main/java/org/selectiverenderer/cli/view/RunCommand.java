@@ -26,6 +26,7 @@ import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.Interruption;
 import org.selectiverenderer.cli.output.RunOutput;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;

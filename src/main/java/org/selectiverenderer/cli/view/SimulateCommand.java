@@ -12,11 +12,15 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineJson;
 import org.selectiverenderer.app.timeline.TimelineText;
+import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.batch.Batch;
+import org.selectiverenderer.cli.batch.BatchForm;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
-import org.selectiverenderer.cli.option.SceneArgument;
+import org.selectiverenderer.cli.option.ScenesArgument;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -29,12 +33,16 @@ import picocli.CommandLine.Option;
 
 @Command(
     name = "simulate",
-    description =
-        "Walks a recorded path through a scene without a display and prints what happens.",
-    footer =
-        "  ./selective-renderer simulate scenes/trashcan.x3d --path scenes/paths/desk-visit.csv")
+    description = {
+      "Walks a recorded path through a scene without a display and prints what happens.",
+      "Of several scenes it works on as many at a time as there are processors."
+    },
+    footer = {
+      "  ./selective-renderer simulate scenes/trashcan.x3d --path scenes/paths/desk-visit.csv",
+      "  ./selective-renderer simulate scenes/ --path scenes/paths/desk-visit.csv --format json"
+    })
 public final class SimulateCommand extends CliCommand {
-  @Mixin private SceneArgument scene = new SceneArgument();
+  @Mixin private ScenesArgument scenes = new ScenesArgument();
 
   @Option(
       names = "--path",
@@ -71,22 +79,41 @@ public final class SimulateCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     FrameLimits.check(walked.get(), rate);
-    Function<TimelineEvent, String> text =
-        format.json() ? new TimelineJson()::line : new TimelineText()::line;
-    RunSettings settings =
-        new RunSettings(scene.file(), condition.settings())
-            .with(MotionSettings.following(FollowedPath.at(rate, walked.get())));
+    ExitStatus status = simulate(scenes.files(), walked.get());
+    return pathProblems.any() ? ExitStatus.PROBLEMS : status;
+  }
+
+  private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
+    if (!files.one()) {
+      return new Batch(console(), format.json() ? BatchForm.LINES : BatchForm.TEXTS)
+          .run(
+              files.files(FileFinder.SCENES),
+              (scene, own) -> {
+                if (!format.json()) {
+                  own.out().println(scene);
+                }
+                return simulate(scene, walked, new TimelineJson(scene.toString()), own);
+              });
+    }
     try {
-      RunResult result =
-          SceneRunner.simulated(
-              settings,
-              new RunOutput(console(), event -> console().out().println(text.apply(event))));
-      return pathProblems.any() || result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+      return simulate(files.file(), walked, new TimelineJson(), console());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted");
     } finally {
       console().out().flush();
     }
+  }
+
+  private ExitStatus simulate(Path scene, CameraPath walked, TimelineJson json, Console to)
+      throws IOException, InterruptedException {
+    Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
+    RunSettings settings =
+        new RunSettings(scene, condition.settings())
+            .with(MotionSettings.following(FollowedPath.at(rate, walked)));
+    RunResult result =
+        SceneRunner.simulated(
+            settings, new RunOutput(to, event -> to.out().println(text.apply(event))));
+    return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 }

@@ -13,6 +13,7 @@ import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.Interruption;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerSpec;

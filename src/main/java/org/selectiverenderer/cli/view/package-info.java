@@ -2,8 +2,8 @@
  * The commands that show scenes and set up what they are shown with: {@code run}, {@code simulate},
  * {@code sai}, {@code track}, {@code bench}.
  *
- * <p>May use {@code cli.base}, {@code cli.option}, {@code cli.output} and the packages that do the
- * work.
+ * <p>May use {@code cli.base}, {@code cli.batch}, {@code cli.option}, {@code cli.output} and the
+ * packages that do the work.
  */
 @NullMarked
 package org.selectiverenderer.cli.view;

@@ -2,6 +2,7 @@ package org.selectiverenderer.polygon.count;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
@@ -20,12 +21,44 @@ import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
  * </ul>
  */
 public final class StatisticsCsv {
+  private static final Object[] HEADER = {
+    "kind", "scope", "name", "version", "polygons", "percent"
+  };
+
   private StatisticsCsv() {}
 
   /** Lines that end with LF. */
   public static String of(SceneStatistics statistics) {
     CsvText csv = new CsvText();
-    csv.row("kind", "scope", "name", "version", "polygons", "percent");
+    csv.row(HEADER);
+    rows(statistics, csv::row);
+    return csv.toString();
+  }
+
+  /** The header of a table of many scenes: a column {@code scene}, then as of one. */
+  public static String headerOfMany() {
+    CsvText csv = new CsvText();
+    csv.row(withScene("scene", HEADER));
+    return csv.toString();
+  }
+
+  /** The rows of one scene in such a table. */
+  public static String rowsOfMany(SceneStatistics statistics) {
+    CsvText csv = new CsvText();
+    rows(statistics, cells -> csv.row(withScene(statistics.scene(), cells)));
+    return csv.toString();
+  }
+
+  private static Object[] withScene(String scene, Object[] cells) {
+    return Stream.concat(Stream.of(scene), Stream.of(cells)).toArray();
+  }
+
+  /** Takes the cells of a row. */
+  private interface Rows {
+    void row(Object... cells);
+  }
+
+  private static void rows(SceneStatistics statistics, Rows csv) {
     csv.row("total", "", statistics.scene(), "", statistics.totalHigh(), "100.00");
     for (ObjectCount object : statistics.objects()) {
       print(csv, object);
@@ -37,10 +70,9 @@ public final class StatisticsCsv {
         csv.row("state", scope.scope(), name, "", state.polygons(), percent(state.percent()));
       }
     }
-    return csv.toString();
   }
 
-  private static void print(CsvText csv, ObjectCount object) {
+  private static void print(Rows csv, ObjectCount object) {
     List<Long> versions = object.versions();
     for (int i = 0; i < versions.size(); i++) {
       csv.row(

@@ -72,7 +72,16 @@ public final class GroupInstance extends Instance implements NodeObserver {
   }
 
   private void place() {
-    content = group.placement().map(local -> (Matrix4dc) world().mul(local, local)).orElse(world());
+    content = placed();
+  }
+
+  private Matrix4dc placed() {
+    return group.placement().map(local -> (Matrix4dc) world().mul(local, local)).orElse(world());
+  }
+
+  /** Whether the children's coordinates lie elsewhere than when they were last placed. */
+  boolean elsewhere() {
+    return !content.equals(placed());
   }
 
   @Override

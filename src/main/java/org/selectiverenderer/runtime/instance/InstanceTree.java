@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
@@ -56,6 +57,7 @@ public final class InstanceTree {
   private long structureVersion;
   private long placementVersion;
   private boolean structureChanged = true;
+  private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
   private int instances;
   private long shownPolygons;
@@ -130,6 +132,18 @@ public final class InstanceTree {
   /** How many instances there may be; it depends on the memory that there is. */
   public long maxInstances() {
     return maxInstances;
+  }
+
+  /**
+   * @param listener hears in {@link #update()} of each of the {@link #otherNodes()} whose places
+   *     may be others now; the one and only listener
+   */
+  public void onMoved(Consumer<? super Node> listener) {
+    onMoved = listener;
+  }
+
+  void plainMoved(Node node) {
+    onMoved.accept(node);
   }
 
   void moved() {
@@ -212,6 +226,7 @@ public final class InstanceTree {
       node.addObserver(instance);
       return instance;
     }
+    plainMoved(node); // It may have been in other places before.
     return new PlainInstance(node, parent);
   }
 
@@ -247,7 +262,9 @@ public final class InstanceTree {
     }
     group.children = children(group, depth, before);
     before.values().forEach(gone -> gone.forEach(this::dispose));
-    group.moved(this);
+    if (group.elsewhere()) { // An Inline whose new content has another unit of length.
+      group.moved(this);
+    }
     group.choose();
     structureChanged = true;
   }
@@ -267,6 +284,8 @@ public final class InstanceTree {
       }
     } else if (instance instanceof LightInstance light) {
       light.node().removeObserver(light);
+    } else {
+      plainMoved(instance.node());
     }
   }
 

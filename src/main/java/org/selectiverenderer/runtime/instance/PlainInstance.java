@@ -16,6 +16,6 @@ final class PlainInstance extends Instance {
 
   @Override
   void moved(InstanceTree tree) {
-    // Its world() is its parent's: nothing is kept here.
+    tree.plainMoved(node()); // Its world() is its parent's: nothing is kept here.
   }
 }

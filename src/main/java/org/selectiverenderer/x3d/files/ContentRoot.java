@@ -7,8 +7,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -65,6 +70,9 @@ public final class ContentRoot {
   private final Path named;
   private final Path folder;
   private final Path inlineFolder;
+
+  /** Folders listed for a hint, once each: a scene may name very many files that are missing. */
+  private final Map<Path, Map<String, List<String>>> listed = new ConcurrentHashMap<>();
 
   /**
    * @param sceneFolder the folder of the scene that the user opened, as the user names it
@@ -169,22 +177,38 @@ public final class ContentRoot {
   }
 
   /** A hint for a name that differs in case only, which works on some systems and not on others. */
-  private static String similar(Path path) {
+  private String similar(Path path) {
     Path parent = path.getParent();
     Path name = path.getFileName();
-    if (parent == null || name == null || !Files.isDirectory(parent)) {
+    if (parent == null || name == null) {
       return "";
     }
-    try (Stream<Path> files = Files.list(parent)) {
+    return listed
+        .computeIfAbsent(parent, ContentRoot::list)
+        .getOrDefault(folded(name.toString()), List.of())
+        .stream()
+        .filter(file -> file.equalsIgnoreCase(name.toString()) && !file.equals(name.toString()))
+        .min(String::compareTo)
+        .map(file -> " (there is " + file + ", which differs in upper and lower case)")
+        .orElse("");
+  }
+
+  /** The names in a folder, by what they are in one case. */
+  private static Map<String, List<String>> list(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      return Map.of();
+    }
+    try (Stream<Path> files = Files.list(folder)) {
       return files
           .map(file -> String.valueOf(file.getFileName()))
-          .filter(file -> file.equalsIgnoreCase(name.toString()) && !file.equals(name.toString()))
-          .min(String::compareTo)
-          .map(file -> " (there is " + file + ", which differs in upper and lower case)")
-          .orElse("");
+          .collect(Collectors.groupingBy(ContentRoot::folded));
     } catch (IOException e) {
-      return ""; // It stays without a hint where the folder cannot be listed.
+      return Map.of(); // It stays without a hint where the folder cannot be listed.
     }
+  }
+
+  private static String folded(String name) {
+    return name.toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
   }
 
   /** A file as messages name it. */

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.nodes.sensor;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
@@ -67,6 +68,25 @@ public final class ProximitySensorNode extends RegionSensorNode {
   private boolean holds(List<? extends Matrix4dc> places, int place, Vector3dc worldEye) {
     LocalFrame local = locals.get(place);
     return local.follow(places.get(place)) && contains(local.point(worldEye, eye));
+  }
+
+  /**
+   * A box in the world that encloses all of the sensor's boxes, with room for rounding: a viewer
+   * outside is in none of them.
+   *
+   * @param out min x, y, z, max x, y, z; without bounds where a transformation above all but
+   *     flattens a box, and min above max when there is none that could hold anything
+   */
+  public void reach(Frame frame, double[] out) {
+    Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
+    Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
+    if (hasVolume()) {
+      float[] c = center();
+      float[] s = size();
+      for (Matrix4dc place : frame.places(this)) {
+        LocalFrame.enclose(place, c, s, out);
+      }
+    }
   }
 
   private void report(Frame frame, LocalFrame local, boolean always, Cascade cascade) {

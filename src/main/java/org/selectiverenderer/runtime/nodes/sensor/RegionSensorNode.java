@@ -36,8 +36,14 @@ abstract class RegionSensorNode extends Node implements FrameNode {
     return (Boolean) value(enabled);
   }
 
-  final boolean active() {
+  /** Whether it senses what it looks for. */
+  public final boolean active() {
     return (Boolean) value(isActive);
+  }
+
+  /** Whether a field says where the box is or how large. */
+  public final boolean hasBoxOf(int field) {
+    return field == center || field == size;
   }
 
   final float[] center() {

@@ -1,4 +1,4 @@
-package org.selectiverenderer.cli.view;
+package org.selectiverenderer.cli.output;
 
 import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
@@ -8,13 +8,14 @@ import java.util.concurrent.TimeUnit;
  * Lets a command end in good order when the user presses Ctrl-C: asks it to stop, and holds the
  * process until it has, or for two seconds.
  */
-final class Interruption {
+public final class Interruption {
   private static final double PATIENCE = 2;
 
   private Interruption() {}
 
   /** What a command does until it is asked to stop. */
-  interface Work {
+  @FunctionalInterface
+  public interface Work {
     void run() throws IOException;
   }
 
@@ -23,7 +24,7 @@ final class Interruption {
    *
    * @param stop asks the work to end; called on another thread
    */
-  static void stops(Runnable stop, Work work) throws IOException {
+  public static void stops(Runnable stop, Work work) throws IOException {
     CountDownLatch done = new CountDownLatch(1);
     Thread hook =
         new Thread(
@@ -50,7 +51,7 @@ final class Interruption {
   }
 
   /** Waits until the latch is open, or so many seconds. */
-  static void await(CountDownLatch latch, double seconds) {
+  public static void await(CountDownLatch latch, double seconds) {
     try {
       latch.await((long) Math.min(1e15, seconds * 1000), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {

@@ -1,0 +1,143 @@
+package org.selectiverenderer.base.files;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.PathMatcher;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds the files that a user means by the name of a file or folder, or by a pattern.
+ *
+ * @param noun what is looked for, for messages
+ * @param endings of the files looked for in folders, in small letters, such as {@code .x3d}
+ */
+public record FileFinder(String noun, List<String> endings) {
+  private static final Pattern PATTERN_LETTERS = Pattern.compile("[*?\\[{]");
+
+  /** X3D scenes in the XML encoding, gzipped or not. */
+  public static final FileFinder SCENES = new FileFinder("scene", List.of(".x3d", ".x3dz"));
+
+  /** Whether a name stands for any number of files: that of a folder, or a pattern. */
+  public static boolean meansSeveral(String name) {
+    Path path = path(name);
+    return path == null || Files.isDirectory(path) || !Files.exists(path) && isPattern(name);
+  }
+
+  /**
+   * A file itself, whatever its name; of a folder all files with the endings in it and below, those
+   * apart whose name or folder begins with a dot; of a pattern such as {@code scenes/**}{@code
+   * /*.x3d} all that match it, {@code **}{@code /} standing for any number of folders and none.
+   * Links to folders are not followed. What a folder or a pattern finds is in order of the paths.
+   *
+   * @throws IOException if there is no such file, or a folder cannot be read, or nothing is found
+   */
+  public List<Path> find(String name) throws IOException {
+    Path path = path(name);
+    List<Path> found;
+    if (path != null && Files.isDirectory(path)) {
+      found = in(path, this::wanted);
+    } else if (path != null && (Files.exists(path) || !isPattern(name))) {
+      return List.of(path);
+    } else if (isPattern(name)) {
+      found = matching(name);
+    } else {
+      throw new NoSuchFileException(name);
+    }
+    if (found.isEmpty()) {
+      throw new IOException("no %s (%s) in %s".formatted(noun, String.join(", ", endings), name));
+    }
+    return found;
+  }
+
+  private static boolean isPattern(String name) {
+    return PATTERN_LETTERS.matcher(name).find();
+  }
+
+  private static @Nullable Path path(String name) {
+    try {
+      return Path.of(name);
+    } catch (InvalidPathException e) {
+      return null; // On Windows a pattern is no path.
+    }
+  }
+
+  private static List<Path> matching(String pattern) throws IOException {
+    String slashes = pattern.replace('\\', '/');
+    int letter = 0;
+    while (!PATTERN_LETTERS.matcher(slashes.substring(letter, letter + 1)).matches()) {
+      letter++;
+    }
+    String start = slashes.substring(0, slashes.lastIndexOf('/', letter) + 1);
+    Path folder = Path.of(start);
+    if (!Files.isDirectory(folder)) {
+      throw new NoSuchFileException(start);
+    }
+    try {
+      PathMatcher matcher =
+          FileSystems.getDefault()
+              .getPathMatcher("glob:" + anyDepth(slashes.substring(start.length())));
+      return in(folder, file -> matcher.matches(folder.relativize(file)));
+    } catch (PatternSyntaxException e) {
+      throw new IOException(
+          pattern + ": is neither a file nor a pattern: " + e.getDescription(), e);
+    }
+  }
+
+  /**
+   * With {@code **}{@code /} for no folder, too, as shells and editors have it; Java's patterns
+   * want one. A group cannot stand in a group, so that those within braces stay as they are.
+   */
+  private static String anyDepth(String pattern) {
+    StringBuilder wide = new StringBuilder();
+    int braces = 0;
+    for (int i = 0; i < pattern.length(); i++) {
+      char c = pattern.charAt(i);
+      braces += c == '{' ? 1 : c == '}' ? -1 : 0;
+      boolean begins = i == 0 || pattern.charAt(i - 1) == '/';
+      if (begins && braces == 0 && pattern.startsWith("**/", i)) {
+        wide.append("{**/,}");
+        i += "**/".length() - 1;
+      } else {
+        wide.append(c);
+      }
+    }
+    return wide.toString();
+  }
+
+  private static List<Path> in(Path folder, Predicate<Path> wanted) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files
+          .filter(file -> !Files.isDirectory(file) && !hidden(folder.relativize(file)))
+          .filter(wanted)
+          .sorted()
+          .toList();
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+  }
+
+  private static boolean hidden(Path path) {
+    for (Path part : path) {
+      if (part.toString().startsWith(".")) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean wanted(Path path) {
+    String name = String.valueOf(path.getFileName()).toLowerCase(Locale.ROOT);
+    return endings.stream().anyMatch(name::endsWith);
+  }
+}

@@ -1,0 +1,70 @@
+package org.selectiverenderer.bench;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * Scenes of growing size: one thing becomes more, and everything else stays as it is, so that a
+ * curve over them shows what that thing costs. The same size gives the same bytes.
+ */
+public enum GrowthSeries {
+  /** Objects in one file, that share the same number of triangles. */
+  OBJECTS(10, 100, 1_000, 10_000) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      return GrowthScene.objects(dir, size, false);
+    }
+  },
+  /** ProximitySensors, of which the viewer is near a few. */
+  SENSORS(1, 10, 100, 1_000, 10_000, 100_000) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      return GrowthScene.sensors(dir, size);
+    }
+  },
+  /** Enriched Switches, of which ten change. */
+  SWITCHES(10, 100, 1_000, 10_000, 100_000) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      return ManySwitchesScene.write(dir, size, GrowthScene.SWITCHES);
+    }
+  },
+  /** Objects in files of their own, that share the same number of triangles. */
+  INLINES(100, 1_000, 10_000) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      return GrowthScene.objects(dir, size, true);
+    }
+  },
+  /** Triangles, in ten inlined files. */
+  TRIANGLES(100_000, 1_000_000, 10_000_000) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      int columns = (int) Math.round(Math.sqrt(size / 20.0));
+      return GrowthScene.objects(dir, FILES, size / 20 / columns, columns, true);
+    }
+  };
+
+  private static final int FILES = 10;
+
+  private final List<Integer> sizes;
+
+  GrowthSeries(Integer... sizes) {
+    this.sizes = List.of(sizes);
+  }
+
+  /** How many there are in each scene, growing. */
+  public List<Integer> sizes() {
+    return sizes;
+  }
+
+  /**
+   * Writes a scene and a path through it that enters a few areas.
+   *
+   * @param dir is made when it is missing
+   * @param size one of {@link #sizes()}
+   * @throws IOException when a file cannot be written
+   */
+  public abstract BenchScene write(Path dir, int size) throws IOException;
+}

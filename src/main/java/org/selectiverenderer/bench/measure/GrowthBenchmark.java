@@ -1,0 +1,77 @@
+package org.selectiverenderer.bench.measure;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.bench.GrowthSeries;
+
+/**
+ * Measures how loading, memory and frames grow with a scene: {@link GrowthSeries}, each from its
+ * smallest scene to its largest. Loading is to grow no faster than the scene, and a frame's update
+ * not at all.
+ *
+ * @param mainClass of the command line, started anew to draw each scene
+ * @param draws whether frames are drawn too, which needs a display with OpenGL
+ * @param runs loads of each scene, of which the median counts
+ * @param progress hears what is being measured
+ */
+public record GrowthBenchmark(
+    String mainClass, boolean draws, int runs, Consumer<String> progress) {
+  /** Of the path's time, in which 60 frames are drawn. */
+  private static final String SECONDS_DRAWN = "1";
+
+  /**
+   * Measures the series.
+   *
+   * @throws IOException when a scene cannot be written or a run fails
+   * @throws InterruptedException when the waiting thread is interrupted
+   */
+  public ObjectNode run(Set<GrowthSeries> wanted) throws IOException, InterruptedException {
+    ObjectNode report = JsonTree.object();
+    Machine.describe(report.putObject("machine"));
+    ObjectNode growth = report.putObject("growth");
+    try (BenchFolder folder = new BenchFolder()) {
+      warmUp(folder.path().resolve("warm-up"));
+      for (GrowthSeries series : wanted) {
+        String name = series.name().toLowerCase(Locale.ROOT);
+        ArrayNode rows = growth.putArray(name);
+        for (int size : series.sizes()) {
+          progress.accept(String.format(Locale.ROOT, "%s: %,d", name, size));
+          try (BenchFolder own = new BenchFolder()) {
+            measure(series.write(own.path(), size), size, rows.addObject());
+          }
+        }
+      }
+    }
+    return report;
+  }
+
+  /** So that the first and smallest scenes do not pay for a machine that is still cold. */
+  private static void warmUp(Path folder) throws IOException {
+    BenchScene scene = GrowthSeries.INLINES.write(folder, GrowthSeries.INLINES.sizes().get(0));
+    for (int round = 0; round < 5; round++) {
+      GrowthTimes.measure(scene, 1, JsonTree.object());
+    }
+  }
+
+  private void measure(BenchScene scene, int size, ObjectNode row)
+      throws IOException, InterruptedException {
+    row.put("size", size);
+    row.put("mb", Rounded.to(2, scene.bytes() / 1e6));
+    GrowthTimes.measure(scene, runs, row);
+    if (draws) {
+      JsonNode drawn = new ChildRun(mainClass, 1).once(scene.scene(), scene.path(), SECONDS_DRAWN);
+      row.put("fps", drawn.at("/fps").asDouble());
+      row.put("first_frame_ms", drawn.at("/first_frame_ms").asDouble());
+      row.put("rss_mb", drawn.at("/peak_rss_mb").asDouble());
+    }
+  }
+}

@@ -1,0 +1,121 @@
+package org.selectiverenderer.cli.author;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.polygon.model.Model;
+import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.model.ModelWriter;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.ModelSize;
+import org.selectiverenderer.polygon.simplify.Simplified;
+import org.selectiverenderer.polygon.simplify.Simplifier;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.Gzip;
+
+/**
+ * Reduces one model and prints its figures.
+ *
+ * @param output the file to write; null for standard output
+ * @param json whether the figures are JSON, in which case only they go to standard output
+ * @param many whether it is one of many models, so that the figures name it
+ */
+record ModelReduction(Goal goal, @Nullable Path output, boolean json, boolean many) {
+
+  ExitStatus run(Path file, Console console) throws IOException {
+    Problems problems = new Problems(console::problem);
+    Optional<Model> read = new ModelReader(NodeCatalogue.load()).read(file, problems);
+    if (read.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    Model model = read.get();
+    ModelSize size = ModelSize.of(model.meshes());
+    if (GoalText.beyond(goal, size, file, problems)) {
+      return ExitStatus.PROBLEMS;
+    }
+    long start = System.nanoTime();
+    Simplified reduced = new Simplifier().simplify(model.meshes(), goal);
+    long milliseconds = (System.nanoTime() - start) / 1_000_000;
+    write(file, model.with(reduced.parts()), reduced, console);
+    print(file, size, reduced, milliseconds, console);
+    if (!reduced.met()) {
+      console.message(GoalText.shortfall(file.toString(), goal, reduced));
+    }
+    return reduced.met() ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
+  }
+
+  private void write(Path file, Model model, Simplified reduced, Console console)
+      throws IOException {
+    Path target = output == null ? Path.of("model.x3d") : output;
+    if (output == null && json) {
+      return;
+    }
+    Path folder = target.toAbsolutePath().getParent();
+    String text =
+        new ModelWriter()
+            .text(
+                model,
+                folder == null ? target.toAbsolutePath() : folder,
+                String.valueOf(target.getFileName()),
+                "%s, reduced to %s"
+                    .formatted(file.getFileName(), GoalText.polygonText(reduced.polygons())));
+    if (output == null) {
+      console.out().print(text);
+      return;
+    }
+    FileTransaction writing = new FileTransaction();
+    byte[] plain = text.getBytes(StandardCharsets.UTF_8);
+    boolean packed = output.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
+    writing.add(output, packed ? Gzip.packed(plain) : plain);
+    LeftFiles.tell(writing.commit(), console);
+  }
+
+  private void print(
+      Path file, ModelSize size, Simplified reduced, long milliseconds, Console console) {
+    if (json) {
+      ObjectNode report = JsonTree.object();
+      if (many) {
+        report.put("model", file.toString());
+      }
+      report.putObject("input").put("vertices", size.vertices()).put("polygons", size.polygons());
+      report
+          .putObject("output")
+          .put("vertices", reduced.vertices())
+          .put("polygons", reduced.polygons());
+      report.put("error", reduced.error()).put("ms", milliseconds);
+      console.out().println(report);
+      return;
+    }
+    PrintStream to = output == null ? console.err() : console.out();
+    if (many) {
+      to.println(file);
+    }
+    String text =
+        String.format(
+            Locale.ROOT,
+            "Max Vertex     %9d   polygons %9d%n"
+                + "Vert Count     %9d   polygons %9d%n"
+                + "Vert Percent   %8.1f%%            %8.1f%%%n"
+                + "largest error  %8.3f%%  of the model's largest extent%n"
+                + "took           %9d ms%n",
+            size.vertices(),
+            size.polygons(),
+            reduced.vertices(),
+            reduced.polygons(),
+            100.0 * reduced.vertices() / size.vertices(),
+            100.0 * reduced.polygons() / size.polygons(),
+            100 * reduced.error(),
+            milliseconds);
+    to.print(text);
+  }
+}

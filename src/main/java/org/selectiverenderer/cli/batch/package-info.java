@@ -1,0 +1,11 @@
+/**
+ * One command for many files: all processors work on them, and their results come out in the order
+ * of the files.
+ *
+ * <p>In: files, and what a command does with one. Out: text on the standard streams, an exit
+ * status. Uses {@code cli.output}; commands use it.
+ */
+@NullMarked
+package org.selectiverenderer.cli.batch;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,17 @@
+package org.selectiverenderer.cli.option;
+
+import java.util.List;
+import picocli.CommandLine.Parameters;
+
+/** The scenes that a command is about. */
+public final class ScenesArgument {
+  @Parameters(
+      paramLabel = "SCENE",
+      arity = "1..*",
+      description = "X3D scenes (.x3d, .x3dz), folders of scenes, patterns such as 'scenes/*.x3d'")
+  private List<String> names = List.of();
+
+  public FileArguments files() {
+    return new FileArguments(names);
+  }
+}

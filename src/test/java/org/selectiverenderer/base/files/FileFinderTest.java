@@ -1,0 +1,72 @@
+package org.selectiverenderer.base.files;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class FileFinderTest {
+  @TempDir Path dir;
+
+  @BeforeEach
+  void files() throws IOException {
+    for (String name :
+        List.of("b.x3d", "a.X3D", "c/z.x3dz", "c/d/y.x3d", "notes.txt", ".git/h.x3d", "c/.k.x3d")) {
+      Path file = dir.resolve(name);
+      Files.createDirectories(file.getParent());
+      Files.writeString(file, "");
+    }
+  }
+
+  private List<String> find(String name) throws IOException {
+    return FileFinder.SCENES.find(name).stream()
+        .map(file -> dir.relativize(file).toString().replace('\\', '/'))
+        .toList();
+  }
+
+  @Test
+  void aFolderStandsForItsScenesInOrderOfTheirPathsWithoutHiddenOnes() throws IOException {
+    assertThat(find(dir.toString())).containsExactly("a.X3D", "b.x3d", "c/d/y.x3d", "c/z.x3dz");
+  }
+
+  @Test
+  void aFileStandsForItselfWhateverItsNameAndWhetherItIsThereOrNot() throws IOException {
+    assertThat(find(dir.resolve("notes.txt").toString())).containsExactly("notes.txt");
+    assertThat(find(dir.resolve("gone.x3d").toString())).containsExactly("gone.x3d");
+  }
+
+  @Test
+  void aPatternStandsForWhatMatchesAtAnyDepth() throws IOException {
+    assertThat(find(dir + "/**/*.x3d")).containsExactly("b.x3d", "c/d/y.x3d");
+    assertThat(find(dir + "/*.{x3d,txt}")).containsExactly("b.x3d", "notes.txt");
+  }
+
+  @Test
+  void saysWhenNothingIsFound() throws IOException {
+    Path empty = Files.createDirectories(dir.resolve("empty"));
+
+    assertThatThrownBy(() -> FileFinder.SCENES.find(empty.toString()))
+        .isInstanceOf(IOException.class)
+        .hasMessage("no scene (.x3d, .x3dz) in " + empty);
+    assertThatThrownBy(() -> FileFinder.SCENES.find(dir + "/gone/*.x3d"))
+        .isInstanceOf(NoSuchFileException.class);
+  }
+
+  @Test
+  void foldersAndPatternsMeanSeveralFilesButNotAFileWhoseNameLooksLikeAPattern()
+      throws IOException {
+    Path bracket = Files.writeString(dir.resolve("a[1].x3d"), "");
+
+    assertThat(FileFinder.meansSeveral(dir.toString())).isTrue();
+    assertThat(FileFinder.meansSeveral(dir + "/*.x3d")).isTrue();
+    assertThat(FileFinder.meansSeveral(bracket.toString())).isFalse();
+    assertThat(FileFinder.meansSeveral(dir.resolve("gone.x3d").toString())).isFalse();
+  }
+}
