@@ -3,30 +3,35 @@ package org.selectiverenderer.runtime.render.draw;
 import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
+import org.selectiverenderer.runtime.render.light.LightPlanner;
+import org.selectiverenderer.runtime.render.light.LightWatch;
 
 /**
  * The draw items of all shapes of a tree, shown or not, kept between frames. Made anew when the
  * tree's structure changes; otherwise only where a shape has another mesh or surface.
  */
 final class DrawList {
+  /** What has moved more often than that, or its lights, is expected to go on moving. */
+  private static final int MOST_MOVES = 3;
+
   private final GpuAssets assets;
   private @Nullable InstanceTree tree;
   private long structureVersion;
   private List<ShapeInstance> shapes = List.of();
   private @Nullable DrawItem[] slots = {};
   private List<DrawItem> items = List.of();
-  private final Map<List<LightInstance>, List<LightInstance>> scopes = new HashMap<>();
+  private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
+  private LightWatch watch = new LightWatch(List.of());
+  private long placementVersion;
 
   DrawList(GpuAssets assets) {
     this.assets = assets;
@@ -42,18 +47,32 @@ final class DrawList {
     if (changed) {
       restructure(newTree);
     }
-    if (changed) {
-      assets.prepare(gl, shapes);
-    }
+    boolean otherLight = watch.changed();
+    boolean moved = changed || otherLight || newTree.placementVersion() != placementVersion;
+    placementVersion = newTree.placementVersion();
+    List<Integer> places = new ArrayList<>();
+    List<LightPlanner.Request> requests = new ArrayList<>();
     for (int i = 0; i < slots.length; i++) {
       DrawItem slot = slots[i];
       ShapeInstance shape = shapes.get(i);
       Mesh mesh = shape.mesh().filter(m -> !m.isEmpty()).orElse(null);
       boolean current = slot == null ? mesh == null : slot.current();
-      if (!current) {
-        slots[i] = mesh == null ? null : item(gl, shape, mesh);
-        changed = true;
+      boolean lit = slot == null || !moved || slot.lighting().current(shape);
+      if (current && lit) {
+        continue;
       }
+      changed = true;
+      slots[i] = null;
+      if (mesh != null) {
+        int times = lit ? 0 : moves.merge(shape, 1, Integer::sum);
+        places.add(i);
+        requests.add(
+            new LightPlanner.Request(shape, mesh, shape.lights(), times <= MOST_MOVES));
+      }
+    }
+    List<GpuAssets.Lit> made = assets.prepare(gl, requests);
+    for (int i = 0; i < made.size(); i++) {
+      slots[places.get(i)] = assets.item(gl, made.get(i));
     }
     if (changed) {
       publish(gl);
@@ -67,20 +86,15 @@ final class DrawList {
     structureVersion = newTree.structureVersion();
     shapes = newTree.shapes();
     slots = new DrawItem[shapes.size()];
-    scopes.clear();
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
       // Another light may have come into scope: such items are made anew, their assets are kept.
-      slots[i] = before != null && before.lights().equals(before.shape().lights()) ? before : null;
-      if (slots[i] != null) {
-        scopes.putIfAbsent(before.lights(), before.lights());
-      }
+      slots[i] = before != null && before.lighting().scope().equals(before.shape().lights())
+              ? before
+              : null;
     }
-  }
-
-  private DrawItem item(GL3 gl, ShapeInstance shape, Mesh mesh) {
-    List<LightInstance> scope = scopes.computeIfAbsent(shape.lights(), lights -> lights);
-    return assets.item(gl, shape, mesh, scope);
+    watch = new LightWatch(newTree.lights());
+    moves.keySet().retainAll(known.keySet());
   }
 
   private void publish(GL3 gl) {

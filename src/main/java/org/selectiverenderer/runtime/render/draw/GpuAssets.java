@@ -1,18 +1,17 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
-import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
@@ -21,6 +20,10 @@ import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
+import org.selectiverenderer.runtime.render.light.LightPlanner;
+import org.selectiverenderer.runtime.render.light.Lighting;
+import org.selectiverenderer.runtime.render.light.MeshForm;
+import org.selectiverenderer.runtime.render.light.MeshSurvey;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 
@@ -28,44 +31,90 @@ import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 final class GpuAssets {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-  private final Map<Mesh, GpuMesh> meshes = new IdentityHashMap<>();
+  private final LightPlanner planner;
+  private final Map<MeshForm, Made> meshes = new HashMap<>();
   private final Map<Texture, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
   private final Map<DrawList.State, Integer> ranks = new HashMap<>();
+  private final Map<List<LightInstance>, List<LightInstance>> lists = new HashMap<>();
   private long uploads;
+
+  /**
+   * @param longest edge in the mesh's own coordinates, where that matters to its light
+   */
+  private record Made(GpuMesh mesh, double longest) {}
+
+  private record Packed(MeshForm form, PackedMesh mesh, double longest) {}
+
+  /** A shape's mesh, and how it is lit. */
+  record Lit(LightPlanner.Request request, GpuMesh mesh, Lighting lighting) {}
+
+  GpuAssets(LightPlanner planner) {
+    this.planner = planner;
+  }
 
   /** Meshes and textures sent to the graphics card since the start. */
   long uploads() {
     return uploads;
   }
 
-  /** Uploads the meshes of shapes; those that are new are packed on all processors. */
-  void prepare(GL3 gl, List<ShapeInstance> shapes) {
-    Set<Mesh> missing = Collections.newSetFromMap(new IdentityHashMap<>());
-    for (ShapeInstance shape : shapes) {
-      shape
-          .mesh()
-          .filter(mesh -> !mesh.isEmpty() && !meshes.containsKey(mesh))
-          .ifPresent(missing::add);
+  /**
+   * Decides how shapes are lit and uploads their meshes; those that are new are looked at, refined
+   * and packed on all processors.
+   *
+   * @return one for each request, in their order
+   */
+  List<Lit> prepare(GL3 gl, List<LightPlanner.Request> requests) {
+    Map<Mesh, MeshSurvey> surveys = surveys(requests);
+    List<LightPlanner.Plan> plans =
+        requests.parallelStream()
+            .map(request -> planner.plan(request, surveys.get(request.mesh())))
+            .toList();
+    Map<MeshForm, LightPlanner.Plan> missing = new LinkedHashMap<>();
+    for (LightPlanner.Plan plan : plans) {
+      if (!meshes.containsKey(plan.form())) {
+        missing.putIfAbsent(plan.form(), plan);
+      }
     }
-    missing.parallelStream()
-        .map(mesh -> Map.entry(mesh, MeshPacker.pack(mesh)))
+    missing.values().parallelStream()
+        .map(plan -> pack(plan, surveys))
         .toList()
-        .forEach(packed -> upload(gl, packed.getKey(), packed.getValue()));
-  }
-
-  private GpuMesh upload(GL3 gl, Mesh mesh, PackedMesh packed) {
-    GpuMesh gpu = new GpuMesh(gl, packed);
-    meshes.put(mesh, gpu);
-    uploads++;
-    return gpu;
-  }
-
-  DrawItem item(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
-    GpuMesh gpu = meshes.get(mesh);
-    if (gpu == null) {
-      gpu = upload(gl, mesh, MeshPacker.pack(mesh));
+        .forEach(packed -> upload(gl, packed));
+    List<Lit> lit = new ArrayList<>(plans.size());
+    for (LightPlanner.Plan plan : plans) {
+      Made made = meshes.get(plan.form());
+      List<LightInstance> reaching = lists.computeIfAbsent(plan.reaching(), list -> list);
+      lit.add(new Lit(plan.request(), made.mesh(), plan.lighting(made.longest(), reaching)));
     }
+    return lit;
+  }
+
+  private Map<Mesh, MeshSurvey> surveys(List<LightPlanner.Request> requests) {
+    Set<Mesh> distinct = Collections.newSetFromMap(new IdentityHashMap<>());
+    requests.forEach(request -> distinct.add(request.mesh()));
+    Map<Mesh, MeshSurvey> surveys = new IdentityHashMap<>();
+    distinct.parallelStream()
+        .map(mesh -> Map.entry(mesh, planner.survey(mesh)))
+        .toList()
+        .forEach(surveyed -> surveys.put(surveyed.getKey(), surveyed.getValue()));
+    return surveys;
+  }
+
+  private Packed pack(LightPlanner.Plan plan, Map<Mesh, MeshSurvey> surveys) {
+    Mesh source = plan.form().source();
+    Mesh mesh = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
+    MeshSurvey survey = mesh == source ? surveys.get(source) : planner.survey(mesh);
+    return new Packed(plan.form(), MeshPacker.pack(mesh), survey.longestEdge());
+  }
+
+  private void upload(GL3 gl, Packed packed) {
+    meshes.put(packed.form(), new Made(new GpuMesh(gl, packed.mesh()), packed.longest()));
+    uploads++;
+  }
+
+  DrawItem item(GL3 gl, Lit lit) {
+    ShapeInstance shape = lit.request().shape();
+    Mesh mesh = lit.request().mesh();
     Surface surface = shape.surface();
     GpuTexture texture =
         surface.texture() == null || mesh.texCoords() == null
@@ -76,21 +125,23 @@ final class GpuAssets {
                   uploads++;
                   return new GpuTexture(gl, image);
                 });
-    boolean blended = blended(surface, gpu, texture);
-    ShapePrograms.Family family = programs.get(variant(mesh, surface, scope, texture, blended));
+    boolean blended = blended(surface, lit.mesh(), texture);
+    ShapeVariant variant = variant(mesh, surface, texture, blended);
+    ShapePrograms.Family byPixel = programs.get(variant);
     float[] transform = surface.textureTransform();
     return new DrawItem(
         shape,
         mesh,
         surface,
-        gpu,
+        lit.mesh(),
         texture,
-        family,
-        scope,
+        byPixel,
+        programs.get(variant.lit(true)),
+        lit.lighting(),
         numbers(surface),
         transform == null ? NO_TRANSFORM : transform,
         blended,
-        ranks.computeIfAbsent(new DrawList.State(family, texture), state -> ranks.size()));
+        ranks.computeIfAbsent(new DrawList.State(byPixel, texture), state -> ranks.size()));
   }
 
   private static boolean blended(Surface surface, GpuMesh mesh, @Nullable GpuTexture texture) {
@@ -102,7 +153,6 @@ final class GpuAssets {
   private static ShapeVariant variant(
       Mesh mesh,
       Surface surface,
-      List<LightInstance> scope,
       @Nullable GpuTexture texture,
       boolean blended) {
     boolean shiny =
@@ -111,8 +161,7 @@ final class GpuAssets {
     return new ShapeVariant(
         surface.lit() && mesh.normals() != null,
         shiny,
-        has(scope, Light.Kind.POINT),
-        has(scope, Light.Kind.SPOT),
+        false,
         mesh.colors() != null,
         texture != null,
         image != null && image.image().components() <= 2,
@@ -120,10 +169,6 @@ final class GpuAssets {
         !mesh.solid(),
         mesh.primitive() == Mesh.Primitive.POINTS,
         blended);
-  }
-
-  private static boolean has(List<LightInstance> scope, Light.Kind kind) {
-    return scope.stream().anyMatch(light -> light.light().kind() == kind);
   }
 
   private static float[] numbers(Surface surface) {
@@ -150,23 +195,34 @@ final class GpuAssets {
   void keepOnly(GL3 gl, List<DrawItem> items) {
     Set<GpuMesh> usedMeshes = new HashSet<>();
     Set<GpuTexture> usedTextures = new HashSet<>();
+    Set<List<LightInstance>> usedLists = new HashSet<>();
     for (DrawItem item : items) {
       usedMeshes.add(item.mesh());
       usedTextures.add(item.texture());
+      usedLists.add(item.lighting().reaching());
     }
-    sweep(meshes, usedMeshes, (mesh, unused) -> mesh.dispose(gl));
-    sweep(textures, usedTextures, (texture, unused) -> texture.dispose(gl));
+    lists.keySet().retainAll(usedLists);
+    meshes
+        .values()
+        .removeIf(
+            made -> {
+              boolean unused = !usedMeshes.contains(made.mesh());
+              if (unused) {
+                made.mesh().dispose(gl);
+              }
+              return unused;
+            });
+    textures
+        .values()
+        .removeIf(
+            texture -> {
+              boolean unused = !usedTextures.contains(texture);
+              if (unused) {
+                texture.dispose(gl);
+              }
+              return unused;
+            });
     ranks.keySet().removeIf(s -> s.texture() != null && !usedTextures.contains(s.texture()));
-  }
-
-  private static <K, V> void sweep(Map<K, V> all, Set<V> used, BiConsumer<V, K> dispose) {
-    for (Iterator<Map.Entry<K, V>> i = all.entrySet().iterator(); i.hasNext(); ) {
-      Map.Entry<K, V> entry = i.next();
-      if (!used.contains(entry.getValue())) {
-        dispose.accept(entry.getValue(), entry.getKey());
-        i.remove();
-      }
-    }
   }
 
   void dispose(GL3 gl) {

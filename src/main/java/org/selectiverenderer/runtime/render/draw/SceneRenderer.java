@@ -3,9 +3,13 @@ package org.selectiverenderer.runtime.render.draw;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.light.LightPlanner;
 
 /**
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
@@ -18,16 +22,19 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
  * for that scene's objects of 11,200 triangles; they are for larger ones (see {@code MeshPacker}).
  */
 public final class SceneRenderer {
-  private final GpuAssets assets = new GpuAssets();
-  private final DrawList list = new DrawList(assets);
+  private final Shading shading;
+  private @Nullable GpuAssets assets;
+  private @Nullable DrawList list;
   private final BackdropPainter backdropPainter = new BackdropPainter();
   private final Visible visible = new Visible();
   private final float pointSize;
 
   /**
    * @param pointSize side of a point of a PointSet in pixels
+   * @param shading where light is computed
    */
-  public SceneRenderer(float pointSize) {
+  public SceneRenderer(float pointSize, Shading shading) {
+    this.shading = shading;
     this.pointSize = pointSize;
   }
 
@@ -36,17 +43,21 @@ public final class SceneRenderer {
    * changes its choice uploads nothing.
    */
   public void prepare(GL3 gl, InstanceTree tree) {
+    if (list == null) {
+      assets = new GpuAssets(new LightPlanner(shading.byVertex(GlInfo.of(gl))));
+      list = new DrawList(assets);
+    }
     list.follow(gl, tree);
   }
 
   /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
   public List<DrawItem> items() {
-    return list.items();
+    return list == null ? List.of() : list.items();
   }
 
   /** What the eyes can see of the tree last prepared. The result is reused by the next call. */
   public Visible cull(List<Camera> eyes) {
-    Culler.cull(list.items(), eyes, visible);
+    Culler.cull(items(), eyes, visible);
     return visible;
   }
 
@@ -80,12 +91,14 @@ public final class SceneRenderer {
 
   /** Meshes and textures sent to the graphics card since the start. */
   public long uploads() {
-    return assets.uploads();
+    return assets == null ? 0 : assets.uploads();
   }
 
   /** Frees everything on the graphics card. */
   public void dispose(GL3 gl) {
-    assets.dispose(gl);
+    if (assets != null) {
+      assets.dispose(gl);
+    }
     backdropPainter.dispose(gl);
   }
 }

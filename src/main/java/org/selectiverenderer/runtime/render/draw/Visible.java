@@ -19,6 +19,7 @@ public final class Visible {
   private IntBuffer counts = Buffers.newDirectIntBuffer(1024);
   private PointerBuffer offsets = PointerBuffer.allocateDirect(1024);
   private long indices;
+  private long pending;
 
   Visible() {}
 
@@ -27,6 +28,7 @@ public final class Visible {
     opaque = 0;
     ranges = 0;
     indices = 0;
+    pending = 0;
   }
 
   /** Ends the stretches of the item last added. */
@@ -35,6 +37,8 @@ public final class Visible {
       firstRange = java.util.Arrays.copyOf(firstRange, 2 * firstRange.length);
     }
     items.add(item);
+    indices += item.own(pending);
+    pending = 0;
     firstRange[items.size()] = ranges;
   }
 
@@ -52,7 +56,7 @@ public final class Visible {
     }
     counts.put(ranges, count);
     offsets.put(ranges++, byteOffset);
-    indices += count;
+    pending += count;
   }
 
   IntBuffer counts(int from) {
@@ -77,7 +81,10 @@ public final class Visible {
     return items.size();
   }
 
-  /** The number of indices that an eye's drawing takes, three per triangle. */
+  /**
+   * The number of indices that an eye's drawing takes, three per triangle; of meshes that are drawn
+   * finer than they are, those of the mesh itself.
+   */
   public long indices() {
     return indices;
   }
