@@ -48,7 +48,8 @@ public record DisplaySettings(
 
   /** In a size that was asked for. */
   public DisplaySettings sized(int wantedWidth, int wantedHeight) {
-    return new DisplaySettings(presentation, wantedWidth, wantedHeight, true, samples, shading, operator);
+    return new DisplaySettings(
+        presentation, wantedWidth, wantedHeight, true, samples, shading, operator);
   }
 
   /** With so many samples per pixel. */
@@ -68,7 +69,8 @@ public record DisplaySettings(
 
   /** Of the size that a monitor turned out to have. */
   public DisplaySettings filling(int foundWidth, int foundHeight) {
-    return new DisplaySettings(presentation, foundWidth, foundHeight, sized, samples, shading, operator);
+    return new DisplaySettings(
+        presentation, foundWidth, foundHeight, sized, samples, shading, operator);
   }
 
   /** Shown in another way; the size stays if it was asked for. */

@@ -66,8 +66,7 @@ final class DrawList {
       if (mesh != null) {
         int times = lit ? 0 : moves.merge(shape, 1, Integer::sum);
         places.add(i);
-        requests.add(
-            new LightPlanner.Request(shape, mesh, shape.lights(), times <= MOST_MOVES));
+        requests.add(new LightPlanner.Request(shape, mesh, shape.lights(), times <= MOST_MOVES));
       }
     }
     List<GpuAssets.Lit> made = assets.prepare(gl, requests);
@@ -89,7 +88,8 @@ final class DrawList {
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
       // Another light may have come into scope: such items are made anew, their assets are kept.
-      slots[i] = before != null && before.lighting().scope().equals(before.shape().lights())
+      slots[i] =
+          before != null && before.lighting().scope().equals(before.shape().lights())
               ? before
               : null;
     }

@@ -40,11 +40,11 @@ final class GpuAssets {
   private long uploads;
 
   /**
-   * @param longest edge in the mesh's own coordinates, where that matters to its light
+   * @param survey of what is drawn, where that matters to its light
    */
-  private record Made(GpuMesh mesh, double longest) {}
+  private record Made(GpuMesh mesh, MeshSurvey survey) {}
 
-  private record Packed(MeshForm form, PackedMesh mesh, double longest) {}
+  private record Packed(MeshForm form, PackedMesh mesh, MeshSurvey survey) {}
 
   /** A shape's mesh, and how it is lit. */
   record Lit(LightPlanner.Request request, GpuMesh mesh, Lighting lighting) {}
@@ -84,7 +84,7 @@ final class GpuAssets {
     for (LightPlanner.Plan plan : plans) {
       Made made = meshes.get(plan.form());
       List<LightInstance> reaching = lists.computeIfAbsent(plan.reaching(), list -> list);
-      lit.add(new Lit(plan.request(), made.mesh(), plan.lighting(made.longest(), reaching)));
+      lit.add(new Lit(plan.request(), made.mesh(), plan.lighting(made.survey(), reaching)));
     }
     return lit;
   }
@@ -104,11 +104,11 @@ final class GpuAssets {
     Mesh source = plan.form().source();
     Mesh mesh = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
     MeshSurvey survey = mesh == source ? surveys.get(source) : planner.survey(mesh);
-    return new Packed(plan.form(), MeshPacker.pack(mesh), survey.longestEdge());
+    return new Packed(plan.form(), MeshPacker.pack(mesh), survey);
   }
 
   private void upload(GL3 gl, Packed packed) {
-    meshes.put(packed.form(), new Made(new GpuMesh(gl, packed.mesh()), packed.longest()));
+    meshes.put(packed.form(), new Made(new GpuMesh(gl, packed.mesh()), packed.survey()));
     uploads++;
   }
 
@@ -151,10 +151,7 @@ final class GpuAssets {
   }
 
   private static ShapeVariant variant(
-      Mesh mesh,
-      Surface surface,
-      @Nullable GpuTexture texture,
-      boolean blended) {
+      Mesh mesh, Surface surface, @Nullable GpuTexture texture, boolean blended) {
     boolean shiny =
         surface.specular()[0] > 0 || surface.specular()[1] > 0 || surface.specular()[2] > 0;
     Texture image = surface.texture();

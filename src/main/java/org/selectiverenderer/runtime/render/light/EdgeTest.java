@@ -17,13 +17,13 @@ final class EdgeTest {
   }
 
   /** Edges shorter than that share of the distance to the nearest light are not split for it. */
-  private static final double LEAST_ANGLE = 0.02;
+  private static final double LEAST_ANGLE = 0.04;
 
   /** Nor are those shorter than that share of the longest of the mesh. */
   private static final double LEAST_SHARE = 1.0 / 256;
 
   /** A departure that the shortest edges may still have; it is a step that no mesh can follow. */
-  private static final double STEP = 6.0 / 255;
+  private static final double STEP = 10.0 / 255;
 
   private static final double NOT_KNOWN = Double.NaN;
 
@@ -73,16 +73,27 @@ final class EdgeTest {
     return Math.sqrt(dx * dx + dy * dy + dz * dz);
   }
 
-  Reason edge(int a, int b) {
+  /** The square of a triangle's size. */
+  double size(int a, int b, int c) {
+    double ab = length(a, b);
+    double bc = length(b, c);
+    double ca = length(c, a);
+    return MeshSurvey.size(ab * ab, bc * bc, ca * ca);
+  }
+
+  /**
+   * Whether an edge is to be split.
+   *
+   * @param size the square of its triangle's
+   */
+  Reason edge(int a, int b, double size) {
     double length = length(a, b);
-    if (length > fineness.edge()) {
-      return Reason.SHAPE;
-    }
     double[] p = vertices.placed();
     int i = 6 * a;
     int j = 6 * b;
     double cosine = p[i + 3] * p[j + 3] + p[i + 4] * p[j + 4] + p[i + 5] * p[j + 5];
-    if (cosine < fineness.cosine() && length > fineness.bent()) {
+    if ((cosine < fineness.cosine() && size > fineness.bent() * fineness.bent())
+        || (length > fineness.edge() && size > fineness.edge() * fineness.edge())) {
       return Reason.SHAPE;
     }
     if (field.isEmpty() || !(length > 0)) {

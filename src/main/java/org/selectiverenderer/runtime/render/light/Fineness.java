@@ -11,28 +11,31 @@ import org.selectiverenderer.runtime.instance.Surface;
  * of that under which an eye or a light sees an edge of a flat face.
  *
  * @param cosine least, of the angle between the normals of an edge's ends
- * @param edge longest
+ * @param edge longest, but of narrow triangles
  * @param sight longest edge as a share of the distance from the eye, endless where that never shows
- * @param bent shortest edge that is split for its normals
+ * @param bent size of triangles above which they are split for their normals
  */
 public record Fineness(double cosine, double edge, double sight, double bent) {
-  /** Departures of that much show only beside each other: 3 of 255 levels. */
-  private static final double HIGHLIGHT = 3.0 / 255;
+  /** Departures of that much show only beside each other: 6 of 255 levels. */
+  private static final double HIGHLIGHT = 6.0 / 255;
 
-  /** Wider angles show as facets even without a highlight. */
-  private static final double WIDEST = Math.toRadians(14);
+  /** The cosine of an angle between normals that shows as facets even without a highlight. */
+  static final double WIDE = Math.cos(Math.toRadians(15));
 
-  /** Narrower ones cost more than they show. */
-  private static final double NARROWEST = Math.toRadians(7);
+  /** That of one which shows only in highlights. */
+  static final double NARROW = Math.cos(Math.toRadians(10));
 
   /** The distance from which a shape is seen by vertex, where the highlights let it. */
-  private static final double NEAR = 0.8;
+  private static final double NEAR = 0.5;
 
   /** Shorter edges are not asked for: what is nearer to them is lit by pixel. */
-  private static final double SHORTEST = 0.08;
+  private static final double SHORTEST = 0.1;
 
-  /** What is bent within a hundredth of a unit is small in every picture. */
-  private static final double BENT = 0.01;
+  /** What is bent within two hundredths of a unit is small in every picture. */
+  private static final double BENT = 0.02;
+
+  /** From so many times its length an edge is too small for its bend to be seen. */
+  private static final double BENT_SIGHT = 15;
 
   private static final double ENDLESS = Double.POSITIVE_INFINITY;
 
@@ -44,15 +47,12 @@ public record Fineness(double cosine, double edge, double sight, double bent) {
     float[] s = surface.specular();
     double strength = Math.max(s[0], Math.max(s[1], s[2])) * Math.max(1, 128 * surface.shininess());
     if (strength / 32 <= HIGHLIGHT) {
-      return new Fineness(Math.cos(WIDEST), ENDLESS, ENDLESS, BENT);
+      return new Fineness(WIDE, ENDLESS, ENDLESS, BENT);
     }
     double angle = Math.sqrt(8 * HIGHLIGHT / strength);
     double sight = Math.sqrt(32 * HIGHLIGHT / strength);
     return new Fineness(
-        Math.cos(Math.max(NARROWEST, Math.min(WIDEST, angle))),
-        Math.max(SHORTEST, NEAR * sight),
-        sight,
-        BENT);
+        Math.cos(angle) > WIDE ? NARROW : WIDE, Math.max(SHORTEST, NEAR * sight), sight, BENT);
   }
 
   /**
@@ -61,6 +61,20 @@ public record Fineness(double cosine, double edge, double sight, double bent) {
    */
   Fineness local(double scale) {
     return new Fineness(cosine, rounded(edge / scale), sight, rounded(bent / scale));
+  }
+
+  /**
+   * Whether a mesh is coarser.
+   *
+   * @param scale of the world's lengths to the mesh's
+   */
+  boolean finerThan(MeshSurvey mesh, double scale) {
+    return mesh.bent(cosine) * scale > bent || mesh.largest() * scale > edge;
+  }
+
+  /** The distance from which on a mesh is seen to be fine enough, in the world. */
+  double nearest(MeshSurvey mesh, double scale) {
+    return scale * Math.max(mesh.largest() / sight, mesh.bent(cosine) * BENT_SIGHT);
   }
 
   /** The same where lights that are near show otherwise. */

@@ -55,18 +55,19 @@ public final class LightPlanner {
     /**
      * How the shape is lit with its mesh made.
      *
-     * @param longest edge of the mesh that is drawn, in its own coordinates
+     * @param drawn the mesh that is drawn
      * @param lights the reaching ones, in one list for all shapes that have the same
      */
-    public Lighting lighting(double longest, List<LightInstance> lights) {
+    public Lighting lighting(MeshSurvey drawn, List<LightInstance> lights) {
       ShapeInstance shape = request.shape();
       Lighting.Unsteady unsteady =
           request.steady()
               ? null
-              : new Lighting.Unsteady(longest, tolerance(shape.surface(), request.mesh()));
-      double length = longest * Fineness.scale(shape.world());
+              : new Lighting.Unsteady(drawn.longest(), tolerance(shape.surface(), request.mesh()));
       double nearest =
-          byVertex ? length / Fineness.of(shape.surface()).sight() : Double.POSITIVE_INFINITY;
+          byVertex
+              ? Fineness.of(shape.surface()).nearest(drawn, Fineness.scale(shape.world()))
+              : Double.POSITIVE_INFINITY;
       return new Lighting(shape, request.scope(), lights, nearest, unsteady);
     }
   }
@@ -80,8 +81,7 @@ public final class LightPlanner {
     ShapeInstance shape = request.shape();
     Mesh mesh = request.mesh();
     Reach reach = new Reach(shape.bounds());
-    List<LightInstance> reaching =
-        request.steady() ? reach.of(request.scope()) : request.scope();
+    List<LightInstance> reaching = request.steady() ? reach.of(request.scope()) : request.scope();
     float[] normals = mesh.normals();
     MeshForm plain = MeshForm.plain(mesh);
     if (!byVertex
@@ -93,11 +93,10 @@ public final class LightPlanner {
     double scale = Fineness.scale(shape.world());
     Fineness wanted = Fineness.of(shape.surface());
     boolean heavy = mesh.polygons() > HEAVY;
-    boolean coarse =
-        survey.leastCosine() < wanted.cosine() || survey.longestEdge() * scale > wanted.edge();
-    Fineness needed = coarse && !heavy ? wanted : Fineness.NONE.seen(wanted.sight());
-    MeshForm form = coarse && !heavy ? new MeshForm(mesh, wanted.local(scale), null) : plain;
-    double longest = Math.min(survey.longestEdge() * scale, needed.edge());
+    boolean coarse = !heavy && wanted.finerThan(survey, scale);
+    Fineness needed = coarse ? wanted : Fineness.NONE.seen(wanted.sight());
+    MeshForm form = coarse ? new MeshForm(mesh, wanted.local(scale), null) : plain;
+    double longest = survey.longest() * scale;
     double tolerance = tolerance(shape.surface(), mesh);
     if (!request.steady() || reach.departure(reaching, longest) <= tolerance) {
       return new Plan(request, form, null, true, reaching);
@@ -107,19 +106,12 @@ public final class LightPlanner {
     }
     MeshRefiner.Result result =
         MeshRefiner.refine(
-            mesh,
-            normals,
-            shape.world(),
-            needed,
-            field(reaching),
-            survey.longestEdge() * scale,
-            tolerance);
+            mesh, normals, shape.world(), needed, field(reaching), longest, tolerance);
     if (!result.complete()) {
       return new Plan(request, plain, null, false, reaching);
     }
     return result.forLight()
-        ? new Plan(
-            request, new MeshForm(mesh, needed, new Object()), result.mesh(), true, reaching)
+        ? new Plan(request, new MeshForm(mesh, needed, new Object()), result.mesh(), true, reaching)
         : new Plan(request, form, null, true, reaching);
   }
 
@@ -135,14 +127,13 @@ public final class LightPlanner {
             new Matrix4d(),
             form.fineness(),
             new LightField(List.of()),
-            MeshSurvey.of(form.source()).longestEdge(),
+            MeshSurvey.of(form.source()).longest(),
             TOLERANCE)
         .mesh();
   }
 
   private static LightField field(List<LightInstance> lights) {
-    return new LightField(
-        lights.stream().filter(LightInstance::on).map(WorldLight::of).toList());
+    return new LightField(lights.stream().filter(LightInstance::on).map(WorldLight::of).toList());
   }
 
   /** A dark surface shows less of its light. */

@@ -25,14 +25,11 @@ public final class Lighting {
   /** A light as it was. */
   private record Placed(LightInstance instance, Light light, boolean on, Matrix4dc world) {
     static Placed of(LightInstance instance) {
-      return new Placed(
-          instance, instance.light(), instance.on(), new Matrix4d(instance.world()));
+      return new Placed(instance, instance.light(), instance.on(), new Matrix4d(instance.world()));
     }
 
     boolean current() {
-      return instance.light() == light
-          && instance.on() == on
-          && instance.world().equals(world, 0);
+      return instance.light() == light && instance.on() == on && instance.world().equals(world, 0);
     }
   }
 

@@ -12,8 +12,15 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  * cracks open. Deterministic; what is on the surface stays on it.
  */
 final class MeshRefiner {
-  /** Triangles that refinement may add to a mesh. */
-  static final int MOST_ADDED = 12_000;
+  /**
+   * Triangles that refinement may add to a mesh: so many, and so many for each square unit of its
+   * surface. More vertices cost more than the pixels that they spare.
+   */
+  private static final int ADDED = 300;
+
+  private static final int ADDED_BY_AREA = 2500;
+
+  private static final int MOST_ADDED = 12_000;
 
   private static final int MOST_PASSES = 12;
 
@@ -23,6 +30,7 @@ final class MeshRefiner {
   private int[] indices;
   private boolean[] fine;
   private int[] points;
+  private final int most;
   private boolean lightSplit;
   private boolean full;
 
@@ -42,6 +50,19 @@ final class MeshRefiner {
     indices = source.indices();
     fine = new boolean[indices.length / 3];
     points = weld(source.positions());
+    most = indices.length / 3 + (int) Math.min(MOST_ADDED, ADDED + ADDED_BY_AREA * area());
+  }
+
+  private double area() {
+    double sum = 0;
+    for (int i = 0; i < indices.length; i += 3) {
+      double a = test.length(indices[i], indices[i + 1]);
+      double b = test.length(indices[i + 1], indices[i + 2]);
+      double c = test.length(indices[i + 2], indices[i]);
+      double half = (a + b + c) / 2;
+      sum += Math.sqrt(Math.max(0, half * (half - a) * (half - b) * (half - c)));
+    }
+    return sum;
   }
 
   /**
@@ -60,8 +81,7 @@ final class MeshRefiner {
       double longest,
       double tolerance) {
     FineVertices vertices = new FineVertices(source, normals, world);
-    EdgeTest test =
-        new EdgeTest(vertices, fineness, field, !source.solid(), longest, tolerance);
+    EdgeTest test = new EdgeTest(vertices, fineness, field, !source.solid(), longest, tolerance);
     return new MeshRefiner(source, vertices, test).refine();
   }
 
@@ -83,8 +103,7 @@ final class MeshRefiner {
     for (int v = 0; v < points.length; v++) {
       // Minus zero counts as zero.
       Point at =
-          new Point(
-              positions[3 * v] + 0f, positions[3 * v + 1] + 0f, positions[3 * v + 2] + 0f);
+          new Point(positions[3 * v] + 0f, positions[3 * v + 1] + 0f, positions[3 * v + 2] + 0f);
       Integer first = known.putIfAbsent(at, v);
       points[v] = first == null ? v : first;
     }
@@ -107,7 +126,7 @@ final class MeshRefiner {
         after++;
       }
     }
-    if (after > source.indices().length / 3 + MOST_ADDED) {
+    if (after > most) {
       full = true;
       return false;
     }
@@ -124,10 +143,11 @@ final class MeshRefiner {
         continue;
       }
       boolean any = false;
+      double size = test.size(indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
       for (int k = 0; k < 3; k++) {
         int a = indices[3 * t + k];
         int b = indices[3 * t + (k + 1) % 3];
-        EdgeTest.Reason reason = test.edge(a, b);
+        EdgeTest.Reason reason = test.edge(a, b, size);
         if (reason != EdgeTest.Reason.NONE) {
           marked.add(points[a], points[b]);
           lightSplit |= reason == EdgeTest.Reason.LIGHT;

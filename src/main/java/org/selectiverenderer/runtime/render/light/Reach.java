@@ -17,8 +17,7 @@ final class Reach {
    */
   Reach(double[] box) {
     this.box = box;
-    centre =
-        new Vector3d((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
+    centre = new Vector3d((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
     radius = centre.distance(box[3], box[4], box[5]);
   }
 
@@ -35,8 +34,7 @@ final class Reach {
 
   /** Whether some of the light can fall into the box. */
   boolean reached(WorldLight light) {
-    return nearest(light) <= light.radius()
-        && (light.kind() != Light.Kind.SPOT || inBeam(light));
+    return nearest(light) <= light.radius() && (light.kind() != Light.Kind.SPOT || inBeam(light));
   }
 
   /**

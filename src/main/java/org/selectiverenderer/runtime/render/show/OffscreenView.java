@@ -24,7 +24,8 @@ public final class OffscreenView implements AutoCloseable {
   private final WorldPainter painter;
   private long previousFrame;
 
-  private OffscreenView(OffscreenContext context, OffscreenTarget target, ViewLayout layout, Shading shading) {
+  private OffscreenView(
+      OffscreenContext context, OffscreenTarget target, ViewLayout layout, Shading shading) {
     this.context = context;
     this.target = target;
     painter = new WorldPainter(layout, shading);
@@ -39,7 +40,8 @@ public final class OffscreenView implements AutoCloseable {
    * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
    *     display or no OpenGL 3.3
    */
-  public static OffscreenView open(int width, int height, int samples, ViewLayout layout, Shading shading) {
+  public static OffscreenView open(
+      int width, int height, int samples, ViewLayout layout, Shading shading) {
     OffscreenContext context = OffscreenContext.open();
     try {
       return new OffscreenView(
