@@ -15,7 +15,7 @@ import org.selectiverenderer.runtime.instance.Surface;
  * @param sight longest edge as a share of the distance from the eye, endless where that never shows
  * @param bent size of triangles above which they are split for their normals
  */
-public record Fineness(double cosine, double edge, double sight, double bent) {
+record Fineness(double cosine, double edge, double sight, double bent) {
   /** Departures of that much show only beside each other: 6 of 255 levels. */
   private static final double HIGHLIGHT = 6.0 / 255;
 

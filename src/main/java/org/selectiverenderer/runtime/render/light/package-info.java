@@ -6,7 +6,7 @@
  * org.selectiverenderer.runtime.render.light.Lighting}s and finer {@link
  * org.selectiverenderer.geometry.mesh.Mesh}es, without GL, on any thread. Refinement shows in no
  * figure: polygons that are counted remain the model's. Uses {@code runtime.instance}, {@code
- * geometry} and {@code geometry.mesh}.
+ * geometry.mesh} and {@code geometry.tree}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.light;

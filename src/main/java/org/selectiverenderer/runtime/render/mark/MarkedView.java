@@ -24,6 +24,7 @@ import org.selectiverenderer.runtime.render.draw.Visible;
  */
 public final class MarkedView implements AutoCloseable {
   private final OffscreenContext context;
+  // By pixel: a wireframe is to show the triangles of the model, not those it is refined to.
   private final SceneRenderer renderer = new SceneRenderer(2, Shading.PIXEL);
   private final MarkPainter marks = new MarkPainter();
   private @Nullable OffscreenTarget target;
