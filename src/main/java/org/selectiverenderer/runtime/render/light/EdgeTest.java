@@ -5,8 +5,8 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.tree.ClosestPoint;
 
 /**
- * Decides which edges of a mesh are too coarse. What is decided for an edge depends on nothing but
- * its two ends and the lights, so it is the same from both its sides.
+ * Decides which edges of a mesh are too coarse: for the lights by its two ends alone, for normals
+ * and highlights by the size of the triangle too. An edge counts if it does for one of its sides.
  */
 final class EdgeTest {
   /** Why an edge is to be split. */
