@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.runtime.render.show.OffscreenView;
 import org.selectiverenderer.testing.RequiresDisplay;
@@ -32,7 +33,8 @@ class StereoPictureTest {
   }
 
   private static Screenshot picture(World world, EyeGeometry eyes, StereoLayout.Arrangement how) {
-    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, new StereoLayout(eyes, how))) {
+    try (OffscreenView view =
+        OffscreenView.open(WIDTH, HEIGHT, 0, new StereoLayout(eyes, how), Shading.AUTO)) {
       view.draw(world);
       return view.screenshot();
     }
@@ -167,7 +169,8 @@ class StereoPictureTest {
             0,
             new StereoLayout(
                 new EyeGeometry(DisplayProfile.PROVIEW_50, IPD),
-                StereoLayout.Arrangement.SIDE_BY_SIDE))) {
+                StereoLayout.Arrangement.SIDE_BY_SIDE),
+            Shading.AUTO)) {
       view.draw(world);
       Screenshot shot = view.screenshot();
       assertThat(shot.rgb(200, 400)).isEqualTo(0xffffff);

@@ -2,6 +2,7 @@ package org.selectiverenderer.app.figures;
 
 import java.lang.management.ManagementFactory;
 import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.FrameTimes;
 import org.selectiverenderer.tracker.LatencyMeter;
@@ -44,7 +45,7 @@ public final class FigureKeeper {
   }
 
   /** The figures so far. */
-  public RunFigures figures(GlInfo gl, LatencyMeter latency) {
+  public RunFigures figures(GlInfo gl, Shading shading, LatencyMeter latency) {
     return new RunFigures(
         loadMs,
         firstFrameMs,
@@ -54,6 +55,7 @@ public final class FigureKeeper {
         drawn,
         ProcessMemory.peakMegabytes(),
         gl,
+        shading,
         latency);
   }
 }

@@ -1,9 +1,11 @@
 package org.selectiverenderer.app.figures;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Locale;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.FrameTimes;
 import org.selectiverenderer.tracker.LatencyMeter;
@@ -17,6 +19,7 @@ import org.selectiverenderer.tracker.LatencyMeter;
  * @param times of the frames after the first, from one to the next
  * @param polygons of the whole scene in its versions, seen or not, per frame
  * @param drawn triangles sent to the graphics card after culling, per frame and for all eyes
+ * @param shading that was asked for
  * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
  */
 public record RunFigures(
@@ -28,6 +31,7 @@ public record RunFigures(
     PolygonCount drawn,
     double peakMegabytes,
     GlInfo gl,
+    Shading shading,
     LatencyMeter latency) {
 
   /** The JSON object that the command line promises, the last line ended. */
@@ -56,7 +60,8 @@ public record RunFigures(
     node.putObject("gl")
         .put("vendor", gl.vendor())
         .put("renderer", gl.renderer())
-        .put("version", gl.version());
+        .put("version", gl.version())
+        .put("shading", shading.on(gl).name().toLowerCase(Locale.ROOT));
     return JsonText.of(node);
   }
 }

@@ -23,7 +23,11 @@ final class OffscreenFrames implements FrameTarget {
     // The context comes up while the scene is being read.
     try (OffscreenView view =
         OffscreenView.open(
-            display.width(), display.height(), samples(), display.presentation().layout())) {
+            display.width(),
+            display.height(),
+            samples(),
+            display.presentation().layout(),
+            display.shading())) {
       run.awaitScene();
       run.started();
       for (int frame = 0; !run.finished(); frame++) {

@@ -235,7 +235,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     if (failure != null) {
       throw failure;
     }
-    return keeper.figures(gl, head.latency());
+    return keeper.figures(gl, settings.display().shading(), head.latency());
   }
 
   /**

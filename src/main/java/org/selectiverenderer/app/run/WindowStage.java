@@ -106,6 +106,7 @@ final class WindowStage {
     return new RunWindows(
         new WindowOptions(title, settings.width(), settings.height(), samples, false),
         settings.presentation().layout(),
+        settings.shading(),
         Optional.empty(),
         operator());
   }
@@ -126,6 +127,7 @@ final class WindowStage {
     return new RunWindows(
         WindowOptions.filling(left, "Left eye - " + title, samples),
         settings.presentation().layout(),
+        settings.shading(),
         Optional.of(WindowOptions.filling(right, "Right eye - " + title, 0)),
         operatorBeside(monitors, left, right));
   }
@@ -156,6 +158,10 @@ final class WindowStage {
   private RunWindows quad() {
     RunWindows stage = single();
     return new RunWindows(
-        stage.main().withQuadBuffers(), stage.layout(), Optional.empty(), stage.operator());
+        stage.main().withQuadBuffers(),
+        stage.layout(),
+        stage.shading(),
+        Optional.empty(),
+        stage.operator());
   }
 }

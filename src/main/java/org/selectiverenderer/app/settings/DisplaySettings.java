@@ -5,6 +5,7 @@ import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.runtime.render.Shading;
 
 /**
  * On what a scene is shown.
@@ -14,6 +15,7 @@ import org.selectiverenderer.hmd.Presentation;
  * @param height of the picture in pixels
  * @param sized whether the size was asked for; else it is what suits the presentation
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
+ * @param shading where light is computed
  * @param operator whether there is a window for whoever runs the session
  */
 public record DisplaySettings(
@@ -22,6 +24,7 @@ public record DisplaySettings(
     int height,
     boolean sized,
     OptionalInt samples,
+    Shading shading,
     boolean operator) {
   /** A window on a desk. */
   public static final DisplaySettings WINDOW =
@@ -39,32 +42,40 @@ public record DisplaySettings(
         presentation.height(),
         false,
         OptionalInt.empty(),
+        Shading.AUTO,
         false);
   }
 
   /** In a size that was asked for. */
   public DisplaySettings sized(int wantedWidth, int wantedHeight) {
-    return new DisplaySettings(presentation, wantedWidth, wantedHeight, true, samples, operator);
+    return new DisplaySettings(
+        presentation, wantedWidth, wantedHeight, true, samples, shading, operator);
   }
 
   /** With so many samples per pixel. */
   public DisplaySettings samples(OptionalInt wanted) {
-    return new DisplaySettings(presentation, width, height, sized, wanted, operator);
+    return new DisplaySettings(presentation, width, height, sized, wanted, shading, operator);
+  }
+
+  /** With light computed there. */
+  public DisplaySettings shading(Shading wanted) {
+    return new DisplaySettings(presentation, width, height, sized, samples, wanted, operator);
   }
 
   /** With a window for the operator or without. */
   public DisplaySettings operator(boolean wanted) {
-    return new DisplaySettings(presentation, width, height, sized, samples, wanted);
+    return new DisplaySettings(presentation, width, height, sized, samples, shading, wanted);
   }
 
   /** Of the size that a monitor turned out to have. */
   public DisplaySettings filling(int foundWidth, int foundHeight) {
-    return new DisplaySettings(presentation, foundWidth, foundHeight, sized, samples, operator);
+    return new DisplaySettings(
+        presentation, foundWidth, foundHeight, sized, samples, shading, operator);
   }
 
   /** Shown in another way; the size stays if it was asked for. */
   public DisplaySettings as(Presentation other) {
-    DisplaySettings suited = of(other).samples(samples).operator(operator);
+    DisplaySettings suited = of(other).samples(samples).shading(shading).operator(operator);
     return sized ? suited.sized(width, height) : suited;
   }
 }

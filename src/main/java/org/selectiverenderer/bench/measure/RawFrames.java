@@ -9,6 +9,7 @@ import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.draw.RawDraw;
@@ -70,7 +71,7 @@ final class RawFrames {
   }
 
   private static double ours(Walkthrough walk, CameraPath path, double start) throws IOException {
-    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, ViewLayout.MONO)) {
+    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, ViewLayout.MONO, Shading.AUTO)) {
       view.prepare(walk.world());
       return perSecond(walk, path, start, view::draw, view::finish);
     }

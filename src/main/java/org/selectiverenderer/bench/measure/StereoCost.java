@@ -13,6 +13,7 @@ import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.StereoLayout;
 import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.show.OffscreenView;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
@@ -96,7 +97,7 @@ final class StereoCost {
   private static double frames(
       Walkthrough walk, CameraPath path, int width, int height, ViewLayout layout, double start)
       throws IOException {
-    try (OffscreenView view = OffscreenView.open(width, height, 0, layout)) {
+    try (OffscreenView view = OffscreenView.open(width, height, 0, layout, Shading.AUTO)) {
       view.prepare(walk.world());
       // Each round walks the same way.
       PathMotion motion = new PathMotion(path, start - path.start());

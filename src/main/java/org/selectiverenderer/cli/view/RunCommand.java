@@ -31,6 +31,7 @@ import org.selectiverenderer.cli.output.RunOutput;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -63,6 +64,12 @@ public final class RunCommand extends CliCommand {
     walk,
     experiment,
     off
+  }
+
+  private enum Place {
+    auto,
+    vertex,
+    pixel
   }
 
   @Mixin private SceneArgument scene = new SceneArgument();
@@ -111,6 +118,15 @@ public final class RunCommand extends CliCommand {
           "samples per pixel that smooth edges, 0 for none (default: 4, but 0 for "
               + "moving pictures without a graphics card)")
   private @Nullable Integer samples;
+
+  @Option(
+      names = "--shading",
+      defaultValue = "auto",
+      description =
+          "place where light is computed: pixel, vertex (at the corners of polygons where "
+              + "that looks the same, which is faster without a graphics card) or auto, which "
+              + "chooses by the machine (default: ${DEFAULT-VALUE})")
+  private Place shading = Place.auto;
 
   @Mixin private RecordOptions records = new RecordOptions();
 
@@ -169,6 +185,7 @@ public final class RunCommand extends CliCommand {
     DisplaySettings suited =
         DisplaySettings.of(shown(wanted))
             .samples(samples == null ? OptionalInt.empty() : OptionalInt.of(samples))
+            .shading(Shading.valueOf(shading.name().toUpperCase(Locale.ROOT)))
             .operator(display.operator());
     return size == null ? suited : suited.sized(size.width(), size.height());
   }

@@ -1,4 +1,4 @@
-// Shapes: to clip coordinates, and to the eye's for lighting.
+// Shapes: to clip coordinates, and to the eye's for lighting, which is done here or by pixel.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 color;
@@ -11,16 +11,42 @@ uniform vec3 texture_[3];
 uniform float pointSize;
 
 #ifdef LIT
-out vec3 eyeNormal;
+#ifdef LIT_BY_VERTEX
+#include light.glsl
+// Not clamped here: what is too bright is cut off by pixel, after interpolation.
+out vec3 frontDiffuse;
+#ifdef HIGHLIGHT_APART
+out vec3 frontHighlight;
 #endif
+#ifdef TWO_SIDED
+out vec3 backDiffuse;
+#ifdef HIGHLIGHT_APART
+out vec3 backHighlight;
+#endif
+#endif
+#else
+out vec3 eyeNormal;
 #ifdef EYE_POSITION
 out vec3 eyePosition;
+#endif
+#endif
 #endif
 #ifdef COLORS
 out vec4 vertexColor;
 #endif
 #ifdef TEXTURE
 out vec2 coordinate;
+#endif
+
+#ifdef LIT_BY_VERTEX
+// What the pixels need of the light: all of it together where the colour is the same everywhere.
+vec3 diffuseOf(Light light) {
+#ifdef WHOLE_BY_VERTEX
+  return material[1].rgb + material[0].rgb * light.diffuse + light.highlight;
+#else
+  return light.diffuse;
+#endif
+}
 #endif
 
 void main() {
@@ -31,11 +57,32 @@ void main() {
   gl_PointSize = pointSize;
 #endif
 #ifdef LIT
-  eyeNormal =
+  vec3 across =
       vec3(dot(object[7].xyz, normal), dot(object[8].xyz, normal), dot(object[9].xyz, normal));
-#endif
+  vec3 place = vec3(0.0);
 #ifdef EYE_POSITION
-  eyePosition = vec3(dot(object[4], local), dot(object[5], local), dot(object[6], local));
+  place = vec3(dot(object[4], local), dot(object[5], local), dot(object[6], local));
+#endif
+#ifdef LIT_BY_VERTEX
+  vec3 n = normalize(across);
+  Light front = lightAt(place, n);
+  frontDiffuse = diffuseOf(front);
+#ifdef HIGHLIGHT_APART
+  frontHighlight = front.highlight;
+#endif
+#ifdef TWO_SIDED
+  Light back = lightAt(place, -n);
+  backDiffuse = diffuseOf(back);
+#ifdef HIGHLIGHT_APART
+  backHighlight = back.highlight;
+#endif
+#endif
+#else
+  eyeNormal = across;
+#ifdef EYE_POSITION
+  eyePosition = place;
+#endif
+#endif
 #endif
 #ifdef COLORS
   vertexColor = color;

@@ -40,7 +40,7 @@ public final class HeavyFrames {
     TestScene scene = TestScene.load(file);
     try (OffscreenContext context = OffscreenContext.open()) {
       OffscreenTarget target = new OffscreenTarget(context.gl(), 1024, 768, samples);
-      SceneRenderer renderer = new SceneRenderer(2);
+      SceneRenderer renderer = new SceneRenderer(2, Shading.AUTO);
       System.out.println(context.info() + " samples " + target.samples());
       long start = System.nanoTime();
       renderer.prepare(context.gl(), scene.tree());

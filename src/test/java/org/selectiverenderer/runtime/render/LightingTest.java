@@ -6,9 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.Parameter;
+import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.Screenshot;
@@ -16,12 +20,20 @@ import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Pixels against the equations of X3D 4.0, 17.2.2, worked out here a second time. */
 @RequiresDisplay
+@ParameterizedClass
+@EnumSource(names = {"PIXEL", "VERTEX"})
 class LightingTest {
   private static final Vector3d EYE = new Vector3d(0, 0, 10);
   private static final double DIFFUSE = 0.6;
   private static final double AMBIENT = 0.5;
 
-  @AutoClose private final Studio studio = new Studio();
+  @Parameter private Shading shading = Shading.PIXEL;
+  @AutoClose private Studio studio;
+
+  @BeforeEach
+  void open() {
+    studio = new Studio(shading);
+  }
 
   /** A wall in the plane z = 0 that fills the picture. */
   private static String wall(String more) {

@@ -20,7 +20,16 @@ public final class Studio implements AutoCloseable {
 
   private final OffscreenContext context = OffscreenContext.open();
   private final GL3 gl = new DebugGL3(context.gl());
-  public final SceneRenderer renderer = new SceneRenderer(2);
+  public final SceneRenderer renderer;
+
+  /** Light by pixel. */
+  public Studio() {
+    this(Shading.PIXEL);
+  }
+
+  public Studio(Shading shading) {
+    renderer = new SceneRenderer(2, shading);
+  }
 
   public GL3 gl() {
     return gl;

@@ -9,6 +9,11 @@ public record GlInfo(String vendor, String renderer, String version) {
         string(gl, GL.GL_VENDOR), string(gl, GL.GL_RENDERER), string(gl, GL.GL_VERSION));
   }
 
+  /** Whether a processor draws, without a graphics card. */
+  public boolean software() {
+    return SoftwareRasterizers.named(renderer);
+  }
+
   private static String string(GL gl, int name) {
     String value = gl.glGetString(name);
     return value == null ? "unknown" : value;

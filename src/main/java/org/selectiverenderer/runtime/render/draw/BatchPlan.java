@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.MeshMerger;
 
 /** Decides which shapes share a batch: those of one look that are small and near each other. */
@@ -34,21 +35,26 @@ final class BatchPlan {
 
   private BatchPlan() {}
 
+  private record LitLook(DrawLook look, boolean byVertex) {}
+
   /**
    * A shape that may share a batch with those of an equal look.
    *
-   * @param number of the shape among the tree's, the order in a batch too
+   * @param number of the shape among those that are new, the order in a batch too
+   * @param mesh that is drawn: the shape's own or a finer one
    */
-  record Candidate(int number, ShapeInstance shape, Mesh mesh, DrawLook look) {}
+  record Candidate(
+      int number, ShapeInstance shape, Mesh mesh, DrawLook look, Lighting lighting) {}
 
   /** The batches, of two shapes or more each; shapes that are in none are drawn by themselves. */
   static List<List<Candidate>> of(List<Candidate> candidates) {
     Map<Mesh, Integer> uses = new IdentityHashMap<>();
     candidates.forEach(candidate -> uses.merge(candidate.mesh(), 1, Integer::sum));
-    Map<DrawLook, List<Candidate>> byLook = new LinkedHashMap<>();
+    Map<LitLook, List<Candidate>> byLook = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       if (mergeable(candidate, uses.get(candidate.mesh()))) {
-        byLook.computeIfAbsent(candidate.look(), look -> new ArrayList<>()).add(candidate);
+        LitLook look = new LitLook(candidate.look(), candidate.lighting().alwaysByVertex());
+        byLook.computeIfAbsent(look, same -> new ArrayList<>()).add(candidate);
       }
     }
     List<List<Candidate>> batches = new ArrayList<>();
@@ -59,8 +65,9 @@ final class BatchPlan {
   private static boolean mergeable(Candidate candidate, int uses) {
     int indices = candidate.mesh().indices().length;
     double determinant = candidate.shape().world().determinant3x3();
-    // Blended shapes are drawn one by one, back to front.
+    // Blended shapes are drawn one by one, back to front; others may be lit now so, now so.
     return !candidate.look().blended()
+        && candidate.lighting().settled()
         && indices <= MOST_OF_ONE
         && (indices <= ALWAYS_COPIED || (long) indices * uses <= MOST_COPIED)
         && candidate.mesh().vertexCount() <= MeshMerger.MOST_VERTICES

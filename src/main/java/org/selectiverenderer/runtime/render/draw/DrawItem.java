@@ -1,24 +1,26 @@
 package org.selectiverenderer.runtime.render.draw;
 
-import java.util.List;
 import org.joml.Matrix4dc;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
+import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 
 /**
  * A shape instance with everything on the graphics card that drawing it takes. Valid as long as the
  * shape has this mesh and surface and, in a batch, stands where it stood.
  *
+ * @param source the shape's mesh; what is drawn of it may be finer
  * @param part what it draws
- * @param lights those whose scope it lies in; equal lists are the same object
- * @param numbers the material as the fragment shader wants it
+ * @param byPixel the programs that light it at its pixels
+ * @param byVertex those that light it at its vertices
+ * @param numbers the material as the light model wants it
  * @param blended whether it is drawn over what is behind, back to front
  * @param rank of its program and texture in the order of drawing
  */
@@ -28,8 +30,9 @@ public record DrawItem(
     Surface surface,
     MeshPart part,
     @Nullable GpuTexture texture,
-    ShapePrograms.Family programs,
-    List<LightInstance> lights,
+    ShapePrograms.Family byPixel,
+    ShapePrograms.Family byVertex,
+    Lighting lighting,
     float[] numbers,
     float[] textureTransform,
     boolean blended,
@@ -58,5 +61,17 @@ public record DrawItem(
   /** Whether the shape still has what this was made from. */
   boolean current() {
     return shape.surface() == surface && shape.mesh().orElse(null) == source && part.holds(shape);
+  }
+
+  /** The programs for an eye at a place in the world. */
+  ShapePrograms.Family programs(Vector3dc eye) {
+    return lighting.byVertex(shape, eye) ? byVertex : byPixel;
+  }
+
+  /** Of indices that are drawn, how many the shape's own mesh has for the same. */
+  long own(long drawn) {
+    int own = source.indices().length;
+    int all = clusters().indexCount();
+    return all == own ? drawn : Math.round(drawn / 3.0 * own / all) * 3;
   }
 }

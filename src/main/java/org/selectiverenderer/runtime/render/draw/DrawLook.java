@@ -10,17 +10,20 @@ import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
 /**
- * All that one call of the drawing needs beside the triangles: shapes of equal looks may be drawn
- * by one call.
+ * All that one call of the drawing needs beside the triangles: shapes of equal looks that are lit
+ * alike may be drawn by one call.
  *
- * @param lights those whose scope the shape lies in
- * @param material as the fragment shader wants it; compared by its numbers
+ * @param byPixel the programs that light it at its pixels
+ * @param byVertex those that light it at its vertices
+ * @param reaching the lights that reach the shape
+ * @param material as the light model wants it; compared by its numbers
  * @param textureTransform nine numbers, compared likewise
  */
 record DrawLook(
-    ShapePrograms.Family programs,
+    ShapePrograms.Family byPixel,
+    ShapePrograms.Family byVertex,
     @Nullable GpuTexture texture,
-    List<LightInstance> lights,
+    List<LightInstance> reaching,
     FloatBuffer material,
     FloatBuffer textureTransform,
     boolean blended,

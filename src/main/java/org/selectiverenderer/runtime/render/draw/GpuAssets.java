@@ -1,62 +1,130 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL3;
-import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
-import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Consumer;
-import java.util.function.Predicate;
-import org.jspecify.annotations.Nullable;
+import java.util.stream.Collectors;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.instance.Surface;
-import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
-import org.selectiverenderer.runtime.render.gpu.GpuTexture;
-import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
-import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
+import org.selectiverenderer.runtime.render.light.LightPlanner;
+import org.selectiverenderer.runtime.render.light.Lighting;
+import org.selectiverenderer.runtime.render.light.MeshForm;
+import org.selectiverenderer.runtime.render.light.MeshSurvey;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
-import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
- * What is on the graphics card: batches of small shapes, other meshes and images once however many
- * shapes use them.
+ * What is on the graphics card: batches of small shapes, other meshes once however many shapes use
+ * them, and the looks of shapes.
  */
 final class GpuAssets {
-  private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-
-  private final Map<Mesh, MeshPart> meshes = new IdentityHashMap<>();
+  private final LightPlanner planner;
+  private final Map<MeshForm, MeshPart> meshes = new HashMap<>();
   private final List<GpuMesh> merged = new ArrayList<>();
-  private final Map<Texture, GpuTexture> textures = new HashMap<>();
-  private final ShapePrograms programs = new ShapePrograms();
-  private final Map<DrawList.State, Integer> ranks = new HashMap<>();
+  private final Looks looks = new Looks();
   private long uploads;
+
+  /** A mesh as it is drawn. */
+  private record Drawn(MeshForm form, Mesh mesh, MeshSurvey survey) {}
+
+  private record Packed(Drawn drawn, PackedMesh mesh) {}
+
+  GpuAssets(LightPlanner planner) {
+    this.planner = planner;
+  }
 
   /** Meshes and textures sent to the graphics card since the start. */
   long uploads() {
-    return uploads;
+    return uploads + looks.uploads();
   }
 
   /**
-   * Uploads what new shapes draw: small ones of one look together in batches, the meshes of others
-   * each by itself. All is packed on all processors.
+   * Decides how shapes are lit and uploads what they draw; what is new is looked at, refined and
+   * packed on all processors.
    *
-   * @return the parts of shapes in batches; others draw their own mesh
+   * @param together whether small ones of one look are put into batches
+   * @return one for each request, in their order
    */
-  Map<ShapeInstance, MeshPart> prepare(GL3 gl, List<BatchPlan.Candidate> shapes) {
+  List<DrawItem> prepare(GL3 gl, List<LightPlanner.Request> requests, boolean together) {
+    if (requests.isEmpty()) {
+      return List.of();
+    }
+    Map<Mesh, MeshSurvey> surveys = surveys(requests);
+    List<LightPlanner.Plan> plans =
+        requests.parallelStream()
+            .map(request -> planner.plan(request, surveys.get(request.mesh())))
+            .toList();
+    Map<MeshForm, Drawn> drawn = drawn(plans, surveys);
+    List<BatchPlan.Candidate> shapes = new ArrayList<>(plans.size());
+    for (LightPlanner.Plan plan : plans) {
+      Drawn of = drawn.get(plan.form());
+      List<LightInstance> reaching = looks.shared(plan.reaching());
+      Lighting lighting = plan.lighting(of.survey(), reaching);
+      ShapeInstance shape = plan.request().shape();
+      DrawLook look = looks.of(gl, shape, of.mesh(), reaching);
+      shapes.add(new BatchPlan.Candidate(shapes.size(), shape, of.mesh(), look, lighting));
+    }
+    Map<ShapeInstance, MeshPart> parts =
+        together ? uploadBatches(gl, shapes) : new IdentityHashMap<>();
+    Map<MeshForm, Drawn> missing = new LinkedHashMap<>();
+    for (LightPlanner.Plan plan : plans) {
+      if (!parts.containsKey(plan.request().shape()) && !meshes.containsKey(plan.form())) {
+        missing.put(plan.form(), drawn.get(plan.form()));
+      }
+    }
+    upload(gl, missing);
+    List<DrawItem> items = new ArrayList<>(plans.size());
+    for (int i = 0; i < plans.size(); i++) {
+      LightPlanner.Request request = plans.get(i).request();
+      MeshPart part = parts.get(request.shape());
+      items.add(
+          item(
+              shapes.get(i), request.mesh(), part == null ? meshes.get(plans.get(i).form()) : part));
+    }
+    return items;
+  }
+
+  private Map<Mesh, MeshSurvey> surveys(List<LightPlanner.Request> requests) {
+    Set<Mesh> distinct = Collections.newSetFromMap(new IdentityHashMap<>());
+    requests.forEach(request -> distinct.add(request.mesh()));
+    Map<Mesh, MeshSurvey> surveys = new IdentityHashMap<>();
+    distinct.parallelStream()
+        .map(mesh -> Map.entry(mesh, planner.survey(mesh)))
+        .toList()
+        .forEach(surveyed -> surveys.put(surveyed.getKey(), surveyed.getValue()));
+    return surveys;
+  }
+
+  private Map<MeshForm, Drawn> drawn(
+      List<LightPlanner.Plan> plans, Map<Mesh, MeshSurvey> surveys) {
+    Map<MeshForm, LightPlanner.Plan> distinct = new LinkedHashMap<>();
+    plans.forEach(plan -> distinct.putIfAbsent(plan.form(), plan));
+    return distinct.values().parallelStream()
+        .map(plan -> drawn(plan, surveys))
+        .collect(Collectors.toMap(Drawn::form, mesh -> mesh));
+  }
+
+  private Drawn drawn(LightPlanner.Plan plan, Map<Mesh, MeshSurvey> surveys) {
+    Mesh source = plan.form().source();
+    Mesh mesh = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
+    return new Drawn(
+        plan.form(), mesh, mesh == source ? surveys.get(source) : planner.survey(mesh));
+  }
+
+  private Map<ShapeInstance, MeshPart> uploadBatches(
+      GL3 gl, List<BatchPlan.Candidate> candidates) {
     Map<ShapeInstance, MeshPart> parts = new IdentityHashMap<>();
-    BatchPlan.of(shapes).parallelStream()
+    BatchPlan.of(candidates).parallelStream()
         .map(PackedBatch::pack)
         .toList()
         .forEach(
@@ -66,160 +134,59 @@ final class GpuAssets {
               uploads++;
               batch.parts(gpu, parts);
             });
-    Set<Mesh> missing = Collections.newSetFromMap(new IdentityHashMap<>());
-    for (BatchPlan.Candidate shape : shapes) {
-      if (!parts.containsKey(shape.shape()) && !meshes.containsKey(shape.mesh())) {
-        missing.add(shape.mesh());
-      }
-    }
-    missing.parallelStream()
-        .map(mesh -> Map.entry(mesh, MeshPacker.pack(mesh)))
-        .toList()
-        .forEach(packed -> upload(gl, packed.getKey(), packed.getValue()));
     return parts;
   }
 
-  private MeshPart upload(GL3 gl, Mesh mesh, PackedMesh packed) {
-    MeshPart whole = MeshPart.whole(new GpuMesh(gl, packed), Occluders.of(mesh));
-    meshes.put(mesh, whole);
-    uploads++;
-    return whole;
+  private void upload(GL3 gl, Map<MeshForm, Drawn> missing) {
+    missing.values().parallelStream()
+        .map(drawn -> new Packed(drawn, MeshPacker.pack(drawn.mesh())))
+        .toList()
+        .forEach(
+            packed -> {
+              MeshForm form = packed.drawn().form();
+              // Finer triangles cover what the mesh's own do.
+              Occluders occluders = Occluders.of(form.source());
+              meshes.put(form, MeshPart.whole(new GpuMesh(gl, packed.mesh()), occluders));
+              uploads++;
+            });
   }
 
-  /** What a shape draws that is in no batch: its mesh, uploaded unless it is there. */
-  MeshPart part(GL3 gl, Mesh mesh) {
-    MeshPart whole = meshes.get(mesh);
-    return whole == null ? upload(gl, mesh, MeshPacker.pack(mesh)) : whole;
-  }
-
-  DrawItem item(ShapeInstance shape, Mesh mesh, DrawLook look, MeshPart part) {
+  private DrawItem item(BatchPlan.Candidate shape, Mesh source, MeshPart part) {
+    DrawLook look = shape.look();
     return new DrawItem(
-        shape,
-        mesh,
-        shape.surface(),
+        shape.shape(),
+        source,
+        shape.shape().surface(),
         part,
         look.texture(),
-        look.programs(),
-        look.lights(),
+        look.byPixel(),
+        look.byVertex(),
+        shape.lighting(),
         look.material().array(),
         look.textureTransform().array(),
         look.blended(),
-        ranks.computeIfAbsent(
-            new DrawList.State(look.programs(), look.texture()), state -> ranks.size()));
-  }
-
-  /** How a shape with that mesh is drawn; its texture is uploaded unless it is there. */
-  DrawLook look(GL3 gl, ShapeInstance shape, Mesh mesh, List<LightInstance> scope) {
-    Surface surface = shape.surface();
-    GpuTexture texture =
-        surface.texture() == null || mesh.texCoords() == null
-            ? null
-            : textures.computeIfAbsent(
-                surface.texture(),
-                image -> {
-                  uploads++;
-                  return new GpuTexture(gl, image);
-                });
-    boolean blended = blended(surface, mesh, texture);
-    float[] transform = surface.textureTransform();
-    return new DrawLook(
-        programs.get(variant(mesh, surface, scope, texture, blended)),
-        texture,
-        scope,
-        FloatBuffer.wrap(numbers(surface)),
-        FloatBuffer.wrap(transform == null ? NO_TRANSFORM : transform),
-        blended,
-        VertexLayout.of(mesh),
-        mesh.primitive(),
-        mesh.solid());
-  }
-
-  private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
-    return surface.transparency() > 0
-        || MeshPacker.translucent(mesh)
-        || (texture != null && texture.alpha() == GpuTexture.Alpha.BLENDED);
-  }
-
-  private static ShapeVariant variant(
-      Mesh mesh,
-      Surface surface,
-      List<LightInstance> scope,
-      @Nullable GpuTexture texture,
-      boolean blended) {
-    boolean shiny =
-        surface.specular()[0] > 0 || surface.specular()[1] > 0 || surface.specular()[2] > 0;
-    Texture image = surface.texture();
-    return new ShapeVariant(
-        surface.lit() && mesh.normals() != null,
-        shiny,
-        has(scope, Light.Kind.POINT),
-        has(scope, Light.Kind.SPOT),
-        mesh.colors() != null,
-        texture != null,
-        image != null && image.image().components() <= 2,
-        texture != null && texture.alpha() == GpuTexture.Alpha.CUT_OUT,
-        !mesh.solid(),
-        mesh.primitive() == Mesh.Primitive.POINTS,
-        blended);
-  }
-
-  private static boolean has(List<LightInstance> scope, Light.Kind kind) {
-    return scope.stream().anyMatch(light -> light.light().kind() == kind);
-  }
-
-  private static float[] numbers(Surface surface) {
-    float[] d = surface.diffuse();
-    float[] e = surface.emissive();
-    float[] s = surface.specular();
-    return new float[] {
-      d[0],
-      d[1],
-      d[2],
-      1 - surface.transparency(),
-      e[0],
-      e[1],
-      e[2],
-      surface.ambientIntensity(),
-      s[0],
-      s[1],
-      s[2],
-      surface.shininess() * 128
-    };
+        looks.rank(look));
   }
 
   /** Frees what none of the items uses. */
   void keepOnly(GL3 gl, List<DrawItem> items) {
-    Set<GpuMesh> usedMeshes = new HashSet<>();
-    Set<GpuTexture> usedTextures = new HashSet<>();
-    for (DrawItem item : items) {
-      usedMeshes.add(item.mesh());
-      usedTextures.add(item.texture());
-    }
-    sweep(meshes, part -> usedMeshes.contains(part.mesh()), part -> part.mesh().dispose(gl));
-    merged.removeIf(
-        mesh -> {
-          boolean unused = !usedMeshes.contains(mesh);
-          if (unused) {
-            mesh.dispose(gl);
-          }
-          return unused;
-        });
-    sweep(textures, usedTextures::contains, texture -> texture.dispose(gl));
-    ranks.keySet().removeIf(s -> s.texture() != null && !usedTextures.contains(s.texture()));
+    Set<GpuMesh> used = new HashSet<>();
+    items.forEach(item -> used.add(item.mesh()));
+    merged.removeIf(mesh -> dispose(gl, mesh, used));
+    meshes.values().removeIf(part -> dispose(gl, part.mesh(), used));
+    looks.keepOnly(gl, items);
   }
 
-  private static <K, V> void sweep(Map<K, V> all, Predicate<V> used, Consumer<V> dispose) {
-    for (Iterator<Map.Entry<K, V>> i = all.entrySet().iterator(); i.hasNext(); ) {
-      Map.Entry<K, V> entry = i.next();
-      if (!used.test(entry.getValue())) {
-        dispose.accept(entry.getValue());
-        i.remove();
-      }
+  private static boolean dispose(GL3 gl, GpuMesh mesh, Set<GpuMesh> used) {
+    boolean unused = !used.contains(mesh);
+    if (unused) {
+      mesh.dispose(gl);
     }
+    return unused;
   }
 
   void dispose(GL3 gl) {
     keepOnly(gl, List.of());
-    programs.dispose(gl);
+    looks.dispose(gl);
   }
 }

@@ -3,26 +3,29 @@ package org.selectiverenderer.runtime.render.draw;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.light.LightPlanner;
 import org.selectiverenderer.runtime.render.occlude.Occlusion;
 
 /**
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
  * #draw} once per eye. Belongs to the thread that owns the context.
  *
- * <p>What was measured, in CPU time per frame of the heavy scene (784,000 triangles, of which
- * 303,000 are drawn; 1024 x 768, llvmpipe): 13 ms on the render thread, of which culling takes 0.2
- * ms, and 44 ms spread over the rasteriser's threads. Of the render thread's time half goes to
- * setting up the triangles that face the eye, a quarter to shading vertices, an eighth to page
- * faults of the driver's memory, a tenth to looking up indices. Smaller clusters draw fewer
- * triangles (64 to a cluster: 248,000), but those that go are turned away and cost little: frames
- * take no less time.
+ * <p>What was measured, in CPU time per frame of the heavy scene (784,000 triangles, 1024 x 768,
+ * llvmpipe): 14 ms on the render thread, of which culling takes 0.3 ms, and 45 ms spread over the
+ * rasteriser's threads. It was 69 ms before the fragment shader wrote lights out one by one (see
+ * {@link org.selectiverenderer.runtime.render.gpu.ShapeVariant}). Clusters of triangles do nothing
+ * for that scene's objects of 11,200 triangles; they are for larger ones (see {@code MeshPacker}).
  */
 public final class SceneRenderer {
-  private final GpuAssets assets = new GpuAssets();
-  private final DrawList list = new DrawList(assets);
+  private final Shading shading;
+  private @Nullable GpuAssets assets;
+  private @Nullable DrawList list;
   private final BackdropPainter backdropPainter = new BackdropPainter();
   private final Visible visible = new Visible();
   private final Culler culler = new Culler(visible);
@@ -31,8 +34,10 @@ public final class SceneRenderer {
 
   /**
    * @param pointSize side of a point of a PointSet in pixels
+   * @param shading where light is computed
    */
-  public SceneRenderer(float pointSize) {
+  public SceneRenderer(float pointSize, Shading shading) {
+    this.shading = shading;
     this.pointSize = pointSize;
   }
 
@@ -41,12 +46,16 @@ public final class SceneRenderer {
    * changes its choice uploads nothing.
    */
   public void prepare(GL3 gl, InstanceTree tree) {
+    if (list == null) {
+      assets = new GpuAssets(new LightPlanner(shading.byVertex(GlInfo.of(gl))));
+      list = new DrawList(assets);
+    }
     list.follow(gl, tree);
   }
 
   /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
   public List<DrawItem> items() {
-    return list.items();
+    return list == null ? List.of() : list.items();
   }
 
   /**
@@ -54,13 +63,13 @@ public final class SceneRenderer {
    * things. The result is reused by the next call.
    */
   public Visible cull(List<Camera> eyes) {
-    culler.cull(list.items(), eyes, occlusion);
+    culler.cull(items(), eyes, occlusion);
     return visible;
   }
 
   /** Likewise, with what is hidden: for pictures through which one can see. */
   public Visible cullToView(List<Camera> eyes) {
-    culler.cull(list.items(), eyes, null);
+    culler.cull(items(), eyes, null);
     return visible;
   }
 
@@ -94,12 +103,14 @@ public final class SceneRenderer {
 
   /** Meshes and textures sent to the graphics card since the start. */
   public long uploads() {
-    return assets.uploads();
+    return assets == null ? 0 : assets.uploads();
   }
 
   /** Frees everything on the graphics card. */
   public void dispose(GL3 gl) {
-    assets.dispose(gl);
+    if (assets != null) {
+      assets.dispose(gl);
+    }
     backdropPainter.dispose(gl);
   }
 }

@@ -6,6 +6,7 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a frame draws: the shapes that some eye sees, in the order of drawing, and of each the
@@ -27,7 +28,9 @@ public final class Visible {
   private int shapes;
   private IntBuffer counts = Buffers.newDirectIntBuffer(1024);
   private PointerBuffer offsets = PointerBuffer.allocateDirect(1024);
+  private @Nullable DrawItem begun;
   private long indices;
+  private long indicesOfBegun;
   private long rangeEnd;
 
   Visible() {}
@@ -37,12 +40,17 @@ public final class Visible {
     opaque = 0;
     ranges = 0;
     shapes = 0;
+    begun = null;
     indices = 0;
+    indicesOfBegun = 0;
   }
 
   /** Begins an item: its stretches follow. */
   void begin(DrawItem item) {
     shapes++;
+    indices = indices();
+    indicesOfBegun = 0;
+    begun = item;
     Batch batch = item.part().batch();
     if (batch != null && !calls.isEmpty() && calls.get(calls.size() - 1).part().batch() == batch) {
       return;
@@ -59,7 +67,7 @@ public final class Visible {
   /** Adds a stretch of the index buffer of the item begun last. */
   void range(int firstIndex, int count, int indexBytes) {
     long byteOffset = (long) firstIndex * indexBytes;
-    indices += count;
+    indicesOfBegun += count;
     if (ranges > firstRange[calls.size() - 1] && byteOffset == rangeEnd) {
       counts.put(ranges - 1, counts.get(ranges - 1) + count);
     } else {
@@ -111,8 +119,11 @@ public final class Visible {
     return calls.size();
   }
 
-  /** The number of indices that an eye's drawing takes, three per triangle. */
+  /**
+   * The number of indices that an eye's drawing takes, three per triangle; of meshes that are drawn
+   * finer than they are, those of the mesh itself.
+   */
   public long indices() {
-    return indices;
+    return begun == null ? indices : indices + begun.own(indicesOfBegun);
   }
 }

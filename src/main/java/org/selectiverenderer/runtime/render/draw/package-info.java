@@ -17,8 +17,8 @@
  * uploaded in the same frame, the others stay as they are. A shape that a Switch hides stays in its
  * batch.
  *
- * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.mesh}, {@code runtime.render.occlude},
- * {@code runtime.instance}, {@code runtime.camera}, {@code geometry.mesh} and JOGL.
+ * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.light}, {@code runtime.render.mesh},
+ * {@code runtime.render.occlude}, {@code runtime.render.context}, {@code runtime.instance}, {@code runtime.camera}, {@code geometry.mesh} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.draw;

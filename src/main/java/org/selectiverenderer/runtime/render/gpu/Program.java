@@ -10,16 +10,20 @@ import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** A linked shader program, GLSL 3.30. */
 public final class Program {
   private static final String FOLDER = "/org/selectiverenderer/runtime/render/";
+  private static final Pattern INCLUDE = Pattern.compile("(?m)^#include (\\S+)$");
 
   private final int id;
   private final Map<String, Integer> uniforms = new HashMap<>();
 
   /**
-   * @param name of the resources {@code name.vert.glsl} and {@code name.frag.glsl}
+   * @param name of the resources {@code name.vert.glsl} and {@code name.frag.glsl}; a line {@code
+   *     #include other.glsl} stands for the text of that resource
    * @param defines what the texts are compiled with: {@code NAME} or {@code NAME value}
    * @throws GLException if the driver rejects the text; its log is in the message
    */
@@ -46,7 +50,7 @@ public final class Program {
 
   private static int compile(GL3 gl, int kind, String resource, String head) {
     int shader = gl.glCreateShader(kind);
-    gl.glShaderSource(shader, 2, new String[] {head, read(resource)}, null, 0);
+    gl.glShaderSource(shader, 2, new String[] {head, text(resource)}, null, 0);
     gl.glCompileShader(shader);
     int[] state = new int[1];
     gl.glGetShaderiv(shader, GL2ES2.GL_COMPILE_STATUS, state, 0);
@@ -61,6 +65,12 @@ public final class Program {
 
   private static String text(byte[] log, int[] length) {
     return new String(log, 0, length[0], StandardCharsets.UTF_8).strip();
+  }
+
+  private static String text(String resource) {
+    return INCLUDE
+        .matcher(read(resource))
+        .replaceAll(line -> Matcher.quoteReplacement(read(line.group(1))));
   }
 
   private static String read(String resource) {

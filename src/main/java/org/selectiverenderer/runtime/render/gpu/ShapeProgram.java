@@ -1,10 +1,6 @@
 package org.selectiverenderer.runtime.render.gpu;
 
 import com.jogamp.opengl.GL3;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** The program of shapes in one variant, with its uniforms, which it remembers between draws. */
@@ -22,15 +18,8 @@ public final class ShapeProgram {
   private float @Nullable [] currentLights;
   private float currentPointSize;
 
-  ShapeProgram(GL3 gl, ShapeVariant variant, int lightCount) {
-    List<String> defines = new ArrayList<>(variant.defines());
-    defines.add("LIGHTS " + lightCount);
-    defines.add(
-        "EACH_LIGHT "
-            + IntStream.range(0, lightCount)
-                .mapToObj(i -> "LIGHT(" + i + ")")
-                .collect(Collectors.joining(" ")));
-    program = new Program(gl, "shape", defines);
+  ShapeProgram(GL3 gl, ShapeVariant variant, LightCounts counts) {
+    program = new Program(gl, "shape", variant.defines(counts));
     object = program.uniform(gl, "object");
     material = program.uniform(gl, "material");
     textureTransform = program.uniform(gl, "texture_");
@@ -61,7 +50,7 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers twelve, as the fragment shader says; not written to afterwards
+   * @param numbers twelve, as the light model says; not written to afterwards
    * @param transform nine numbers of the texture transform
    */
   public void material(GL3 gl, float[] numbers, float[] transform) {
@@ -73,7 +62,7 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers twenty per light, as the fragment shader says
+   * @param numbers twenty per light, as the light model says
    */
   public void lights(GL3 gl, float[] numbers) {
     if (numbers.length > 0 && currentLights != numbers) {

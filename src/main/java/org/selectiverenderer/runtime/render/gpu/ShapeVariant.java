@@ -9,8 +9,7 @@ import java.util.List;
  *
  * @param lit whether lights count
  * @param specular whether the material has a highlight
- * @param positional whether a light of the scope has a position
- * @param spot whether a light of the scope has a beam
+ * @param byVertex whether light is computed at the vertices, else at the pixels
  * @param colors whether vertices have colours
  * @param texture whether there is an image
  * @param tint whether the image tints the colour, else replaces it
@@ -22,8 +21,7 @@ import java.util.List;
 public record ShapeVariant(
     boolean lit,
     boolean specular,
-    boolean positional,
-    boolean spot,
+    boolean byVertex,
     boolean colors,
     boolean texture,
     boolean tint,
@@ -32,13 +30,15 @@ public record ShapeVariant(
     boolean points,
     boolean blended) {
 
-  List<String> defines() {
-    List<String> defines = new ArrayList<>();
+  List<String> defines(LightCounts lights) {
+    List<String> defines = new ArrayList<>(lights.defines());
+    boolean apart = colors || texture;
     add(defines, lit, "LIT");
     add(defines, lit && specular, "SPECULAR");
-    add(defines, lit && (positional || spot), "POSITIONAL");
-    add(defines, lit && spot, "SPOT");
-    add(defines, lit && (specular || positional || spot), "EYE_POSITION");
+    add(defines, lit && (specular || lights.positional()), "EYE_POSITION");
+    add(defines, lit && byVertex, "LIT_BY_VERTEX");
+    add(defines, lit && byVertex && !apart, "WHOLE_BY_VERTEX");
+    add(defines, lit && byVertex && apart && specular, "HIGHLIGHT_APART");
     add(defines, colors, "COLORS");
     add(defines, texture, "TEXTURE");
     add(defines, texture && tint, "TINT");
@@ -47,6 +47,21 @@ public record ShapeVariant(
     add(defines, points, "POINTS");
     add(defines, !blended, "OPAQUE");
     return defines;
+  }
+
+  /** The same with its light computed elsewhere. */
+  public ShapeVariant lit(boolean atVertices) {
+    return new ShapeVariant(
+        lit,
+        specular,
+        atVertices && lit,
+        colors,
+        texture,
+        tint,
+        alphaTest,
+        twoSided,
+        points,
+        blended);
   }
 
   private static void add(List<String> defines, boolean wanted, String name) {

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
@@ -23,7 +24,8 @@ import org.selectiverenderer.runtime.render.draw.Visible;
  */
 public final class MarkedView implements AutoCloseable {
   private final OffscreenContext context;
-  private final SceneRenderer renderer = new SceneRenderer(2);
+  // By pixel: a wireframe is to show the triangles of the model, not those it is refined to.
+  private final SceneRenderer renderer = new SceneRenderer(2, Shading.PIXEL);
   private final MarkPainter marks = new MarkPainter();
   private @Nullable OffscreenTarget target;
 

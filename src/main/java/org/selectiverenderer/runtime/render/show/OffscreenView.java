@@ -5,6 +5,7 @@ import com.jogamp.opengl.GLException;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
@@ -28,10 +29,11 @@ public final class OffscreenView implements AutoCloseable {
   private final FramePace pace = new FramePace();
   private long previousTriangles;
 
-  private OffscreenView(OffscreenContext context, OffscreenTarget target, ViewLayout layout) {
+  private OffscreenView(
+      OffscreenContext context, OffscreenTarget target, ViewLayout layout, Shading shading) {
     this.context = context;
     this.target = target;
-    painter = new WorldPainter(layout);
+    painter = new WorldPainter(layout, shading);
   }
 
   /**
@@ -39,14 +41,16 @@ public final class OffscreenView implements AutoCloseable {
    *
    * @param layout the views of each frame; none may need a window's buffers
    * @param samples per pixel for anti-aliasing; 0 for none
+   * @param shading where light is computed
    * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
    *     display or no OpenGL 3.3
    */
-  public static OffscreenView open(int width, int height, int samples, ViewLayout layout) {
+  public static OffscreenView open(
+      int width, int height, int samples, ViewLayout layout, Shading shading) {
     OffscreenContext context = OffscreenContext.open();
     try {
       return new OffscreenView(
-          context, new OffscreenTarget(context.gl(), width, height, samples), layout);
+          context, new OffscreenTarget(context.gl(), width, height, samples), layout, shading);
     } catch (GLException e) {
       context.close();
       throw new GlUnavailableException(

@@ -10,6 +10,7 @@ import org.selectiverenderer.runtime.camera.EyeView;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.draw.Visible;
@@ -20,13 +21,14 @@ import org.selectiverenderer.runtime.render.sketch.SketchPainter;
  * range, the bound Background about what is behind. Belongs to the thread that owns the context.
  */
 final class WorldPainter {
-  private final SceneRenderer renderer = new SceneRenderer(2);
+  private final SceneRenderer renderer;
   private final SketchPainter sketch = new SketchPainter(new TextMesher());
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
-  WorldPainter(ViewLayout layout) {
+  WorldPainter(ViewLayout layout, Shading shading) {
     this.layout = layout;
+    renderer = new SceneRenderer(2, shading);
   }
 
   /** Sends all meshes and textures of the world to the graphics card. */

@@ -1,0 +1,29 @@
+package org.selectiverenderer.runtime.render.context;
+
+import java.util.List;
+import java.util.Locale;
+
+/** The names by which drivers that draw on the processor say so. */
+final class SoftwareRasterizers {
+  /** Parts of GL_RENDERER in small letters. */
+  private static final List<String> NAMES =
+      List.of(
+          "llvmpipe", // Mesa
+          "softpipe", // Mesa, slower
+          "swrast", // Mesa, older
+          "mesa x11", // Mesa without a driver
+          "openswr", // Mesa, for many processors
+          "lavapipe", // Mesa's Vulkan, by way of Zink
+          "software rasterizer", // Mesa, older
+          "swiftshader", // Google
+          "microsoft basic render", // Windows: WARP
+          "gdi generic", // Windows without a driver
+          "apple software renderer");
+
+  private SoftwareRasterizers() {}
+
+  static boolean named(String renderer) {
+    String name = renderer.toLowerCase(Locale.ROOT);
+    return NAMES.stream().anyMatch(name::contains);
+  }
+}

@@ -1,0 +1,160 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
+import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
+import org.selectiverenderer.runtime.render.mesh.MeshPacker;
+import org.selectiverenderer.runtime.render.mesh.VertexLayout;
+
+/** How shapes look: programs, textures and lights, each once however many shapes have it. */
+final class Looks {
+  private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+  private final Map<Texture, GpuTexture> textures = new HashMap<>();
+  private final ShapePrograms programs = new ShapePrograms();
+  private final Map<State, Integer> ranks = new HashMap<>();
+  private final Map<List<LightInstance>, List<LightInstance>> lists = new HashMap<>();
+  private final Map<DrawLook, DrawLook> known = new HashMap<>();
+  private long uploads;
+
+  /** A program and texture, which decide the order of drawing. */
+  private record State(ShapePrograms.Family programs, @Nullable GpuTexture texture) {}
+
+  /** Textures sent to the graphics card since the start. */
+  long uploads() {
+    return uploads;
+  }
+
+  /** The same list for all shapes that have equal ones. */
+  List<LightInstance> shared(List<LightInstance> reaching) {
+    return lists.computeIfAbsent(reaching, list -> list);
+  }
+
+  /**
+   * How a shape is drawn; its texture is uploaded unless it is there. Equal looks are the same
+   * object, whose numbers are then sent once.
+   *
+   * @param drawn the shape's mesh or a finer one
+   * @param reaching shared
+   */
+  DrawLook of(GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching) {
+    Surface surface = shape.surface();
+    GpuTexture texture =
+        surface.texture() == null || drawn.texCoords() == null
+            ? null
+            : textures.computeIfAbsent(
+                surface.texture(),
+                image -> {
+                  uploads++;
+                  return new GpuTexture(gl, image);
+                });
+    boolean blended = blended(surface, drawn, texture);
+    ShapeVariant variant = variant(drawn, surface, texture, blended);
+    float[] transform = surface.textureTransform();
+    DrawLook look =
+        new DrawLook(
+            programs.get(variant),
+            programs.get(variant.lit(true)),
+            texture,
+            reaching,
+            FloatBuffer.wrap(numbers(surface)),
+            FloatBuffer.wrap(transform == null ? NO_TRANSFORM : transform),
+            blended,
+            VertexLayout.of(drawn),
+            drawn.primitive(),
+            drawn.solid());
+    return known.computeIfAbsent(look, same -> same);
+  }
+
+  /** Its place in the order of drawing. */
+  int rank(DrawLook look) {
+    return ranks.computeIfAbsent(
+        new State(look.byPixel(), look.texture()), state -> ranks.size());
+  }
+
+  private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
+    return surface.transparency() > 0
+        || MeshPacker.translucent(mesh)
+        || (texture != null && texture.alpha() == GpuTexture.Alpha.BLENDED);
+  }
+
+  private static ShapeVariant variant(
+      Mesh mesh, Surface surface, @Nullable GpuTexture texture, boolean blended) {
+    boolean shiny =
+        surface.specular()[0] > 0 || surface.specular()[1] > 0 || surface.specular()[2] > 0;
+    Texture image = surface.texture();
+    return new ShapeVariant(
+        surface.lit() && mesh.normals() != null,
+        shiny,
+        false,
+        mesh.colors() != null,
+        texture != null,
+        image != null && image.image().components() <= 2,
+        texture != null && texture.alpha() == GpuTexture.Alpha.CUT_OUT,
+        !mesh.solid(),
+        mesh.primitive() == Mesh.Primitive.POINTS,
+        blended);
+  }
+
+  private static float[] numbers(Surface surface) {
+    float[] d = surface.diffuse();
+    float[] e = surface.emissive();
+    float[] s = surface.specular();
+    return new float[] {
+      d[0],
+      d[1],
+      d[2],
+      1 - surface.transparency(),
+      e[0],
+      e[1],
+      e[2],
+      surface.ambientIntensity(),
+      s[0],
+      s[1],
+      s[2],
+      surface.shininess() * 128
+    };
+  }
+
+  /** Frees what none of the items uses. */
+  void keepOnly(GL3 gl, List<DrawItem> items) {
+    Set<GpuTexture> used = new HashSet<>();
+    Set<List<LightInstance>> usedLists = new HashSet<>();
+    for (DrawItem item : items) {
+      used.add(item.texture());
+      usedLists.add(item.lighting().reaching());
+    }
+    lists.keySet().retainAll(usedLists);
+    known.keySet().removeIf(look -> !usedLists.contains(look.reaching()));
+    textures
+        .values()
+        .removeIf(
+            texture -> {
+              boolean unused = !used.contains(texture);
+              if (unused) {
+                texture.dispose(gl);
+              }
+              return unused;
+            });
+    known.keySet().removeIf(look -> look.texture() != null && !used.contains(look.texture()));
+    ranks.keySet().removeIf(state -> state.texture() != null && !used.contains(state.texture()));
+  }
+
+  void dispose(GL3 gl) {
+    keepOnly(gl, List.of());
+    programs.dispose(gl);
+  }
+}

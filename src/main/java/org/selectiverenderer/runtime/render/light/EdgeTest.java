@@ -1,0 +1,251 @@
+package org.selectiverenderer.runtime.render.light;
+
+import java.util.Arrays;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.tree.ClosestPoint;
+
+/**
+ * Decides which edges of a mesh are too coarse: for the lights by its two ends alone, for normals
+ * and highlights by the size of the triangle too. An edge counts if it does for one of its sides.
+ */
+final class EdgeTest {
+  /** Why an edge is to be split. */
+  enum Reason {
+    NONE,
+    SHAPE,
+    LIGHT
+  }
+
+  /** Edges shorter than that share of the distance to the nearest light are not split for it. */
+  private static final double LEAST_ANGLE = 0.04;
+
+  /** Nor are those shorter than that share of the longest of the mesh. */
+  private static final double LEAST_SHARE = 1.0 / 256;
+
+  /** A departure that the shortest edges may still have; it is a step that no mesh can follow. */
+  private static final double STEP = 10.0 / 255;
+
+  private static final double NOT_KNOWN = Double.NaN;
+
+  private final FineVertices vertices;
+  private final Fineness fineness;
+  private final LightField field;
+  private final double tolerance;
+  private final double shortest;
+  private final int sides;
+  private final double[] sample;
+  private final Vector3d[] corners = {new Vector3d(), new Vector3d(), new Vector3d()};
+  private final Vector3d spot = new Vector3d();
+  private double[] light = {};
+  private boolean stepped;
+
+  /**
+   * @param longest edge of the mesh in the world
+   * @param tolerance departures of the light, in 0..1, that nobody sees
+   */
+  EdgeTest(
+      FineVertices vertices,
+      Fineness fineness,
+      LightField field,
+      boolean twoSided,
+      double longest,
+      double tolerance) {
+    this.vertices = vertices;
+    this.fineness = fineness;
+    this.field = field;
+    this.tolerance = tolerance;
+    shortest = longest * LEAST_SHARE;
+    sides = twoSided ? 2 : 1;
+    sample = new double[3 * sides];
+  }
+
+  /** Whether it met an edge of light that no mesh can follow. */
+  boolean stepped() {
+    return stepped;
+  }
+
+  /** The length of an edge in the world. */
+  double length(int a, int b) {
+    double[] p = vertices.placed();
+    double dx = p[6 * b] - p[6 * a];
+    double dy = p[6 * b + 1] - p[6 * a + 1];
+    double dz = p[6 * b + 2] - p[6 * a + 2];
+    return Math.sqrt(dx * dx + dy * dy + dz * dz);
+  }
+
+  /** The square of a triangle's size. */
+  double size(int a, int b, int c) {
+    double ab = length(a, b);
+    double bc = length(b, c);
+    double ca = length(c, a);
+    return MeshSurvey.size(ab * ab, bc * bc, ca * ca);
+  }
+
+  /**
+   * Whether an edge is to be split.
+   *
+   * @param size the square of its triangle's
+   */
+  Reason edge(int a, int b, double size) {
+    double length = length(a, b);
+    double[] p = vertices.placed();
+    int i = 6 * a;
+    int j = 6 * b;
+    double cosine = p[i + 3] * p[j + 3] + p[i + 4] * p[j + 4] + p[i + 5] * p[j + 5];
+    if ((cosine < fineness.cosine() && size > fineness.bent() * fineness.bent())
+        || (length > fineness.edge() && size > fineness.edge() * fineness.edge())) {
+      return Reason.SHAPE;
+    }
+    if (field.isEmpty() || !(length > 0)) {
+      return Reason.NONE;
+    }
+    double x = (p[i] + p[j]) / 2;
+    double y = (p[i + 1] + p[j + 1]) / 2;
+    double z = (p[i + 2] + p[j + 2]) / 2;
+    double nearest = field.nearest(x, y, z);
+    if (length > fineness.sight() * nearest && length > shortest) {
+      return Reason.LIGHT;
+    }
+    if (field.bound(x, y, z, length) <= tolerance) {
+      return Reason.NONE;
+    }
+    double error = departure(a, b, 0.5);
+    if (length > nearest / 2) {
+      error = Math.max(error, Math.max(departure(a, b, 0.25), departure(a, b, 0.75)));
+    }
+    return error <= tolerance ? Reason.NONE : split(length, nearest, error);
+  }
+
+  private Reason split(double length, double nearest, double error) {
+    if (length > Math.max(shortest, LEAST_ANGLE * nearest)) {
+      return Reason.LIGHT;
+    }
+    stepped |= error > STEP;
+    return Reason.NONE;
+  }
+
+  /**
+   * Whether there is light in a triangle of which its edges show nothing: where it is nearest to a
+   * light, and where a beam meets it.
+   */
+  boolean inside(int a, int b, int c) {
+    if (field.isEmpty()) {
+      return false;
+    }
+    double longest = Math.max(length(a, b), Math.max(length(b, c), length(c, a)));
+    double[] p = vertices.placed();
+    int[] corner = {a, b, c};
+    spot.zero();
+    for (int i = 0; i < 3; i++) {
+      int at = 6 * corner[i];
+      corners[i].set(p[at], p[at + 1], p[at + 2]);
+      spot.fma(1.0 / 3, corners[i]);
+    }
+    // Every place of the triangle lies within two thirds of its longest edge from the middle.
+    if (longest <= shortest
+        || field.bound(spot.x, spot.y, spot.z, longest * 4 / 3) <= 2 * tolerance) {
+      return false;
+    }
+    if (departure(a, b, c) > 2 * tolerance) {
+      return true;
+    }
+    for (int i = 0; i < field.size(); i++) {
+      WorldLight lamp = field.light(i);
+      ClosestPoint.onTriangle(corners[0], corners[1], corners[2], lamp.position(), spot);
+      if (departure(a, b, c) > 2 * tolerance || beam(lamp, a, b, c)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean beam(WorldLight lamp, int a, int b, int c) {
+    Vector3d normal =
+        corners[1]
+            .sub(corners[0], new Vector3d())
+            .cross(corners[2].sub(corners[0], new Vector3d()));
+    double along = normal.dot(lamp.axis());
+    double distance = corners[0].sub(lamp.position(), new Vector3d()).dot(normal) / along;
+    if (!(distance > 0) || !Double.isFinite(distance)) {
+      return false;
+    }
+    Vector3d hit = lamp.position().fma(distance, lamp.axis(), new Vector3d());
+    ClosestPoint.onTriangle(corners[0], corners[1], corners[2], hit, spot);
+    return departure(a, b, c) > 2 * tolerance;
+  }
+
+  /** By how much the light at {@code spot} departs from what the corners give. */
+  private double departure(int a, int b, int c) {
+    Vector3d u = corners[1].sub(corners[0], new Vector3d());
+    Vector3d v = corners[2].sub(corners[0], new Vector3d());
+    Vector3d w = spot.sub(corners[0], new Vector3d());
+    Vector3d normal = u.cross(v, new Vector3d());
+    double area = normal.lengthSquared();
+    if (!(area > 0)) {
+      return 0;
+    }
+    double ofB = w.cross(v, new Vector3d()).dot(normal) / area;
+    double ofC = u.cross(w, new Vector3d()).dot(normal) / area;
+    return departure(new int[] {a, b, c}, new double[] {1 - ofB - ofC, ofB, ofC});
+  }
+
+  private double departure(int a, int b, double share) {
+    return departure(new int[] {a, b}, new double[] {1 - share, share});
+  }
+
+  /** The largest difference of a channel between the light at a place and that of its corners. */
+  private double departure(int[] corner, double[] share) {
+    double[] p = vertices.placed();
+    double[] at = new double[6];
+    double[] straight = new double[sample.length];
+    for (int k = 0; k < corner.length; k++) {
+      for (int i = 0; i < 6; i++) {
+        at[i] += share[k] * p[6 * corner[k] + i];
+      }
+      int known = light(corner[k]);
+      for (int i = 0; i < straight.length; i++) {
+        straight[i] += share[k] * light[known + i];
+      }
+    }
+    double length = Math.sqrt(at[3] * at[3] + at[4] * at[4] + at[5] * at[5]);
+    double unit = length > 0 ? 1 / length : 0;
+    Arrays.fill(sample, 0);
+    light(at, 0, unit, sample, 0);
+    double most = 0;
+    for (int i = 0; i < sample.length; i++) {
+      most = Math.max(most, Math.abs(sample[i] - straight[i]));
+    }
+    return most;
+  }
+
+  /** Where the light of a vertex stands, which is computed when first asked for. */
+  private int light(int vertex) {
+    int at = sample.length * vertex;
+    if (light.length < at + sample.length) {
+      int before = light.length;
+      light = Arrays.copyOf(light, Math.max(2 * before, sample.length * vertices.count()));
+      Arrays.fill(light, before, light.length, NOT_KNOWN);
+    }
+    if (Double.isNaN(light[at])) {
+      Arrays.fill(light, at, at + sample.length, 0);
+      light(vertices.placed(), 6 * vertex, 1, light, at);
+    }
+    return at;
+  }
+
+  /** The light on one side or both. */
+  private void light(double[] p, int i, double unit, double[] out, int at) {
+    for (int side = 0; side < sides; side++) {
+      double turn = side == 0 ? unit : -unit;
+      field.add(
+          p[i],
+          p[i + 1],
+          p[i + 2],
+          turn * p[i + 3],
+          turn * p[i + 4],
+          turn * p[i + 5],
+          out,
+          at + 3 * side);
+    }
+  }
+}

@@ -1,0 +1,147 @@
+package org.selectiverenderer.runtime.render.light;
+
+import java.util.List;
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.instance.Light;
+
+/**
+ * The diffuse light of lights that have a place, as the shaders compute it (X3D 4.0, 17.2.2), for a
+ * white surface. Directional lights are left out: on a flat face they are the same everywhere.
+ */
+final class LightField {
+  /** The material's ambient intensity where it is not said. */
+  private static final double AMBIENT = 0.2;
+
+  /** A cosine times a fall-off with distance bends at most that much, per square distance. */
+  private static final double BEND = 3;
+
+  private final WorldLight[] lights;
+  private final double[] cosBeam;
+  private final double[] cosCutOff;
+
+  LightField(List<WorldLight> lights) {
+    this.lights = lights.stream().filter(WorldLight::positional).toArray(WorldLight[]::new);
+    cosBeam = new double[this.lights.length];
+    cosCutOff = new double[this.lights.length];
+    for (int i = 0; i < this.lights.length; i++) {
+      cosBeam[i] = Math.cos(Math.max(0, Math.min(Math.PI, this.lights[i].beamWidth())));
+      cosCutOff[i] = Math.cos(Math.max(0, Math.min(Math.PI, this.lights[i].cutOff())));
+    }
+  }
+
+  boolean isEmpty() {
+    return lights.length == 0;
+  }
+
+  int size() {
+    return lights.length;
+  }
+
+  WorldLight light(int i) {
+    return lights[i];
+  }
+
+  /** Adds r, g, b at a place with a unit normal to {@code out}. */
+  void add(
+      double x, double y, double z, double nx, double ny, double nz, double[] out, int offset) {
+    for (int i = 0; i < lights.length; i++) {
+      WorldLight light = lights[i];
+      Vector3dc at = light.position();
+      double lx = at.x() - x;
+      double ly = at.y() - y;
+      double lz = at.z() - z;
+      double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
+      if (distance > light.radius()) {
+        continue;
+      }
+      double unit = 1 / Math.max(distance, 1e-9);
+      double factor = beam(i, -(lx * axisX(i) + ly * axisY(i) + lz * axisZ(i)) * unit);
+      if (factor > 0) {
+        double cosine = Math.max(0, (nx * lx + ny * ly + nz * lz) * unit);
+        double value =
+            factor
+                * fall(light, distance)
+                * (light.ambientIntensity() * AMBIENT + light.intensity() * cosine);
+        out[offset] += light.color().x() * value;
+        out[offset + 1] += light.color().y() * value;
+        out[offset + 2] += light.color().z() * value;
+      }
+    }
+  }
+
+  private double axisX(int i) {
+    return lights[i].axis().x();
+  }
+
+  private double axisY(int i) {
+    return lights[i].axis().y();
+  }
+
+  private double axisZ(int i) {
+    return lights[i].axis().z();
+  }
+
+  private double beam(int i, double cosine) {
+    if (lights[i].kind() == Light.Kind.POINT || cosine >= cosBeam[i]) {
+      return 1;
+    }
+    if (cosine <= cosCutOff[i]) {
+      return 0;
+    }
+    double width = lights[i].cutOff() - lights[i].beamWidth();
+    return Math.max(0, Math.min(1, (lights[i].cutOff() - Math.acos(cosine)) / width));
+  }
+
+  private static double fall(WorldLight light, double distance) {
+    double divisor = light.constant() + distance * (light.linear() + distance * light.quadratic());
+    return 1 / Math.max(divisor, 1);
+  }
+
+  /** The distance to the nearest light; endless where there is none. */
+  double nearest(double x, double y, double z) {
+    double square = Double.POSITIVE_INFINITY;
+    for (WorldLight light : lights) {
+      square = Math.min(square, light.position().distanceSquared(x, y, z));
+    }
+    return Math.sqrt(square);
+  }
+
+  /**
+   * By how much the light along an edge can depart from a straight line, at most.
+   *
+   * @param length of the edge
+   * @param x its middle
+   */
+  double bound(double x, double y, double z, double length) {
+    double sum = 0;
+    for (WorldLight light : lights) {
+      double middle = Math.sqrt(light.position().distanceSquared(x, y, z));
+      sum += bound(light, middle - length / 2, middle + length / 2, length);
+    }
+    return sum;
+  }
+
+  /**
+   * Likewise of one light.
+   *
+   * @param from the distance from the light at which the edge begins; {@code to} where it ends
+   */
+  static double bound(WorldLight light, double from, double to, double length) {
+    if (from >= light.radius()) {
+      return 0;
+    }
+    if (from <= 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double share = length / from;
+    double bend = BEND * share * share / 8;
+    if (light.kind() == Light.Kind.SPOT && light.cutOff() < Math.PI) {
+      bend += share / (4 * (light.cutOff() - light.beamWidth()));
+    }
+    if (to > light.radius()) {
+      bend += fall(light, light.radius());
+    }
+    double color = Math.max(light.color().x(), Math.max(light.color().y(), light.color().z()));
+    return light.intensity() * color * Math.min(1, bend);
+  }
+}

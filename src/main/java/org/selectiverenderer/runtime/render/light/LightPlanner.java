@@ -1,0 +1,146 @@
+package org.selectiverenderer.runtime.render.light;
+
+import java.util.List;
+import org.joml.Matrix4d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.instance.Surface;
+
+/**
+ * Decides how shapes are lit. What a mesh needs for its own form and its highlights is done once
+ * for all shapes that use it; what it needs because a light with a place is near is done for that
+ * shape in its place. Stateless; safe for use by several threads.
+ */
+public final class LightPlanner {
+  /** Light may depart from that by pixel by about a level of 255. */
+  private static final double TOLERANCE = 1.2 / 255;
+
+  /** Meshes of more triangles are fine enough in themselves, or too many to look at. */
+  private static final int HEAVY = 20_000;
+
+  private final boolean byVertex;
+
+  /**
+   * @param byVertex whether light is computed at vertices where nobody sees it, else never
+   */
+  public LightPlanner(boolean byVertex) {
+    this.byVertex = byVertex;
+  }
+
+  /**
+   * A shape that is to be drawn.
+   *
+   * @param mesh its own
+   * @param scope lights whose scope it lies in
+   * @param steady whether it and its lights are expected to stay where they are
+   */
+  public record Request(
+      ShapeInstance shape, Mesh mesh, List<LightInstance> scope, boolean steady) {}
+
+  /**
+   * What was decided, but for what the mesh turns out to be.
+   *
+   * @param form of the mesh that is drawn
+   * @param refined that mesh if it is made already, else {@link #mesh} makes it
+   */
+  public record Plan(
+      Request request,
+      MeshForm form,
+      @Nullable Mesh refined,
+      boolean byVertex,
+      List<LightInstance> reaching) {
+
+    /**
+     * How the shape is lit with its mesh made.
+     *
+     * @param drawn the mesh that is drawn
+     * @param lights the reaching ones, in one list for all shapes that have the same
+     */
+    public Lighting lighting(MeshSurvey drawn, List<LightInstance> lights) {
+      ShapeInstance shape = request.shape();
+      Lighting.Unsteady unsteady =
+          request.steady()
+              ? null
+              : new Lighting.Unsteady(drawn.longest(), tolerance(shape.surface(), request.mesh()));
+      double nearest =
+          byVertex
+              ? Fineness.of(shape.surface()).nearest(drawn, Fineness.scale(shape.world()))
+              : Double.POSITIVE_INFINITY;
+      return new Lighting(shape, request.scope(), lights, nearest, unsteady);
+    }
+  }
+
+  /** Looks at a mesh for {@link #plan}; a pass over its triangles. */
+  public MeshSurvey survey(Mesh mesh) {
+    return byVertex ? MeshSurvey.of(mesh) : MeshSurvey.FINE;
+  }
+
+  public Plan plan(Request request, MeshSurvey survey) {
+    ShapeInstance shape = request.shape();
+    Mesh mesh = request.mesh();
+    Reach reach = new Reach(shape.bounds());
+    List<LightInstance> reaching = request.steady() ? reach.of(request.scope()) : request.scope();
+    float[] normals = mesh.normals();
+    MeshForm plain = MeshForm.plain(mesh);
+    if (!byVertex
+        || !shape.surface().lit()
+        || normals == null
+        || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+      return new Plan(request, plain, null, false, reaching);
+    }
+    double scale = Fineness.scale(shape.world());
+    Fineness wanted = Fineness.of(shape.surface());
+    boolean heavy = mesh.polygons() > HEAVY;
+    boolean coarse = !heavy && wanted.finerThan(survey, scale);
+    Fineness needed = coarse ? wanted : Fineness.NONE.seen(wanted.sight());
+    MeshForm form = coarse ? new MeshForm(mesh, wanted.local(scale), null) : plain;
+    double longest = survey.longest() * scale;
+    double tolerance = tolerance(shape.surface(), mesh);
+    if (!request.steady() || reach.departure(reaching, longest) <= tolerance) {
+      return new Plan(request, form, null, true, reaching);
+    }
+    if (heavy) {
+      return new Plan(request, plain, null, false, reaching);
+    }
+    MeshRefiner.Result result =
+        MeshRefiner.refine(
+            mesh, normals, shape.world(), needed, field(reaching), longest, tolerance);
+    if (!result.complete()) {
+      return new Plan(request, plain, null, false, reaching);
+    }
+    return result.forLight()
+        ? new Plan(request, new MeshForm(mesh, needed, new Object()), result.mesh(), true, reaching)
+        : new Plan(request, form, null, true, reaching);
+  }
+
+  /** The mesh of a form that is not made for one place. */
+  public static Mesh mesh(MeshForm form) {
+    float[] normals = form.source().normals();
+    if (form.isPlain() || normals == null) {
+      return form.source();
+    }
+    return MeshRefiner.refine(
+            form.source(),
+            normals,
+            new Matrix4d(),
+            form.fineness(),
+            new LightField(List.of()),
+            MeshSurvey.of(form.source()).longest(),
+            TOLERANCE)
+        .mesh();
+  }
+
+  private static LightField field(List<LightInstance> lights) {
+    return new LightField(lights.stream().filter(LightInstance::on).map(WorldLight::of).toList());
+  }
+
+  /** A dark surface shows less of its light. */
+  private static double tolerance(Surface surface, Mesh mesh) {
+    float[] d = surface.diffuse();
+    boolean replaced = mesh.colors() != null || surface.texture() != null;
+    double brightest = replaced ? 1 : Math.max(d[0], Math.max(d[1], d[2]));
+    return TOLERANCE / Math.max(0.01, brightest);
+  }
+}

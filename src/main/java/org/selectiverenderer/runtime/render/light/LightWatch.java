@@ -1,0 +1,37 @@
+package org.selectiverenderer.runtime.render.light;
+
+import java.util.List;
+import org.selectiverenderer.runtime.instance.Light;
+import org.selectiverenderer.runtime.instance.LightInstance;
+
+/** Notices that a light with a place has other fields, or is switched on or off. */
+public final class LightWatch {
+  private final LightInstance[] lights;
+  private final Light[] fields;
+  private final boolean[] on;
+
+  /**
+   * @param all lights of a scene
+   */
+  public LightWatch(List<LightInstance> all) {
+    lights =
+        all.stream()
+            .filter(light -> light.light().kind() != Light.Kind.DIRECTIONAL)
+            .toArray(LightInstance[]::new);
+    fields = new Light[lights.length];
+    on = new boolean[lights.length];
+    changed();
+  }
+
+  /** Whether some have changed since this was last asked. */
+  public boolean changed() {
+    boolean changed = false;
+    for (int i = 0; i < lights.length; i++) {
+      Light now = lights[i].light();
+      changed |= fields[i] != now || on[i] != lights[i].on();
+      fields[i] = now;
+      on[i] = lights[i].on();
+    }
+    return changed;
+  }
+}

@@ -1,0 +1,126 @@
+package org.selectiverenderer.runtime.render.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.Light;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+
+/**
+ * How a shape is lit. Good as long as the shape and those of its lights that have a place stay as
+ * they were, unless it was made for a shape of which that is not expected.
+ */
+public final class Lighting {
+  private final List<LightInstance> scope;
+  private final List<LightInstance> reaching;
+  private final double nearest;
+  private final @Nullable Matrix4dc place;
+  private final List<Placed> placed;
+  private final @Nullable Unsteady unsteady;
+
+  /** A light as it was. */
+  private record Placed(LightInstance instance, Light light, boolean on, Matrix4dc world) {
+    static Placed of(LightInstance instance) {
+      return new Placed(instance, instance.light(), instance.on(), new Matrix4d(instance.world()));
+    }
+
+    boolean current() {
+      return instance.light() == light && instance.on() == on && instance.world().equals(world, 0);
+    }
+  }
+
+  /**
+   * What moves: its light is by vertex whenever that is good enough where things are.
+   *
+   * @param longest edge of the mesh, in its own coordinates
+   */
+  record Unsteady(double longest, double tolerance) {
+    boolean fine(ShapeInstance shape, List<LightInstance> lights) {
+      double length = longest * Fineness.scale(shape.world());
+      return new Reach(shape.bounds()).departure(lights, length) <= tolerance;
+    }
+  }
+
+  /**
+   * @param scope lights whose scope the shape lies in
+   * @param reaching those of them that reach it
+   * @param nearest distance of an eye from the shape's box at which light by vertex is as good as
+   *     by pixel, endless if it never is
+   */
+  Lighting(
+      ShapeInstance shape,
+      List<LightInstance> scope,
+      List<LightInstance> reaching,
+      double nearest,
+      @Nullable Unsteady unsteady) {
+    this.scope = scope;
+    this.reaching = reaching;
+    this.nearest = nearest;
+    this.unsteady = unsteady;
+    List<Placed> lights = new ArrayList<>();
+    for (LightInstance light : scope) {
+      if (light.light().kind() != Light.Kind.DIRECTIONAL && unsteady == null) {
+        lights.add(Placed.of(light));
+      }
+    }
+    placed = List.copyOf(lights);
+    place = lights.isEmpty() ? null : new Matrix4d(shape.world());
+  }
+
+  /** The lights whose scope the shape lies in. */
+  public List<LightInstance> scope() {
+    return scope;
+  }
+
+  /** Those of them that can reach it. */
+  public List<LightInstance> reaching() {
+    return reaching;
+  }
+
+  /** Whether it need not be made anew for where the shape and its lights are now. */
+  public boolean current(ShapeInstance shape) {
+    if (place == null) {
+      return true;
+    }
+    for (int i = 0; i < placed.size(); i++) {
+      if (!placed.get(i).current()) {
+        return false;
+      }
+    }
+    return shape.world().equals(place, 0);
+  }
+
+  /**
+   * Whether light at the vertices is as good as at the pixels.
+   *
+   * @param eye in the world
+   */
+  public boolean byVertex(ShapeInstance shape, Vector3dc eye) {
+    if (nearest == Double.POSITIVE_INFINITY) {
+      return false;
+    }
+    return (nearest <= 0 || distance(shape.bounds(), eye) >= nearest)
+        && (unsteady == null || unsteady.fine(shape, scope));
+  }
+
+  /** Whether {@link #byVertex} is the same for every eye, as long as this is current. */
+  public boolean settled() {
+    return unsteady == null && (nearest <= 0 || nearest == Double.POSITIVE_INFINITY);
+  }
+
+  /** Whether it is always by vertex, if it is settled. */
+  public boolean alwaysByVertex() {
+    return nearest <= 0;
+  }
+
+  private static double distance(double[] box, Vector3dc eye) {
+    double x = Math.max(0, Math.max(box[0] - eye.x(), eye.x() - box[3]));
+    double y = Math.max(0, Math.max(box[1] - eye.y(), eye.y() - box[4]));
+    double z = Math.max(0, Math.max(box[2] - eye.z(), eye.z() - box[5]));
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+}

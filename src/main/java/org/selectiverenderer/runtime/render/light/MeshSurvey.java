@@ -1,0 +1,72 @@
+package org.selectiverenderer.runtime.render.light;
+
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/**
+ * How coarse a mesh is for light at its vertices, in its own coordinates.
+ *
+ * @param longest edge
+ * @param largest triangle: twice the height of a narrow one, else the longest edge
+ * @param bent largest triangle with normals that lie wider apart than {@link Fineness#WIDE}
+ * @param bentLittle likewise of {@link Fineness#NARROW}
+ */
+public record MeshSurvey(double longest, double largest, double bent, double bentLittle) {
+  /** Of what is not lit or has no edges to split. */
+  static final MeshSurvey FINE = new MeshSurvey(0, 0, 0, 0);
+
+  static MeshSurvey of(Mesh mesh) {
+    float[] normals = mesh.normals();
+    if (normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+      return FINE;
+    }
+    float[] p = mesh.positions();
+    int[] indices = mesh.indices();
+    double longest = 0;
+    double largest = 0;
+    double bent = 0;
+    double bentLittle = 0;
+    for (int i = 0; i < indices.length; i += 3) {
+      int a = 3 * indices[i];
+      int b = 3 * indices[i + 1];
+      int c = 3 * indices[i + 2];
+      float ab = square(p, a, b);
+      float bc = square(p, b, c);
+      float ca = square(p, c, a);
+      longest = Math.max(longest, Math.max(ab, Math.max(bc, ca)));
+      float cosine = Math.min(dot(normals, a, b), Math.min(dot(normals, b, c), dot(normals, c, a)));
+      double size = size(ab, bc, ca);
+      largest = Math.max(largest, size);
+      bent = cosine < Fineness.WIDE ? Math.max(bent, size) : bent;
+      bentLittle = cosine < Fineness.NARROW ? Math.max(bentLittle, size) : bentLittle;
+    }
+    return new MeshSurvey(
+        Math.sqrt(longest), Math.sqrt(largest), Math.sqrt(bent), Math.sqrt(bentLittle));
+  }
+
+  /**
+   * The square of a triangle's size, from the squares of its edges (Heron): of its longest edge or
+   * of twice the height above that, whichever is less.
+   */
+  static double size(double ab, double bc, double ca) {
+    double longest = Math.max(ab, Math.max(bc, ca));
+    double area =
+        2 * (ab * bc + bc * ca + ca * ab) - ab * ab - bc * bc - ca * ca; // sixteen times its square
+    return longest > 0 ? Math.min(longest, area / longest) : 0;
+  }
+
+  /** The largest triangle whose normals lie farther apart than a limit. */
+  double bent(double cosine) {
+    return cosine >= Fineness.NARROW ? bentLittle : bent;
+  }
+
+  private static float dot(float[] n, int a, int b) {
+    return n[a] * n[b] + n[a + 1] * n[b + 1] + n[a + 2] * n[b + 2];
+  }
+
+  private static float square(float[] p, int a, int b) {
+    float x = p[b] - p[a];
+    float y = p[b + 1] - p[a + 1];
+    float z = p[b + 2] - p[a + 2];
+    return x * x + y * y + z * z;
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.runtime.render.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.selectiverenderer.runtime.instance.Light;
+import org.selectiverenderer.runtime.instance.LightInstance;
+
+/** Which lights can reach a box: by their radius, and by their beam. */
+final class Reach {
+  private final Vector3d centre;
+  private final double radius;
+  private final double[] box;
+
+  /**
+   * @param box min x, y, z, max x, y, z in the world
+   */
+  Reach(double[] box) {
+    this.box = box;
+    centre = new Vector3d((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
+    radius = centre.distance(box[3], box[4], box[5]);
+  }
+
+  /** Those that reach it, on or off; the same list where that is all. */
+  List<LightInstance> of(List<LightInstance> lights) {
+    List<LightInstance> reaching = new ArrayList<>(lights.size());
+    for (LightInstance light : lights) {
+      if (light.light().kind() == Light.Kind.DIRECTIONAL || reached(WorldLight.of(light))) {
+        reaching.add(light);
+      }
+    }
+    return reaching.size() == lights.size() ? lights : List.copyOf(reaching);
+  }
+
+  /** Whether some of the light can fall into the box. */
+  boolean reached(WorldLight light) {
+    return nearest(light) <= light.radius() && (light.kind() != Light.Kind.SPOT || inBeam(light));
+  }
+
+  /**
+   * By how much the light along an edge in the box can depart from a straight line, at most.
+   *
+   * @param lights of which those that are on count
+   * @param length of the edge in the world
+   */
+  double departure(List<LightInstance> lights, double length) {
+    double sum = 0;
+    for (LightInstance instance : lights) {
+      if (instance.on() && instance.light().kind() != Light.Kind.DIRECTIONAL) {
+        WorldLight light = WorldLight.of(instance);
+        if (reached(light)) {
+          sum += LightField.bound(light, nearest(light), farthest(light), length);
+        }
+      }
+    }
+    return sum;
+  }
+
+  /** The distance from a light to the box. */
+  private double nearest(WorldLight light) {
+    double x = Math.max(0, Math.max(box[0] - light.position().x(), light.position().x() - box[3]));
+    double y = Math.max(0, Math.max(box[1] - light.position().y(), light.position().y() - box[4]));
+    double z = Math.max(0, Math.max(box[2] - light.position().z(), light.position().z() - box[5]));
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+
+  /** A distance from a light beyond which nothing of the box lies. */
+  private double farthest(WorldLight light) {
+    return centre.distance(light.position()) + radius;
+  }
+
+  private boolean inBeam(WorldLight light) {
+    Vector3d towards = centre.sub(light.position(), new Vector3d());
+    double distance = towards.length();
+    if (distance <= radius || light.axis().lengthSquared() == 0) {
+      return true;
+    }
+    double angle = Math.acos(Math.max(-1, Math.min(1, towards.dot(light.axis()) / distance)));
+    return angle - Math.asin(radius / distance) <= light.cutOff();
+  }
+}

@@ -1,0 +1,73 @@
+package org.selectiverenderer.runtime.render.light;
+
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.instance.Light;
+import org.selectiverenderer.runtime.instance.LightInstance;
+
+/**
+ * A light in the world's coordinates and lengths, as the light model counts with it.
+ *
+ * @param position of point and spot lights
+ * @param axis the direction of directional and spot lights, a unit vector, or zero if none is given
+ * @param color r, g, b
+ * @param constant of the attenuation; {@code linear} per unit, {@code quadratic} per square unit
+ * @param radius beyond which a point or spot light does not reach
+ * @param beamWidth radians, full intensity within; less than {@code cutOff}
+ * @param cutOff radians, dark outside; endless for a point light
+ */
+public record WorldLight(
+    Light.Kind kind,
+    Vector3dc position,
+    Vector3dc axis,
+    Vector3dc color,
+    double intensity,
+    double ambientIntensity,
+    double constant,
+    double linear,
+    double quadratic,
+    double radius,
+    double beamWidth,
+    double cutOff) {
+  /** A beam's edge is at least that wide: a sharp one has no slope to compute with. */
+  private static final double NARROWEST_EDGE = 1e-4;
+
+  /** The light of a node in the place where it stands now. */
+  public static WorldLight of(LightInstance instance) {
+    Light light = instance.light();
+    Matrix4dc world = instance.world();
+    // Distances count in the light's own coordinates (X3D 4.0, 17.2.2): taken to the world's here.
+    double scale = Math.cbrt(Math.abs(world.determinant3x3()));
+    double unit = scale > 0 ? scale : 1;
+    Vector3d axis = world.transformDirection(vector(light.direction()));
+    if (axis.lengthSquared() > 0) {
+      axis.normalize();
+    }
+    boolean spot = light.kind() == Light.Kind.SPOT;
+    double cutOff = spot ? light.cutOffAngle() : Double.POSITIVE_INFINITY;
+    float[] fall = light.attenuation();
+    return new WorldLight(
+        light.kind(),
+        world.transformPosition(vector(light.location())),
+        axis,
+        vector(light.color()),
+        light.intensity(),
+        light.ambientIntensity(),
+        fall[0],
+        fall[1] / unit,
+        fall[2] / (unit * unit),
+        light.radius() * unit,
+        spot ? Math.min(light.beamWidth(), cutOff - NARROWEST_EDGE) : Double.POSITIVE_INFINITY,
+        cutOff);
+  }
+
+  /** Whether it has a place, so that it does not light all places alike. */
+  public boolean positional() {
+    return kind != Light.Kind.DIRECTIONAL;
+  }
+
+  private static Vector3d vector(float[] v) {
+    return new Vector3d(v[0], v[1], v[2]);
+  }
+}

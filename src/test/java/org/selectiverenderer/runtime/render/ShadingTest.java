@@ -1,0 +1,177 @@
+package org.selectiverenderer.runtime.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.joml.Matrix4d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** Light by vertex against light by pixel, which is held against the standard elsewhere. */
+class ShadingTest {
+  private static final String LAMP =
+      "<PointLight DEF='L' location='0 0 2' attenuation='1 0 0.2' radius='100'/>";
+
+  private static final String WALL =
+      """
+      <Transform DEF='T'><Shape>
+        <Appearance><Material diffuseColor='0.8 0.8 0.8'/></Appearance>
+        <IndexedFaceSet coordIndex='0 1 2 3 -1' solid='false'>
+          <Coordinate point='-9 -9 0 9 -9 0 9 9 0 -9 9 0'/>
+        </IndexedFaceSet>
+      </Shape></Transform>
+      """;
+
+  @Test
+  void whatDrawsDecidesWhereNobodyElseDoes() {
+    GlInfo software = new GlInfo("Mesa", "llvmpipe (LLVM 15.0.6, 256 bits)", "4.5");
+    GlInfo card = new GlInfo("NVIDIA Corporation", "NVIDIA H200/PCIe/SSE2", "4.6");
+    assertThat(Shading.AUTO.on(software)).isEqualTo(Shading.VERTEX);
+    assertThat(Shading.AUTO.on(card)).isEqualTo(Shading.PIXEL);
+    assertThat(Shading.PIXEL.on(software)).isEqualTo(Shading.PIXEL);
+    assertThat(Shading.VERTEX.on(card)).isEqualTo(Shading.VERTEX);
+  }
+
+  /** The mean absolute difference of two pictures' channels, in levels. */
+  private static double difference(Screenshot a, Screenshot b) {
+    long sum = 0;
+    for (int y = 0; y < a.height(); y++) {
+      for (int x = 0; x < a.width(); x++) {
+        for (int shift = 0; shift < 24; shift += 8) {
+          sum += Math.abs((a.rgb(x, y) >> shift & 0xff) - (b.rgb(x, y) >> shift & 0xff));
+        }
+      }
+    }
+    return sum / 3.0 / (a.width() * a.height());
+  }
+
+  private static Screenshot shoot(Shading shading, TestScene scene, Camera camera) {
+    try (Studio studio = new Studio(shading)) {
+      return studio.shoot(scene, camera, Backdrop.BLACK, false, 0);
+    }
+  }
+
+  @RequiresDisplay
+  @ParameterizedTest
+  @CsvSource({
+    "scenes/trashcan.x3d, 3.6, -0.246, -2.3, 2.64",
+    "scenes/trashcan.x3d, 4.4, -0.246, 0.135, 2.55",
+    "scenes/apartment.x3d, 0.3, -0.25, -1.5, 0.6",
+    "scenes/apartment.x3d, -4, -0.25, -1, 2.4",
+    "scenes/practice.x3d, 0, 1.6, 4, 0"
+  })
+  void thePicturesOfAShippedSceneDifferByLessThanALevel(
+      String file, double x, double y, double z, double turn) {
+    TestScene scene = TestScene.load(Path.of(file));
+    Camera camera =
+        new Camera(
+            new Matrix4d().rotateY(turn).translate(-x, -y, -z),
+            new Matrix4d().setPerspective(0.9, 4.0 / 3, 0.05, 60),
+            0,
+            0,
+            320,
+            240);
+    Screenshot byPixel = shoot(Shading.PIXEL, scene, camera);
+    Screenshot byVertex = shoot(Shading.VERTEX, scene, camera);
+    assertThat(difference(byPixel, byVertex)).isLessThan(1).isPositive();
+  }
+
+  @RequiresDisplay
+  @Test
+  void facesWithColoursAndImagesAreLitAlike() {
+    String image = "<PixelTexture image='2 2 3 0xff0000 0x00ff00 0x0000ff 0xffffff'/>";
+    String grey = "<PixelTexture image='2 1 1 0x40 0xff'/>";
+    String look =
+        "<Material diffuseColor='0.7 0.5 0.3' specularColor='0.4 0.4 0.4' shininess='0.1'"
+            + " emissiveColor='0.1 0 0.1' transparency='0.2'/>";
+    String face =
+        """
+        <Transform translation='%d -2 0' rotation='0 1 0 %s'><Shape>
+          <Appearance>%s</Appearance>
+          <IndexedFaceSet coordIndex='0 1 2 3 -1' solid='false'>
+            <Coordinate point='-1 0 0 1 0 0 1 4 0 -1 4 0'/>%s
+          </IndexedFaceSet></Shape></Transform>
+        """;
+    String colours = "<Color color='1 0 0 0 1 0 0 0 1 1 1 1'/>";
+    TestScene scene =
+        TestScene.of(
+            "<PointLight location='1 2 3' radius='50'/>"
+                + "<DirectionalLight direction='1 0 -1' intensity='0.4' ambientIntensity='0.5'/>"
+                + face.formatted(-3, "0.3", look + image, "")
+                + face.formatted(-1, "3.3", look + grey, "")
+                + face.formatted(1, "0.3", look, colours)
+                + face.formatted(3, "2.9", look, ""));
+    Screenshot byPixel = shoot(Shading.PIXEL, scene, Studio.parallel());
+    Screenshot byVertex = shoot(Shading.VERTEX, scene, Studio.parallel());
+    assertThat(difference(byPixel, byVertex)).isLessThan(1);
+  }
+
+  /** A picture at the beginning and after each change. */
+  private static List<Screenshot> film(
+      Shading shading, String nodes, List<Consumer<TestScene>> changes) {
+    try (Studio studio = new Studio(shading)) {
+      TestScene scene = TestScene.of(nodes);
+      List<Screenshot> film = new ArrayList<>(List.of(studio.shoot(scene)));
+      for (Consumer<TestScene> change : changes) {
+        change.accept(scene);
+        film.add(studio.shoot(scene));
+      }
+      return film;
+    }
+  }
+
+  private static void assertAlike(String nodes, List<Consumer<TestScene>> changes) {
+    List<Screenshot> byPixel = film(Shading.PIXEL, nodes, changes);
+    List<Screenshot> byVertex = film(Shading.VERTEX, nodes, changes);
+    for (int i = 0; i < byPixel.size(); i++) {
+      assertThat(difference(byPixel.get(i), byVertex.get(i))).as("picture %d", i).isLessThan(1);
+      if (i > 0) {
+        assertThat(difference(byPixel.get(i - 1), byPixel.get(i))).isGreaterThan(1);
+      }
+    }
+  }
+
+  @RequiresDisplay
+  @Test
+  void whatMovesIsLitAsByPixelAllTheWay() {
+    List<Consumer<TestScene>> changes = new ArrayList<>();
+    for (int step = 1; step < 8; step++) {
+      float[] back = {0, 0, -0.3f * step};
+      float[] aside = {0.6f * step, 0, 2};
+      changes.add(scene -> scene.set("T", "translation", back));
+      changes.add(scene -> scene.set("L", "location", aside));
+    }
+    assertAlike(LAMP + WALL, changes);
+  }
+
+  @RequiresDisplay
+  @Test
+  void aLampThatIsSwitchedIsSeenInTheSameFrame() {
+    List<Consumer<TestScene>> changes = new ArrayList<>();
+    for (int i = 0; i < 5; i++) {
+      boolean on = i % 2 == 0;
+      changes.add(scene -> scene.set("L", "on", on));
+    }
+    assertAlike(LAMP.replace("/>", " on='false'/>") + WALL, changes);
+  }
+
+  @RequiresDisplay
+  @Test
+  void polygonsThatRefinementAddsAreNotCounted() {
+    try (Studio studio = new Studio(Shading.VERTEX)) {
+      TestScene scene = TestScene.of(LAMP + WALL);
+      studio.shoot(scene);
+      assertThat(studio.renderer.items().get(0).mesh().indexCount()).isGreaterThan(100);
+      assertThat(studio.renderer.cull(List.of(Studio.parallel())).indices()).isEqualTo(6);
+    }
+  }
+}
