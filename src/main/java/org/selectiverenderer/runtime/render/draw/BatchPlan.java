@@ -53,7 +53,7 @@ final class BatchPlan {
     Map<LitLook, List<Candidate>> byLook = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       if (mergeable(candidate, uses.get(candidate.mesh()))) {
-        LitLook look = new LitLook(candidate.look(), candidate.lighting().alwaysByVertex());
+        LitLook look = new LitLook(candidate.look(), candidate.lighting().byVertex(candidate.shape()));
         byLook.computeIfAbsent(look, same -> new ArrayList<>()).add(candidate);
       }
     }
@@ -65,7 +65,7 @@ final class BatchPlan {
   private static boolean mergeable(Candidate candidate, int uses) {
     int indices = candidate.mesh().indices().length;
     double determinant = candidate.shape().world().determinant3x3();
-    // Blended shapes are drawn one by one, back to front; others may be lit now so, now so.
+    // Blended shapes are drawn one by one, back to front; what moves may be lit now so, now so.
     return !candidate.look().blended()
         && candidate.lighting().settled()
         && indices <= MOST_OF_ONE

@@ -1,7 +1,6 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import org.joml.Matrix4dc;
-import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
@@ -63,9 +62,9 @@ public record DrawItem(
     return shape.surface() == surface && shape.mesh().orElse(null) == source && part.holds(shape);
   }
 
-  /** The programs for an eye at a place in the world. */
-  ShapePrograms.Family programs(Vector3dc eye) {
-    return lighting.byVertex(shape, eye) ? byVertex : byPixel;
+  /** The programs for where the shape is now. */
+  ShapePrograms.Family programs() {
+    return lighting.byVertex(shape) ? byVertex : byPixel;
   }
 
   /** Of indices that are drawn, how many the shape's own mesh has for the same. */

@@ -74,7 +74,7 @@ final class ItemPainter {
 
   private void bind(DrawItem item) {
     EyeLights.Packed packed = lights.of(item.lighting().reaching());
-    ShapeProgram needed = item.programs(camera.eye()).get(gl, packed.counts());
+    ShapeProgram needed = item.programs().get(gl, packed.counts());
     if (needed != program) {
       program = needed;
       needed.use(gl, pointSize);

@@ -6,7 +6,7 @@ import org.selectiverenderer.geometry.tree.ClosestPoint;
 
 /**
  * Decides which edges of a mesh are too coarse: for the lights by its two ends alone, for normals
- * and highlights by the size of the triangle too. An edge counts if it does for one of its sides.
+ * by the size of the triangle too. An edge counts if it does for one of its sides.
  */
 final class EdgeTest {
   /** Why an edge is to be split. */
@@ -92,8 +92,7 @@ final class EdgeTest {
     int i = 6 * a;
     int j = 6 * b;
     double cosine = p[i + 3] * p[j + 3] + p[i + 4] * p[j + 4] + p[i + 5] * p[j + 5];
-    if ((cosine < fineness.cosine() && size > fineness.bent() * fineness.bent())
-        || (length > fineness.edge() && size > fineness.edge() * fineness.edge())) {
+    if (cosine < fineness.cosine() && size > fineness.bent() * fineness.bent()) {
       return Reason.SHAPE;
     }
     if (field.isEmpty() || !(length > 0)) {
@@ -103,9 +102,6 @@ final class EdgeTest {
     double y = (p[i + 1] + p[j + 1]) / 2;
     double z = (p[i + 2] + p[j + 2]) / 2;
     double nearest = field.nearest(x, y, z);
-    if (length > fineness.sight() * nearest && length > shortest) {
-      return Reason.LIGHT;
-    }
     if (field.bound(x, y, z, length) <= tolerance) {
       return Reason.NONE;
     }

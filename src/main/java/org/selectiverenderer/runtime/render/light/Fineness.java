@@ -4,55 +4,49 @@ import org.joml.Matrix4dc;
 import org.selectiverenderer.runtime.instance.Surface;
 
 /**
- * How fine a surface is to be so that nobody sees that its light is computed at the vertices.
- *
- * <p>Between two vertices a highlight of exponent e that is bent by an angle a departs from a
- * straight line by up to e a a / 8 of its strength. The angle is that between two normals, or half
- * of that under which an eye or a light sees an edge of a flat face.
+ * How finely a mesh is to follow its own bends so that nobody sees that light is computed at its
+ * vertices. Between two vertices whose normals lie an angle a apart the light departs from a
+ * straight line by up to a a / 8 of its strength, and a highlight of exponent e by e times that.
  *
  * @param cosine least, of the angle between the normals of an edge's ends
- * @param edge longest, but of narrow triangles
- * @param sight longest edge as a share of the distance from the eye, endless where that never shows
  * @param bent size of triangles above which they are split for their normals
  */
-record Fineness(double cosine, double edge, double sight, double bent) {
-  /** Departures of that much show only beside each other: 6 of 255 levels. */
-  private static final double HIGHLIGHT = 6.0 / 255;
-
+record Fineness(double cosine, double bent) {
   /** The cosine of an angle between normals that shows as facets even without a highlight. */
-  static final double WIDE = Math.cos(Math.toRadians(15));
+  static final double WIDE = Math.cos(Math.toRadians(30));
 
   /** That of one which shows only in highlights. */
-  static final double NARROW = Math.cos(Math.toRadians(10));
+  static final double NARROW = Math.cos(Math.toRadians(20));
 
-  /** The distance from which a shape is seen by vertex, where the highlights let it. */
-  private static final double NEAR = 0.5;
+  /** What is bent within five hundredths of a unit is small in every picture. */
+  private static final double BENT = 0.05;
 
-  /** Shorter edges are not asked for: what is nearer to them is lit by pixel. */
-  private static final double SHORTEST = 0.1;
+  /** The product of specular colour and exponent above which a highlight is narrow. */
+  private static final double NARROW_HIGHLIGHT = 16;
 
-  /** What is bent within two hundredths of a unit is small in every picture. */
-  private static final double BENT = 0.02;
+  /** The specular colour above which a highlight is missed where it falls between vertices. */
+  private static final double MIRROR = 0.5;
 
-  /** From so many times its length an edge is too small for its bend to be seen. */
-  private static final double BENT_SIGHT = 15;
-
-  private static final double ENDLESS = Double.POSITIVE_INFINITY;
+  /** The size of a face in whose middle it would be. */
+  private static final double FACE = 0.5;
 
   /** What every mesh has. */
-  static final Fineness NONE = new Fineness(-2, ENDLESS, ENDLESS, ENDLESS);
+  static final Fineness NONE = new Fineness(-2, Double.POSITIVE_INFINITY);
 
   /** What a lit surface needs, in the lengths of the world. */
   static Fineness of(Surface surface) {
+    boolean narrow = specular(surface) * 128 * surface.shininess() > NARROW_HIGHLIGHT;
+    return new Fineness(narrow ? NARROW : WIDE, BENT);
+  }
+
+  private static double specular(Surface surface) {
     float[] s = surface.specular();
-    double strength = Math.max(s[0], Math.max(s[1], s[2])) * Math.max(1, 128 * surface.shininess());
-    if (strength / 32 <= HIGHLIGHT) {
-      return new Fineness(WIDE, ENDLESS, ENDLESS, BENT);
-    }
-    double angle = Math.sqrt(8 * HIGHLIGHT / strength);
-    double sight = Math.sqrt(32 * HIGHLIGHT / strength);
-    return new Fineness(
-        Math.cos(angle) > WIDE ? NARROW : WIDE, Math.max(SHORTEST, NEAR * sight), sight, BENT);
+    return Math.max(s[0], Math.max(s[1], s[2]));
+  }
+
+  /** Whether a surface shines so brightly on faces so large that its vertices miss highlights. */
+  static boolean mirrors(Surface surface, MeshSurvey mesh, double scale) {
+    return specular(surface) > MIRROR && mesh.largest() * scale > FACE;
   }
 
   /**
@@ -60,7 +54,10 @@ record Fineness(double cosine, double edge, double sight, double bent) {
    * the world. Rounded down to a power of two, so that meshes of many scales stay few.
    */
   Fineness local(double scale) {
-    return new Fineness(cosine, rounded(edge / scale), sight, rounded(bent / scale));
+    double length = bent / scale;
+    return new Fineness(
+        cosine,
+        Double.isFinite(length) ? Math.scalb(1.0, Math.getExponent(length)) : length);
   }
 
   /**
@@ -69,17 +66,7 @@ record Fineness(double cosine, double edge, double sight, double bent) {
    * @param scale of the world's lengths to the mesh's
    */
   boolean finerThan(MeshSurvey mesh, double scale) {
-    return mesh.bent(cosine) * scale > bent || mesh.largest() * scale > edge;
-  }
-
-  /** The distance from which on a mesh is seen to be fine enough, in the world. */
-  double nearest(MeshSurvey mesh, double scale) {
-    return scale * Math.max(mesh.largest() / sight, mesh.bent(cosine) * BENT_SIGHT);
-  }
-
-  /** The same where lights that are near show otherwise. */
-  Fineness seen(double otherSight) {
-    return new Fineness(cosine, edge, otherSight, bent);
+    return mesh.bent(cosine) * scale > bent;
   }
 
   /** How many times as long as in its own coordinates a length can be in the world. */
@@ -92,9 +79,5 @@ record Fineness(double cosine, double edge, double sight, double bent) {
 
   private static double sum(double x, double y, double z) {
     return x * x + y * y + z * z;
-  }
-
-  private static double rounded(double length) {
-    return Double.isFinite(length) ? Math.scalb(1.0, Math.getExponent(length)) : length;
   }
 }

@@ -14,8 +14,8 @@ import org.selectiverenderer.runtime.instance.Surface;
  * shape in its place. Stateless; safe for use by several threads.
  */
 public final class LightPlanner {
-  /** Light may depart from that by pixel by about a level of 255. */
-  private static final double TOLERANCE = 1.2 / 255;
+  /** Light may depart from that by pixel by a few levels of 255: smooth departures are not seen. */
+  private static final double TOLERANCE = 2.5 / 255;
 
   /** Meshes of more triangles are fine enough in themselves, or too many to look at. */
   private static final int HEAVY = 20_000;
@@ -64,11 +64,7 @@ public final class LightPlanner {
           request.steady()
               ? null
               : new Lighting.Unsteady(drawn.longest(), tolerance(shape.surface(), request.mesh()));
-      double nearest =
-          byVertex
-              ? Fineness.of(shape.surface()).nearest(drawn, Fineness.scale(shape.world()))
-              : Double.POSITIVE_INFINITY;
-      return new Lighting(shape, request.scope(), lights, nearest, unsteady);
+      return new Lighting(shape, request.scope(), lights, byVertex, unsteady);
     }
   }
 
@@ -92,9 +88,12 @@ public final class LightPlanner {
     }
     double scale = Fineness.scale(shape.world());
     Fineness wanted = Fineness.of(shape.surface());
+    if (Fineness.mirrors(shape.surface(), survey, scale)) {
+      return new Plan(request, plain, null, false, reaching);
+    }
     boolean heavy = mesh.polygons() > HEAVY;
     boolean coarse = !heavy && wanted.finerThan(survey, scale);
-    Fineness needed = coarse ? wanted : Fineness.NONE.seen(wanted.sight());
+    Fineness needed = coarse ? wanted : Fineness.NONE;
     MeshForm form = coarse ? new MeshForm(mesh, wanted.local(scale), null) : plain;
     double longest = survey.longest() * scale;
     double tolerance = tolerance(shape.surface(), mesh);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
-import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
@@ -17,7 +16,7 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 public final class Lighting {
   private final List<LightInstance> scope;
   private final List<LightInstance> reaching;
-  private final double nearest;
+  private final boolean vertices;
   private final @Nullable Matrix4dc place;
   private final List<Placed> placed;
   private final @Nullable Unsteady unsteady;
@@ -48,18 +47,18 @@ public final class Lighting {
   /**
    * @param scope lights whose scope the shape lies in
    * @param reaching those of them that reach it
-   * @param nearest distance of an eye from the shape's box at which light by vertex is as good as
-   *     by pixel, endless if it never is
+   * @param vertices whether light at the vertices of what is drawn is as good as at the pixels
+   * @param unsteady null for what stays where it is
    */
   Lighting(
       ShapeInstance shape,
       List<LightInstance> scope,
       List<LightInstance> reaching,
-      double nearest,
+      boolean vertices,
       @Nullable Unsteady unsteady) {
     this.scope = scope;
     this.reaching = reaching;
-    this.nearest = nearest;
+    this.vertices = vertices;
     this.unsteady = unsteady;
     List<Placed> lights = new ArrayList<>();
     for (LightInstance light : scope) {
@@ -94,33 +93,13 @@ public final class Lighting {
     return shape.world().equals(place, 0);
   }
 
-  /**
-   * Whether light at the vertices is as good as at the pixels.
-   *
-   * @param eye in the world
-   */
-  public boolean byVertex(ShapeInstance shape, Vector3dc eye) {
-    if (nearest == Double.POSITIVE_INFINITY) {
-      return false;
-    }
-    return (nearest <= 0 || distance(shape.bounds(), eye) >= nearest)
-        && (unsteady == null || unsteady.fine(shape, scope));
+  /** Whether light at the vertices is as good as at the pixels, where the shape is now. */
+  public boolean byVertex(ShapeInstance shape) {
+    return vertices && (unsteady == null || unsteady.fine(shape, scope));
   }
 
-  /** Whether {@link #byVertex} is the same for every eye, as long as this is current. */
+  /** Whether that stays so as long as this is current. */
   public boolean settled() {
-    return unsteady == null && (nearest <= 0 || nearest == Double.POSITIVE_INFINITY);
-  }
-
-  /** Whether it is always by vertex, if it is settled. */
-  public boolean alwaysByVertex() {
-    return nearest <= 0;
-  }
-
-  private static double distance(double[] box, Vector3dc eye) {
-    double x = Math.max(0, Math.max(box[0] - eye.x(), eye.x() - box[3]));
-    double y = Math.max(0, Math.max(box[1] - eye.y(), eye.y() - box[4]));
-    double z = Math.max(0, Math.max(box[2] - eye.z(), eye.z() - box[5]));
-    return Math.sqrt(x * x + y * y + z * z);
+    return unsteady == null;
   }
 }

@@ -217,7 +217,7 @@ class MeshRefinerTest {
     float[] positions = {-1, 0, 0, -1, 1, 0, 1, 1, 0, 1, 0, 0};
     float[] normals = {-s, 0, c, -s, 0, c, s, 0, c, s, 0, c};
     Mesh arch = mesh(positions, normals, new float[8], new int[] {0, 3, 2, 0, 2, 1}, true);
-    Fineness fine = new Fineness(Fineness.WIDE, 1e9, 1e9, 0.02);
+    Fineness fine = new Fineness(Fineness.WIDE, 0.02);
     Mesh refined = refine(arch, fine).mesh();
     assertThat(MeshSurvey.of(arch).bent()).isGreaterThan(0.5);
     assertThat(MeshSurvey.of(refined).bent()).isLessThanOrEqualTo(0.02);
