@@ -182,7 +182,11 @@ final class Culler {
     return rank << (23 + INDEX_BITS) | depth << INDEX_BITS | index;
   }
 
-  /** From the nearest eye to the middle of an item's box, along the line of sight. */
+  /**
+   * From the nearest eye along the line of sight: of a blended item to the middle of its box, of
+   * others to the far end. So walls, whose boxes reach from before all else to behind it, come last
+   * and fill only what is left.
+   */
   private int distance(DrawItem item) {
     double[] box = item.shape().bounds();
     double nearest = Double.POSITIVE_INFINITY;
@@ -191,7 +195,12 @@ final class Culler {
       double y = (box[1] + box[4]) / 2;
       double z = (box[2] + box[5]) / 2;
       Matrix4dc v = eyes.get(eye).view();
-      nearest = Math.min(nearest, -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32()));
+      double middle = -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32());
+      double half =
+          Math.abs(v.m02()) * (box[3] - box[0])
+              + Math.abs(v.m12()) * (box[4] - box[1])
+              + Math.abs(v.m22()) * (box[5] - box[2]);
+      nearest = Math.min(nearest, item.blended() ? middle : middle + half / 2);
     }
     // The bits of a float that is not negative are in the order of its values.
     return Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;
