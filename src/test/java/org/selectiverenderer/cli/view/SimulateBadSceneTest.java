@@ -53,12 +53,12 @@ class SimulateBadSceneTest {
   }
 
   @Test
-  void aFolderIsNoScene() {
+  void aFolderStandsForTheScenesInIt() {
     folder.write("scenes/a.x3d", "");
     SceneFolder.Result result = folder.simulate("scenes");
     assertThat(result.messages())
-        .containsExactly("selective-renderer simulate: scenes is a folder, not a scene");
-    assertThat(result.status()).isEqualTo(2);
+        .containsExactly("scenes/a.x3d: the file is empty; nothing can be shown");
+    assertThat(result.status()).isEqualTo(1);
   }
 
   @Test
