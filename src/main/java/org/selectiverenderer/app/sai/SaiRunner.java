@@ -21,8 +21,11 @@ import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.web3d.x3d.sai.BrowserFactory;
 import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.InvalidX3DException;
 import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.X3DComponent;
+import org.web3d.x3d.sai.X3DException;
+import org.web3d.x3d.sai.X3DScene;
 
 /**
  * A scene under the controller in whatever browser the SAI finds: the embedded one, or Xj3D with
@@ -69,7 +72,7 @@ public final class SaiRunner implements AutoCloseable {
           runner::tell,
           problem ->
               out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
-      browser.replaceWorld(browser.createX3DFromURL(new String[] {url}));
+      browser.replaceWorld(read(browser, url));
       return runner;
     } catch (RuntimeException | Error e) {
       runner.close();
@@ -110,6 +113,19 @@ public final class SaiRunner implements AutoCloseable {
       innermost = innermost.getCause();
     }
     return innermost;
+  }
+
+  private static X3DScene read(ExternalBrowser browser, String url) {
+    try {
+      return browser.createX3DFromURL(new String[] {url});
+    } catch (X3DException e) {
+      throw e;
+    } catch (RuntimeException e) { // Xj3D's own kinds, of a profile that it lacks for instance
+      InvalidX3DException failure =
+          new InvalidX3DException("the browser does not read the scene: " + e);
+      failure.initCause(e);
+      throw failure;
+    }
   }
 
   public ExternalBrowser browser() {
