@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,6 +13,7 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -124,6 +126,49 @@ class SaiRunnerTest {
         .contains("the browser does not start", "no sound library")
         .doesNotContain("internal error");
     assertThat(broken.exitValue()).isEqualTo(2);
+  }
+
+  @Test
+  void aSceneThatTheBrowserRefusesInItsOwnWayIsNoErrorOfOurs() throws Exception {
+    Process refusing = process(RefusingFactory.class.getName()).start();
+    assertThat(output(refusing))
+        .contains("the browser does not read the scene", "no profile Full")
+        .doesNotContain("internal error");
+    assertThat(refusing.exitValue()).isEqualTo(2);
+  }
+
+  /** Refuses every scene with an exception that the SAI does not know, as Xj3D does some. */
+  public static final class RefusingFactory implements BrowserFactoryImpl {
+    @Override
+    public X3DComponent createComponent(Map<String, Object> parameters) {
+      X3DComponent embedded = new EmbeddedBrowserFactory().createComponent(parameters);
+      return answering(
+          X3DComponent.class,
+          embedded,
+          "getBrowser",
+          () ->
+              answering(
+                  ExternalBrowser.class,
+                  embedded.getBrowser(),
+                  "createX3DFromURL",
+                  () -> {
+                    throw new IllegalStateException("no profile Full");
+                  }));
+    }
+
+    private static <T> T answering(Class<T> type, T other, String name, Supplier<?> answer) {
+      return type.cast(
+          Proxy.newProxyInstance(
+              type.getClassLoader(),
+              new Class<?>[] {type},
+              (proxy, method, arguments) ->
+                  method.getName().equals(name) ? answer.get() : method.invoke(other, arguments)));
+    }
+
+    @Override
+    public ExternalBrowser getBrowser(InetAddress address, int port) {
+      throw new NotSupportedException("browsers on other machines");
+    }
   }
 
   /** Fails as Xj3D does when a class of it cannot begin. */
