@@ -3,11 +3,13 @@ package org.selectiverenderer.app.sai;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.HeadlessException;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
@@ -19,14 +21,26 @@ import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.web3d.x3d.sai.BrowserFactory;
 import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.InvalidX3DException;
 import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.X3DComponent;
+import org.web3d.x3d.sai.X3DException;
+import org.web3d.x3d.sai.X3DScene;
 
 /**
  * A scene under the controller in whatever browser the SAI finds: the embedded one, or Xj3D with
  * its jars first on the class path. Names nothing but the SAI and the controller.
  */
 public final class SaiRunner implements AutoCloseable {
+  /**
+   * For Xj3D, which does not start where it finds no OpenAL or no device for sounds; other browsers
+   * do not look at it.
+   */
+  private static final Map<String, Object> PARAMETERS = Map.of("Xj3D_DisableAudio", true);
+
+  /** Of the standard: the system property that names the browser's factory. */
+  private static final String FACTORY = "x3d.sai.factory.class";
+
   private final double begun = System.currentTimeMillis() / 1000.0;
   private final X3DComponent component;
   private final TimelineText text = new TimelineText();
@@ -43,7 +57,8 @@ public final class SaiRunner implements AutoCloseable {
    *
    * @param url full address of the scene
    * @param out takes the time line line by line, on the thread of the browser
-   * @throws org.web3d.x3d.sai.X3DException if there is no browser or the scene cannot be read
+   * @throws org.web3d.x3d.sai.X3DException if there is no browser, it does not start, or the scene
+   *     cannot be read
    */
   public static SaiRunner open(
       String url, SelectiveController.Settings settings, Consumer<String> out) {
@@ -57,7 +72,7 @@ public final class SaiRunner implements AutoCloseable {
           runner::tell,
           problem ->
               out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
-      browser.replaceWorld(browser.createX3DFromURL(new String[] {url}));
+      browser.replaceWorld(read(browser, url));
       return runner;
     } catch (RuntimeException | Error e) {
       runner.close();
@@ -67,10 +82,49 @@ public final class SaiRunner implements AutoCloseable {
 
   private static X3DComponent component() {
     try {
-      return BrowserFactory.createX3DComponent(new HashMap<>());
+      return BrowserFactory.createX3DComponent(new HashMap<>(PARAMETERS));
+    } catch (HeadlessException e) {
+      throw withoutDisplay(e);
     } catch (NullPointerException e) { // what Xj3D does when it finds no factory
-      throw new NotSupportedException(
-          "no browser was found; the system property x3d.sai.factory.class names its factory");
+      if (System.getProperty(FACTORY) == null) {
+        throw notStarted(
+            "the system property " + FACTORY + " names its factory, but is not set", e);
+      }
+      throw notStarted(e.toString(), e);
+    } catch (LinkageError e) { // a jar or a library of the browser is missing or does not fit
+      throw notStarted(innermost(e).toString(), e);
+    }
+  }
+
+  private static NotSupportedException withoutDisplay(HeadlessException cause) {
+    return notStarted("it shows a window, and Java finds no display", cause);
+  }
+
+  private static NotSupportedException notStarted(String reason, Throwable cause) {
+    NotSupportedException failure =
+        new NotSupportedException("the browser does not start: " + reason);
+    failure.initCause(cause); // Xj3D's exceptions have no constructor for it.
+    return failure;
+  }
+
+  private static Throwable innermost(Throwable failure) {
+    Throwable innermost = failure;
+    while (innermost.getCause() != null) {
+      innermost = innermost.getCause();
+    }
+    return innermost;
+  }
+
+  private static X3DScene read(ExternalBrowser browser, String url) {
+    try {
+      return browser.createX3DFromURL(new String[] {url});
+    } catch (X3DException e) {
+      throw e;
+    } catch (RuntimeException e) { // Xj3D's own kinds, of a profile that it lacks for instance
+      InvalidX3DException failure =
+          new InvalidX3DException("the browser does not read the scene: " + e);
+      failure.initCause(e);
+      throw failure;
     }
   }
 
@@ -89,6 +143,7 @@ public final class SaiRunner implements AutoCloseable {
    *
    * @param onClose called when the user closes it
    * @return whether there is a window
+   * @throws NotSupportedException if there is no display for it
    */
   public boolean showWindow(Runnable onClose) {
     Optional<Component> picture = picture();
@@ -129,6 +184,9 @@ public final class SaiRunner implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (InvocationTargetException e) {
+      if (e.getCause() instanceof HeadlessException headless) {
+        throw withoutDisplay(headless);
+      }
       throw new IllegalStateException(e.getCause());
     }
   }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 import org.selectiverenderer.app.sai.SaiRunner;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -47,6 +48,7 @@ public final class SaiCommand extends CliCommand {
     if (!Files.isRegularFile(scene)) {
       throw new IOException(scene + ": the file does not exist");
     }
+    LibraryProperties.swingFirst(); // The browser may be a Swing panel.
     CountDownLatch closed = new CountDownLatch(1);
     String url = scene.toAbsolutePath().normalize().toUri().toString();
     try (SaiRunner runner = SaiRunner.open(url, condition.settings(), this::print)) {

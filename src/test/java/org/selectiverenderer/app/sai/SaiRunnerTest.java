@@ -4,18 +4,29 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
+import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
+import org.selectiverenderer.testing.RequiresDisplay;
+import org.web3d.x3d.sai.BrowserFactoryImpl;
+import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.InvalidURLException;
+import org.web3d.x3d.sai.NotSupportedException;
+import org.web3d.x3d.sai.X3DComponent;
 import org.web3d.x3d.sai.X3DScene;
 import org.web3d.x3d.sai.navigation.Viewpoint;
 
@@ -79,28 +90,110 @@ class SaiRunnerTest {
 
   @Test
   void theBrowserIsChosenByASystemPropertyAndEndsWithStandardInput() throws Exception {
-    String factory = "-Dx3d.sai.factory.class=";
-    Process good = start(factory + EmbeddedBrowserFactory.class.getName());
+    Process good = process(EmbeddedBrowserFactory.class.getName()).start();
     assertThat(output(good)).contains("browser: Selective Renderer", "Can: choice 1");
     assertThat(good.exitValue()).isZero();
 
-    Process bad = start(factory + "org.xj3d.NotThere");
+    Process bad = process("org.xj3d.NotThere").start();
     assertThat(output(bad)).contains("the browser factory org.xj3d.NotThere cannot be used");
     assertThat(bad.exitValue()).isEqualTo(2);
   }
 
-  private Process start(String property) throws IOException {
+  @Test
+  @RequiresDisplay
+  void aBrowserThatIsASwingPanelRunsInAWindowUntilTheWindowIsClosed() throws Exception {
+    Process panel = process(PanelBrowserFactory.class.getName()).start();
+    assertThat(output(panel))
+        .contains("parameters: {Xj3D_DisableAudio=true}", "Can: choice 1", "shown: true");
+    assertThat(panel.exitValue()).isZero();
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX) // Elsewhere there always is a display.
+  void aBrowserThatNeedsADisplaySaysSoWhereThereIsNone() throws Exception {
+    ProcessBuilder builder = process(PanelBrowserFactory.class.getName());
+    builder.environment().remove("DISPLAY");
+    Process panel = builder.start();
+    assertThat(output(panel))
+        .contains("the browser does not start: it shows a window, and Java finds no display");
+    assertThat(panel.exitValue()).isEqualTo(2);
+  }
+
+  @Test
+  void aBrowserWithoutItsLibrariesSaysWhatItLacks() throws Exception {
+    Process broken = process(BrokenFactory.class.getName()).start();
+    assertThat(output(broken))
+        .contains("the browser does not start", "no sound library")
+        .doesNotContain("internal error");
+    assertThat(broken.exitValue()).isEqualTo(2);
+  }
+
+  @Test
+  void aSceneThatTheBrowserRefusesInItsOwnWayIsNoErrorOfOurs() throws Exception {
+    Process refusing = process(RefusingFactory.class.getName()).start();
+    assertThat(output(refusing))
+        .contains("the browser does not read the scene", "no profile Full")
+        .doesNotContain("internal error");
+    assertThat(refusing.exitValue()).isEqualTo(2);
+  }
+
+  /** Refuses every scene with an exception that the SAI does not know, as Xj3D does some. */
+  public static final class RefusingFactory implements BrowserFactoryImpl {
+    @Override
+    public X3DComponent createComponent(Map<String, Object> parameters) {
+      X3DComponent embedded = new EmbeddedBrowserFactory().createComponent(parameters);
+      return answering(
+          X3DComponent.class,
+          embedded,
+          "getBrowser",
+          () ->
+              answering(
+                  ExternalBrowser.class,
+                  embedded.getBrowser(),
+                  "createX3DFromURL",
+                  () -> {
+                    throw new IllegalStateException("no profile Full");
+                  }));
+    }
+
+    private static <T> T answering(Class<T> type, T other, String name, Supplier<?> answer) {
+      return type.cast(
+          Proxy.newProxyInstance(
+              type.getClassLoader(),
+              new Class<?>[] {type},
+              (proxy, method, arguments) ->
+                  method.getName().equals(name) ? answer.get() : method.invoke(other, arguments)));
+    }
+
+    @Override
+    public ExternalBrowser getBrowser(InetAddress address, int port) {
+      throw new NotSupportedException("browsers on other machines");
+    }
+  }
+
+  /** Fails as Xj3D does when a class of it cannot begin. */
+  public static final class BrokenFactory implements BrowserFactoryImpl {
+    @Override
+    public X3DComponent createComponent(Map<String, Object> parameters) {
+      throw new ExceptionInInitializerError(new IllegalStateException("no sound library"));
+    }
+
+    @Override
+    public ExternalBrowser getBrowser(InetAddress address, int port) {
+      throw new NotSupportedException("browsers on other machines");
+    }
+  }
+
+  private ProcessBuilder process(String factory) throws IOException {
     return new ProcessBuilder(
             Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            property,
-            "-Djava.awt.headless=true",
+            "-Dx3d.sai.factory.class=" + factory,
             "-cp",
             System.getProperty("java.class.path"),
             Main.class.getName(),
             "sai",
             scene().toString())
-        .redirectErrorStream(true)
-        .start();
+        .redirectErrorStream(true);
   }
 
   private static String output(Process process) throws Exception {
