@@ -31,7 +31,7 @@ final class GpuAssets {
   private final LightPlanner planner;
   private final Map<MeshForm, MeshPart> meshes = new HashMap<>();
   private final List<GpuMesh> merged = new ArrayList<>();
-  private final DrawLooks looks = new DrawLooks();
+  private final Looks looks = new Looks();
   private long uploads;
 
   /** A mesh as it is drawn. */
@@ -89,9 +89,7 @@ final class GpuAssets {
       MeshPart part = parts.get(request.shape());
       items.add(
           item(
-              shapes.get(i),
-              request.mesh(),
-              part == null ? meshes.get(plans.get(i).form()) : part));
+              shapes.get(i), request.mesh(), part == null ? meshes.get(plans.get(i).form()) : part));
     }
     return items;
   }
@@ -107,7 +105,8 @@ final class GpuAssets {
     return surveys;
   }
 
-  private Map<MeshForm, Drawn> drawn(List<LightPlanner.Plan> plans, Map<Mesh, MeshSurvey> surveys) {
+  private Map<MeshForm, Drawn> drawn(
+      List<LightPlanner.Plan> plans, Map<Mesh, MeshSurvey> surveys) {
     Map<MeshForm, LightPlanner.Plan> distinct = new LinkedHashMap<>();
     plans.forEach(plan -> distinct.putIfAbsent(plan.form(), plan));
     return distinct.values().parallelStream()
@@ -122,7 +121,8 @@ final class GpuAssets {
         plan.form(), mesh, mesh == source ? surveys.get(source) : planner.survey(mesh));
   }
 
-  private Map<ShapeInstance, MeshPart> uploadBatches(GL3 gl, List<BatchPlan.Candidate> candidates) {
+  private Map<ShapeInstance, MeshPart> uploadBatches(
+      GL3 gl, List<BatchPlan.Candidate> candidates) {
     Map<ShapeInstance, MeshPart> parts = new IdentityHashMap<>();
     BatchPlan.of(candidates).parallelStream()
         .map(PackedBatch::pack)

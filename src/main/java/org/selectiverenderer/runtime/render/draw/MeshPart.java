@@ -19,7 +19,7 @@ record MeshPart(
     GpuMesh mesh,
     Clusters clusters,
     Occluders occluders,
-    @Nullable ShapeBatch batch,
+    @Nullable Batch batch,
     @Nullable Matrix4dc merged) {
 
   /** All of a mesh's own buffers. */

@@ -17,7 +17,7 @@ import org.selectiverenderer.runtime.render.draw.Visible;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
-class ShapeBatchTest {
+class BatchTest {
   private static final String RED =
       "<Appearance><UnlitMaterial emissiveColor='1 0 0'/></Appearance>";
 

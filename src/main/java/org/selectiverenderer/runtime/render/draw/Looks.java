@@ -20,7 +20,7 @@ import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
 /** How shapes look: programs, textures and lights, each once however many shapes have it. */
-final class DrawLooks {
+final class Looks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
   private final Map<Texture, GpuTexture> textures = new HashMap<>();
@@ -81,7 +81,8 @@ final class DrawLooks {
 
   /** Its place in the order of drawing. */
   int rank(DrawLook look) {
-    return ranks.computeIfAbsent(new State(look.byPixel(), look.texture()), state -> ranks.size());
+    return ranks.computeIfAbsent(
+        new State(look.byPixel(), look.texture()), state -> ranks.size());
   }
 
   private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
