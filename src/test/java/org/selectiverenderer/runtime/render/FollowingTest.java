@@ -123,7 +123,7 @@ class FollowingTest {
     String[] kinds = {"Point", "Directional", "Spot"};
     for (int i = 0; i < LIGHTS; i++) {
       nodes.append(
-          "<Group><Transform DEF='P%1$d'><%2$sLight DEF='L%1$d' %3$s intensity='0.4'/></Transform></Group>"
+          "<Group><Transform DEF='P%1$d'><%2$sLight DEF='L%1$d' %3$s global='false' intensity='0.4'/></Transform></Group>"
               .formatted(i, kinds[i % 3], i % 3 == 1 ? "" : "radius='6'"));
     }
     for (int i = 0; i < SHAPES; i++) {
