@@ -192,6 +192,23 @@ class BatchTest {
   }
 
   @Test
+  void aLampThatHasMovedLightsBatchesAgain() {
+    String white = "<Appearance><Material/></Appearance>";
+    TestScene scene =
+        TestScene.of(
+            "<Transform DEF='T'><PointLight location='0 0 3'/></Transform>"
+                + square("A", -2, 0, white)
+                + square("B", 0, 0, white));
+    assertThat(visible(scene).calls()).isEqualTo(1);
+    Screenshot before = studio.shoot(scene);
+
+    scene.set("T", "translation", new float[] {2, 0, 0});
+
+    assertThat(at(studio.shoot(scene), -2, 0)).isLessThan(at(before, -2, 0));
+    assertThat(visible(scene).calls()).isEqualTo(1);
+  }
+
+  @Test
   void aShapeThatGoesLeavesTheOthersAsTheyAre() {
     TestScene scene =
         TestScene.of(

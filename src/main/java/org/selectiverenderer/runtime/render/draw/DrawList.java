@@ -66,6 +66,8 @@ final class DrawList {
         continue;
       }
       changed = true;
+      // A lamp that moves concerns many, which are to stay together.
+      together |= current && slot != null && slot.lighting().stands(shape);
       slots[i] = null;
       if (mesh != null) {
         int times = slot == null ? 0 : moves.merge(shape, 1, Integer::sum);

@@ -106,7 +106,12 @@ public final class Lighting {
         return false;
       }
     }
-    return shape.world().equals(place, 0);
+    return stands(shape);
+  }
+
+  /** Whether the shape stands where it was made for. */
+  public boolean stands(ShapeInstance shape) {
+    return place == null || shape.world().equals(place, 0);
   }
 
   /** Whether light at the vertices is as good as at the pixels, where the shape is now. */
