@@ -31,7 +31,7 @@ final class GpuAssets {
   private final LightPlanner planner;
   private final Map<MeshForm, Uploaded> meshes = new HashMap<>();
   private final List<GpuMesh> merged = new ArrayList<>();
-  private final Looks looks = new Looks();
+  private final DrawLooks looks = new DrawLooks();
   private long uploads;
 
   private record Uploaded(MeshPart part, MeshSurvey survey) {}

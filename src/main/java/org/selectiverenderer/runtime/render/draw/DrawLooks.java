@@ -21,7 +21,7 @@ import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
 /** How shapes look: programs, textures and lights, each once however many shapes have it. */
-final class Looks {
+final class DrawLooks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
   private final Map<Texture, GpuTexture> textures = new HashMap<>();
