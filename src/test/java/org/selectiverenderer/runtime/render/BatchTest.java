@@ -139,6 +139,76 @@ class BatchTest {
   }
 
   @Test
+  void aLookThatNothingHasAnyMoreIsForgotten() {
+    String named = "<Appearance><UnlitMaterial DEF='M' emissiveColor='1 0 0'/></Appearance>";
+    TestScene scene = TestScene.of(square("A", -2, 0, named) + square("B", 0, 0));
+    scene.set("M", "emissiveColor", new float[] {0, 0, 1});
+    studio.shoot(scene);
+    float[] blue = studio.renderer.items().get(0).numbers();
+    scene.set("M", "emissiveColor", new float[] {0, 1, 0});
+    studio.shoot(scene);
+
+    scene.set("M", "emissiveColor", new float[] {0, 0, 1});
+    studio.shoot(scene);
+
+    assertThat(studio.renderer.items().get(0).numbers()).isEqualTo(blue).isNotSameAs(blue);
+  }
+
+  @Test
+  void aSwitchThatHoldsALampUploadsNothing() {
+    String white = "<Appearance><Material/></Appearance>";
+    TestScene scene =
+        TestScene.of(
+            "<Switch DEF='S' whichChoice='0'><PointLight location='0 0 3'/></Switch>"
+                + square("A", -2, 0, white)
+                + square("B", 2, 0, white)
+                + square("C", 0, 2));
+    Screenshot before = studio.shoot(scene);
+    assertThat(at(before, -2, 0)).isNotZero();
+    long uploads = studio.renderer.uploads();
+
+    scene.set("S", "whichChoice", -1);
+
+    assertThat(at(studio.shoot(scene), -2, 0)).isZero();
+    assertThat(studio.renderer.uploads()).isEqualTo(uploads);
+    scene.set("S", "whichChoice", 0);
+    assertThat(studio.shoot(scene).rgba()).isEqualTo(before.rgba());
+    assertThat(studio.renderer.uploads()).isEqualTo(uploads);
+  }
+
+  @Test
+  void aLampThatMovesLeavesWhatIsNotLitInItsBatch() {
+    TestScene scene =
+        TestScene.of(
+            "<Transform DEF='T'><PointLight/></Transform>"
+                + square("A", -2, 0)
+                + square("B", 0, 0));
+    assertThat(visible(scene).calls()).isEqualTo(1);
+
+    scene.set("T", "translation", new float[] {0, 2, 0});
+
+    assertThat(visible(scene).calls()).isEqualTo(1);
+    assertThat(studio.renderer.uploads()).isEqualTo(1);
+  }
+
+  @Test
+  void aLampThatHasMovedLightsBatchesAgain() {
+    String white = "<Appearance><Material/></Appearance>";
+    TestScene scene =
+        TestScene.of(
+            "<Transform DEF='T'><PointLight location='0 0 3'/></Transform>"
+                + square("A", -2, 0, white)
+                + square("B", 0, 0, white));
+    assertThat(visible(scene).calls()).isEqualTo(1);
+    Screenshot before = studio.shoot(scene);
+
+    scene.set("T", "translation", new float[] {2, 0, 0});
+
+    assertThat(at(studio.shoot(scene), -2, 0)).isLessThan(at(before, -2, 0));
+    assertThat(visible(scene).calls()).isEqualTo(1);
+  }
+
+  @Test
   void aShapeThatGoesLeavesTheOthersAsTheyAre() {
     TestScene scene =
         TestScene.of(

@@ -10,6 +10,7 @@ import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.GlInfo;
@@ -172,6 +173,74 @@ class ShadingTest {
       studio.shoot(scene);
       assertThat(studio.renderer.items().get(0).mesh().indexCount()).isGreaterThan(100);
       assertThat(studio.renderer.cull(List.of(Studio.parallel())).indices()).isEqualTo(6);
+    }
+  }
+
+  @RequiresDisplay
+  @ParameterizedTest
+  @CsvSource({"<Sphere/>", "<Box size='8 8 1'/>"})
+  void aColourThatGoesOnChangingIsNotUploadedEachTime(String form) {
+    try (Studio studio = new Studio(Shading.VERTEX)) {
+      TestScene scene =
+          TestScene.of(
+              LAMP + "<Shape><Appearance><Material DEF='M'/></Appearance>" + form + "</Shape>");
+      for (int i = 0; i < 6; i++) {
+        scene.set("M", "diffuseColor", new float[] {1, i / 100f, 0});
+        studio.shoot(scene);
+      }
+      long uploads = studio.renderer.uploads();
+
+      for (int i = 0; i < 20; i++) {
+        scene.set("M", "diffuseColor", new float[] {1, 0, i / 100f});
+        studio.shoot(scene);
+      }
+
+      assertThat(studio.renderer.uploads()).isEqualTo(uploads);
+    }
+  }
+
+  @RequiresDisplay
+  @ParameterizedTest
+  @EnumSource(names = {"PIXEL", "VERTEX"})
+  void whatMovesAmongManyLampsIsLitByThoseNearIt(Shading shading) {
+    StringBuilder nodes = new StringBuilder();
+    for (int i = 0; i < 30; i++) {
+      nodes.append("<PointLight radius='6' location='").append(20 * i).append(" 0 3'/>");
+    }
+    nodes.append(
+        "<Transform DEF='T'><Shape><Appearance><Material/></Appearance><Box/></Shape></Transform>");
+    try (Studio studio = new Studio(shading)) {
+      TestScene scene = TestScene.of(nodes.toString());
+      for (int i = 0; i < 30; i++) {
+        scene.set("T", "translation", new float[] {20 * i, 0, 0});
+        Camera camera =
+            new Camera(
+                new Matrix4d().translation(-20 * i, 0, -10),
+                Studio.parallel().projection(),
+                0,
+                0,
+                Studio.SIZE,
+                Studio.SIZE);
+        Screenshot shot = studio.shoot(scene, camera, Backdrop.BLACK, false, 0);
+        assertThat(shot.rgb(32, 32) & 0xff).as("at lamp %d", i).isGreaterThan(100);
+      }
+    }
+  }
+
+  @RequiresDisplay
+  @ParameterizedTest
+  @CsvSource({"0 0 0", "1e-30 1e-30 1e-30", "1e30 1e30 1e30", "1 1 0", "-1 1 1"})
+  void aScaleBeyondMeasureHarmsNothing(String scale) {
+    String odd =
+        "<Transform scale='%s'><Transform scale='%s'>%s%s</Transform></Transform>"
+            .formatted(scale, scale, WALL, WALL)
+            .replace("DEF='T'", "");
+    String lamp = "<PointLight location='0 0 3'/>";
+    String box = "<Transform translation='0 0 2'>" + WALL.replace('9', '1') + "</Transform>";
+    for (Shading shading : List.of(Shading.PIXEL, Shading.VERTEX)) {
+      Screenshot shot = shoot(shading, TestScene.of(lamp + odd + box), Studio.parallel());
+      assertThat(shot.rgb(32, 32) & 0xff).isGreaterThan(100);
+      assertThat(shoot(shading, TestScene.of(""), Studio.parallel()).rgb(32, 32)).isZero();
     }
   }
 }

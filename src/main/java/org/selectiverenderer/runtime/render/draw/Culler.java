@@ -98,7 +98,7 @@ final class Culler {
         hidden += item.clusters().indexCount();
         continue;
       }
-      Batch batch = item.part().batch();
+      DrawBatch batch = item.part().batch();
       if (batch == null) {
         order[count++] = key(item, distance(item), i);
       } else if (string(batch, i, distance(item))) {
@@ -108,7 +108,7 @@ final class Culler {
     for (int i = 0; i < count; i++) {
       // Of a batch the place in the order is known when all its items are.
       DrawItem item = items.get((int) order[i] & INDEX_MASK);
-      Batch batch = item.part().batch();
+      DrawBatch batch = item.part().batch();
       order[i] = batch == null ? order[i] : key(item, batch.nearest, batch.first);
     }
     Arrays.sort(order, 0, count);
@@ -142,7 +142,7 @@ final class Culler {
   }
 
   /** Adds an item to those of its batch; true for the first. */
-  private boolean string(Batch batch, int index, int distance) {
+  private boolean string(DrawBatch batch, int index, int distance) {
     boolean first = batch.first < 0;
     if (first) {
       batch.first = index;
@@ -156,7 +156,7 @@ final class Culler {
 
   /** Adds an item, or all of its batch that is seen, in the order of the index buffer. */
   private void add(List<DrawItem> items, int index) {
-    Batch batch = items.get(index).part().batch();
+    DrawBatch batch = items.get(index).part().batch();
     if (batch == null) {
       add(items.get(index));
       return;

@@ -1,12 +1,15 @@
 package org.selectiverenderer.runtime.render.draw;
 
+import java.util.List;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
@@ -65,6 +68,11 @@ public record DrawItem(
   /** The programs for where the shape is now. */
   ShapePrograms.Family programs() {
     return lighting.byVertex(shape) ? byVertex : byPixel;
+  }
+
+  /** The lights that may reach it where it is now. */
+  List<LightInstance> reaching() {
+    return lighting.reaching(shape, ShapeProgram.MAX_LIGHTS - 1); // One for the headlight.
   }
 
   /** Of indices that are drawn, how many the shape's own mesh has for the same. */

@@ -18,7 +18,10 @@ import org.selectiverenderer.runtime.render.light.LightWatch;
  * tree's structure changes; otherwise only where a shape has another mesh or surface.
  */
 final class DrawList {
-  /** What has moved more often than that, or its lights, is expected to go on moving. */
+  /**
+   * What has moved or changed more often than that, or its lights, is expected to go on: nothing is
+   * made for the place where it is then.
+   */
   private static final int MOST_MOVES = 3;
 
   private final GpuAssets assets;
@@ -63,9 +66,11 @@ final class DrawList {
         continue;
       }
       changed = true;
+      // A lamp that moves concerns many, which are to stay together.
+      together |= current && slot != null && slot.lighting().stands(shape);
       slots[i] = null;
       if (mesh != null) {
-        int times = lit ? 0 : moves.merge(shape, 1, Integer::sum);
+        int times = slot == null ? 0 : moves.merge(shape, 1, Integer::sum);
         places.add(i);
         requests.add(new LightPlanner.Request(shape, mesh, shape.lights(), times <= MOST_MOVES));
       }

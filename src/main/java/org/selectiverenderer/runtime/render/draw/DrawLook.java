@@ -1,6 +1,5 @@
 package org.selectiverenderer.runtime.render.draw;
 
-import java.nio.FloatBuffer;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -16,16 +15,16 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
  * @param byPixel the programs that light it at its pixels
  * @param byVertex those that light it at its vertices
  * @param reaching the lights that reach the shape
- * @param material as the light model wants it; compared by its numbers
- * @param textureTransform nine numbers, compared likewise
+ * @param material as the light model wants it; twelve numbers
+ * @param textureTransform nine numbers
  */
 record DrawLook(
     ShapePrograms.Family byPixel,
     ShapePrograms.Family byVertex,
     @Nullable GpuTexture texture,
     List<LightInstance> reaching,
-    FloatBuffer material,
-    FloatBuffer textureTransform,
+    Numbers material,
+    Numbers textureTransform,
     boolean blended,
     VertexLayout layout,
     Mesh.Primitive primitive,

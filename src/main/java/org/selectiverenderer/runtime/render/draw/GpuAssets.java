@@ -29,10 +29,12 @@ import org.selectiverenderer.runtime.render.occlude.Occluders;
  */
 final class GpuAssets {
   private final LightPlanner planner;
-  private final Map<MeshForm, MeshPart> meshes = new HashMap<>();
+  private final Map<MeshForm, Uploaded> meshes = new HashMap<>();
   private final List<GpuMesh> merged = new ArrayList<>();
-  private final Looks looks = new Looks();
+  private final DrawLooks looks = new DrawLooks();
   private long uploads;
+
+  private record Uploaded(MeshPart part, MeshSurvey survey) {}
 
   /** A mesh as it is drawn. */
   private record Drawn(MeshForm form, Mesh mesh, MeshSurvey survey) {}
@@ -64,7 +66,7 @@ final class GpuAssets {
         requests.parallelStream()
             .map(request -> planner.plan(request, surveys.get(request.mesh())))
             .toList();
-    Map<MeshForm, Drawn> drawn = drawn(plans, surveys);
+    Map<MeshForm, Drawn> drawn = drawn(plans, surveys, together);
     List<BatchPlan.Candidate> shapes = new ArrayList<>(plans.size());
     for (LightPlanner.Plan plan : plans) {
       Drawn of = drawn.get(plan.form());
@@ -89,7 +91,9 @@ final class GpuAssets {
       MeshPart part = parts.get(request.shape());
       items.add(
           item(
-              shapes.get(i), request.mesh(), part == null ? meshes.get(plans.get(i).form()) : part));
+              shapes.get(i),
+              request.mesh(),
+              part == null ? meshes.get(plans.get(i).form()).part() : part));
     }
     return items;
   }
@@ -106,23 +110,27 @@ final class GpuAssets {
   }
 
   private Map<MeshForm, Drawn> drawn(
-      List<LightPlanner.Plan> plans, Map<Mesh, MeshSurvey> surveys) {
+      List<LightPlanner.Plan> plans, Map<Mesh, MeshSurvey> surveys, boolean together) {
     Map<MeshForm, LightPlanner.Plan> distinct = new LinkedHashMap<>();
     plans.forEach(plan -> distinct.putIfAbsent(plan.form(), plan));
     return distinct.values().parallelStream()
-        .map(plan -> drawn(plan, surveys))
+        .map(plan -> drawn(plan, surveys, together))
         .collect(Collectors.toMap(Drawn::form, mesh -> mesh));
   }
 
-  private Drawn drawn(LightPlanner.Plan plan, Map<Mesh, MeshSurvey> surveys) {
+  private Drawn drawn(LightPlanner.Plan plan, Map<Mesh, MeshSurvey> surveys, boolean together) {
     Mesh source = plan.form().source();
+    Uploaded uploaded = meshes.get(plan.form());
+    if (uploaded != null && !together) {
+      // Only its kind is asked for, which is its source's: it need not be refined again.
+      return new Drawn(plan.form(), source, uploaded.survey());
+    }
     Mesh mesh = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
     return new Drawn(
         plan.form(), mesh, mesh == source ? surveys.get(source) : planner.survey(mesh));
   }
 
-  private Map<ShapeInstance, MeshPart> uploadBatches(
-      GL3 gl, List<BatchPlan.Candidate> candidates) {
+  private Map<ShapeInstance, MeshPart> uploadBatches(GL3 gl, List<BatchPlan.Candidate> candidates) {
     Map<ShapeInstance, MeshPart> parts = new IdentityHashMap<>();
     BatchPlan.of(candidates).parallelStream()
         .map(PackedBatch::pack)
@@ -146,7 +154,8 @@ final class GpuAssets {
               MeshForm form = packed.drawn().form();
               // Finer triangles cover what the mesh's own do.
               Occluders occluders = Occluders.of(form.source());
-              meshes.put(form, MeshPart.whole(new GpuMesh(gl, packed.mesh()), occluders));
+              MeshPart part = MeshPart.whole(new GpuMesh(gl, packed.mesh()), occluders);
+              meshes.put(form, new Uploaded(part, packed.drawn().survey()));
               uploads++;
             });
   }
@@ -173,7 +182,7 @@ final class GpuAssets {
     Set<GpuMesh> used = new HashSet<>();
     items.forEach(item -> used.add(item.mesh()));
     merged.removeIf(mesh -> dispose(gl, mesh, used));
-    meshes.values().removeIf(part -> dispose(gl, part.mesh(), used));
+    meshes.values().removeIf(uploaded -> dispose(gl, uploaded.part().mesh(), used));
     looks.keepOnly(gl, items);
   }
 

@@ -73,7 +73,7 @@ final class ItemPainter {
   }
 
   private void bind(DrawItem item) {
-    EyeLights.Packed packed = lights.of(item.lighting().reaching());
+    EyeLights.Packed packed = lights.of(item.reaching());
     ShapeProgram needed = item.programs().get(gl, packed.counts());
     if (needed != program) {
       program = needed;

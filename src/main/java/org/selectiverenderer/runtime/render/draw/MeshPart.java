@@ -19,7 +19,7 @@ record MeshPart(
     GpuMesh mesh,
     Clusters clusters,
     Occluders occluders,
-    @Nullable Batch batch,
+    @Nullable DrawBatch batch,
     @Nullable Matrix4dc merged) {
 
   /** All of a mesh's own buffers. */

@@ -46,16 +46,12 @@ record PackedBatch(
       occluders.add(Occluders.placed(mesh, placement, placed.bounds()));
     }
     return new PackedBatch(
-        shapes,
-        new Matrix4d().translation(x, y, z),
-        worlds,
-        MeshMerger.merge(packed),
-        occluders);
+        shapes, new Matrix4d().translation(x, y, z), worlds, MeshMerger.merge(packed), occluders);
   }
 
   /** Tells each shape its part of the uploaded buffers. */
   void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
-    Batch batch = new Batch(origin);
+    DrawBatch batch = new DrawBatch(origin);
     for (int i = 0; i < shapes.size(); i++) {
       parts.put(
           shapes.get(i).shape(),

@@ -51,7 +51,7 @@ public final class Visible {
     indices = indices();
     indicesOfBegun = 0;
     begun = item;
-    Batch batch = item.part().batch();
+    DrawBatch batch = item.part().batch();
     if (batch != null && !calls.isEmpty() && calls.get(calls.size() - 1).part().batch() == batch) {
       return;
     }

@@ -8,7 +8,7 @@
  * <p>A shape is a {@link org.selectiverenderer.runtime.render.draw.DrawItem}. What it draws is its
  * {@link org.selectiverenderer.runtime.render.draw.MeshPart}: a stretch of an index buffer, cut
  * into clusters. Either the buffer is its own mesh's, which all shapes with that mesh share, or
- * that of a {@link org.selectiverenderer.runtime.render.draw.Batch}: small opaque shapes of one
+ * that of a {@link org.selectiverenderer.runtime.render.draw.DrawBatch}: small opaque shapes of one
  * look, near each other, put into one pair of buffers in coordinates around the batch's origin.
  * Culling and Switches work on items, in a batch too; what is seen of a batch is then drawn by one
  * call, since nothing but the stretches changes from one of its shapes to the next. Which shapes
@@ -18,7 +18,8 @@
  * batch.
  *
  * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.light}, {@code runtime.render.mesh},
- * {@code runtime.render.occlude}, {@code runtime.render.context}, {@code runtime.instance}, {@code runtime.camera}, {@code geometry.mesh} and JOGL.
+ * {@code runtime.render.occlude}, {@code runtime.render.context}, {@code runtime.instance}, {@code
+ * runtime.camera}, {@code geometry.mesh} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.draw;

@@ -60,11 +60,12 @@ public final class LightPlanner {
      */
     public Lighting lighting(MeshSurvey drawn, List<LightInstance> lights) {
       ShapeInstance shape = request.shape();
+      boolean lit = lit(request);
       Lighting.Unsteady unsteady =
-          request.steady()
+          request.steady() || !lit
               ? null
               : new Lighting.Unsteady(drawn.longest(), tolerance(shape.surface(), request.mesh()));
-      return new Lighting(shape, request.scope(), lights, byVertex, unsteady);
+      return new Lighting(shape, request.scope(), lights, lit, byVertex, unsteady);
     }
   }
 
@@ -77,13 +78,13 @@ public final class LightPlanner {
     ShapeInstance shape = request.shape();
     Mesh mesh = request.mesh();
     Reach reach = new Reach(shape.bounds());
+    MeshForm plain = MeshForm.plain(mesh);
+    if (!lit(request)) {
+      return new Plan(request, plain, null, false, List.of());
+    }
     List<LightInstance> reaching = request.steady() ? reach.of(request.scope()) : request.scope();
     float[] normals = mesh.normals();
-    MeshForm plain = MeshForm.plain(mesh);
-    if (!byVertex
-        || !shape.surface().lit()
-        || normals == null
-        || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+    if (!byVertex || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
       return new Plan(request, plain, null, false, reaching);
     }
     double scale = Fineness.scale(shape.world());
@@ -112,6 +113,11 @@ public final class LightPlanner {
     return result.forLight()
         ? new Plan(request, new MeshForm(mesh, needed, new Object()), result.mesh(), true, reaching)
         : new Plan(request, form, null, true, reaching);
+  }
+
+  /** As the shaders have it: what is not lit has the same look under all lights. */
+  private static boolean lit(Request request) {
+    return request.shape().surface().lit() && request.mesh().normals() != null;
   }
 
   /** The mesh of a form that is not made for one place. */

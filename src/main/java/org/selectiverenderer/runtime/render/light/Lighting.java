@@ -27,8 +27,9 @@ public final class Lighting {
       return new Placed(instance, instance.light(), instance.on(), new Matrix4d(instance.world()));
     }
 
-    boolean current() {
-      return instance.light() == light && instance.on() == on && instance.world().equals(world, 0);
+    /** Whether it reaches what it reached. */
+    boolean stays() {
+      return instance.light() == light && instance.world().equals(world, 0);
     }
   }
 
@@ -47,6 +48,7 @@ public final class Lighting {
   /**
    * @param scope lights whose scope the shape lies in
    * @param reaching those of them that reach it
+   * @param lit whether lights count at all
    * @param vertices whether light at the vertices of what is drawn is as good as at the pixels
    * @param unsteady null for what stays where it is
    */
@@ -54,6 +56,7 @@ public final class Lighting {
       ShapeInstance shape,
       List<LightInstance> scope,
       List<LightInstance> reaching,
+      boolean lit,
       boolean vertices,
       @Nullable Unsteady unsteady) {
     this.scope = scope;
@@ -62,7 +65,7 @@ public final class Lighting {
     this.unsteady = unsteady;
     List<Placed> lights = new ArrayList<>();
     for (LightInstance light : scope) {
-      if (light.light().kind() != Light.Kind.DIRECTIONAL && unsteady == null) {
+      if (lit && light.light().kind() != Light.Kind.DIRECTIONAL && unsteady == null) {
         lights.add(Placed.of(light));
       }
     }
@@ -75,9 +78,20 @@ public final class Lighting {
     return scope;
   }
 
-  /** Those of them that can reach it. */
+  /** Those of them that can reach it; of a shape that moves all. */
   public List<LightInstance> reaching() {
     return reaching;
+  }
+
+  /**
+   * Those that can reach it where the shape is now, if there would else be too many.
+   *
+   * @param most how many are not too many
+   */
+  public List<LightInstance> reaching(ShapeInstance shape, int most) {
+    return unsteady == null || reaching.size() <= most
+        ? reaching
+        : new Reach(shape.bounds()).of(reaching);
   }
 
   /** Whether it need not be made anew for where the shape and its lights are now. */
@@ -86,11 +100,18 @@ public final class Lighting {
       return true;
     }
     for (int i = 0; i < placed.size(); i++) {
-      if (!placed.get(i).current()) {
+      Placed light = placed.get(i);
+      // By pixel is good whichever lights are on.
+      if (!light.stays() || (vertices && light.on() != light.instance().on())) {
         return false;
       }
     }
-    return shape.world().equals(place, 0);
+    return stands(shape);
+  }
+
+  /** Whether the shape stands where it was made for. */
+  public boolean stands(ShapeInstance shape) {
+    return place == null || shape.world().equals(place, 0);
   }
 
   /** Whether light at the vertices is as good as at the pixels, where the shape is now. */

@@ -1,9 +1,10 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL3;
-import java.nio.FloatBuffer;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -20,7 +21,7 @@ import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
 /** How shapes look: programs, textures and lights, each once however many shapes have it. */
-final class Looks {
+final class DrawLooks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
   private final Map<Texture, GpuTexture> textures = new HashMap<>();
@@ -70,8 +71,8 @@ final class Looks {
             programs.get(variant.lit(true)),
             texture,
             reaching,
-            FloatBuffer.wrap(numbers(surface)),
-            FloatBuffer.wrap(transform == null ? NO_TRANSFORM : transform),
+            new Numbers(numbers(surface)),
+            new Numbers(transform == null ? NO_TRANSFORM : transform),
             blended,
             VertexLayout.of(drawn),
             drawn.primitive(),
@@ -81,8 +82,7 @@ final class Looks {
 
   /** Its place in the order of drawing. */
   int rank(DrawLook look) {
-    return ranks.computeIfAbsent(
-        new State(look.byPixel(), look.texture()), state -> ranks.size());
+    return ranks.computeIfAbsent(new State(look.byPixel(), look.texture()), state -> ranks.size());
   }
 
   private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
@@ -132,13 +132,16 @@ final class Looks {
   /** Frees what none of the items uses. */
   void keepOnly(GL3 gl, List<DrawItem> items) {
     Set<GpuTexture> used = new HashSet<>();
-    Set<List<LightInstance>> usedLists = new HashSet<>();
+    // Shared lists, and the numbers of each look, are one object each.
+    Set<List<LightInstance>> usedLists = Collections.newSetFromMap(new IdentityHashMap<>());
+    Set<float[]> usedNumbers = Collections.newSetFromMap(new IdentityHashMap<>());
     for (DrawItem item : items) {
       used.add(item.texture());
       usedLists.add(item.lighting().reaching());
+      usedNumbers.add(item.numbers());
     }
-    lists.keySet().retainAll(usedLists);
-    known.keySet().removeIf(look -> !usedLists.contains(look.reaching()));
+    lists.values().removeIf(list -> !usedLists.contains(list));
+    known.keySet().removeIf(look -> !usedNumbers.contains(look.material().array()));
     textures
         .values()
         .removeIf(
@@ -149,7 +152,6 @@ final class Looks {
               }
               return unused;
             });
-    known.keySet().removeIf(look -> look.texture() != null && !used.contains(look.texture()));
     ranks.keySet().removeIf(state -> state.texture() != null && !used.contains(state.texture()));
   }
 

@@ -6,7 +6,7 @@ import org.joml.Matrix4dc;
  * Shapes that lie in one pair of buffers and are drawn by one call. Between frames it is a value;
  * within one, {@link Culler} strings its visible items together here.
  */
-final class Batch {
+final class DrawBatch {
   private final Matrix4dc place;
 
   /** First and last of its items found visible, by their numbers; -1 for none. */
@@ -20,7 +20,7 @@ final class Batch {
   /**
    * @param place from the coordinates in its buffers to the world: a translation
    */
-  Batch(Matrix4dc place) {
+  DrawBatch(Matrix4dc place) {
     this.place = place;
   }
 
