@@ -120,9 +120,7 @@ class LightingTest {
     Vector3d h = new Vector3d(l).add(v).normalize();
     double expected = DIFFUSE * l.z + 0.4 * Math.pow(h.z, 0.25 * 128);
     String shiny = wall("specularColor='0.4 0.4 0.4' shininess='0.25'");
-    // By vertex, highlights alone split no face: they follow the vertices that its diffuse light has.
-    int near = shading == Shading.PIXEL ? 2 : 12;
-    assertThat(level(light + shiny, x, y)).isCloseTo(level(expected), within(near));
+    assertThat(level(light + shiny, x, y)).isCloseTo(level(expected), within(2));
   }
 
   @Test

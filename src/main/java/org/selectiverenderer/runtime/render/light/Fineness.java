@@ -24,8 +24,8 @@ record Fineness(double cosine, double bent) {
   /** The product of specular colour and exponent above which a highlight is narrow. */
   private static final double NARROW_HIGHLIGHT = 16;
 
-  /** The specular colour above which a highlight is missed where it falls between vertices. */
-  private static final double MIRROR = 0.5;
+  /** The specular colour from which on a highlight is missed where it falls between vertices. */
+  private static final double MIRROR = 0.3;
 
   /** The size of a face in whose middle it would be. */
   private static final double FACE = 0.5;
@@ -46,7 +46,7 @@ record Fineness(double cosine, double bent) {
 
   /** Whether a surface shines so brightly on faces so large that its vertices miss highlights. */
   static boolean mirrors(Surface surface, MeshSurvey mesh, double scale) {
-    return specular(surface) > MIRROR && mesh.largest() * scale > FACE;
+    return specular(surface) >= MIRROR && mesh.largest() * scale > FACE;
   }
 
   /**
@@ -56,8 +56,7 @@ record Fineness(double cosine, double bent) {
   Fineness local(double scale) {
     double length = bent / scale;
     return new Fineness(
-        cosine,
-        Double.isFinite(length) ? Math.scalb(1.0, Math.getExponent(length)) : length);
+        cosine, Double.isFinite(length) ? Math.scalb(1.0, Math.getExponent(length)) : length);
   }
 
   /**

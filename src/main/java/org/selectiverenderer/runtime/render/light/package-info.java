@@ -1,6 +1,7 @@
 /**
- * Where the light of a shape is computed: at its vertices, where their interpolation cannot be told
- * from light by pixel, else at the pixels. Meshes that are too coarse for that are refined.
+ * Where the light of a shape is computed: at its vertices, where their interpolation is hardly told
+ * from light by pixel, else at the pixels. Meshes that are too coarse for that are refined; dull
+ * highlights alone are no reason, and fall between the vertices of a large face.
  *
  * <p>In: meshes, the lights of a scene, surfaces. Out: {@link
  * org.selectiverenderer.runtime.render.light.Lighting}s and finer {@link
