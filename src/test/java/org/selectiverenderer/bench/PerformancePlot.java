@@ -9,11 +9,6 @@ enum PerformancePlot {
       "Frames per second",
       "1024x768, no anti-aliasing, software OpenGL; more is better",
       ""),
-  PICTURE(
-      Form.GROUPS,
-      "From the start of the process to the complete picture",
-      "seconds; less is better",
-      " s"),
   MEMORY(
       Form.GROUPS, "Resident memory", "at most, while the scene is shown; less is better", " MB"),
   START(

@@ -43,8 +43,7 @@ final class BatchPlan {
    * @param number of the shape among those that are new, the order in a batch too
    * @param mesh that is drawn: the shape's own or a finer one
    */
-  record Candidate(
-      int number, ShapeInstance shape, Mesh mesh, DrawLook look, Lighting lighting) {}
+  record Candidate(int number, ShapeInstance shape, Mesh mesh, DrawLook look, Lighting lighting) {}
 
   /** The batches, of two shapes or more each; shapes that are in none are drawn by themselves. */
   static List<List<Candidate>> of(List<Candidate> candidates) {
@@ -53,7 +52,8 @@ final class BatchPlan {
     Map<LitLook, List<Candidate>> byLook = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       if (mergeable(candidate, uses.get(candidate.mesh()))) {
-        LitLook look = new LitLook(candidate.look(), candidate.lighting().byVertex(candidate.shape()));
+        LitLook look =
+            new LitLook(candidate.look(), candidate.lighting().byVertex(candidate.shape()));
         byLook.computeIfAbsent(look, same -> new ArrayList<>()).add(candidate);
       }
     }

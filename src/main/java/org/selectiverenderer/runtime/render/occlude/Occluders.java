@@ -27,8 +27,7 @@ public final class Occluders {
 
   /** Of a mesh, which it keeps until it has looked; lines and points hide nothing. */
   public static Occluders of(Mesh mesh) {
-    return new Occluders(
-        mesh.solid(), Precision.reach(mesh.bounds()), mesh.polygons(), () -> mesh);
+    return new Occluders(mesh.solid(), Precision.reach(mesh.bounds()), mesh.polygons(), () -> mesh);
   }
 
   /**
