@@ -11,11 +11,6 @@ enum PerformancePlot {
       ""),
   MEMORY(
       Form.GROUPS, "Resident memory", "at most, while the scene is shown; less is better", " MB"),
-  START(
-      Form.PARTS,
-      "From the start of the process to the first frame",
-      "what the time goes into",
-      " ms"),
   FRAME(Form.PARTS, "A frame", "what its time goes into", " ms"),
   GROWTH_OBJECTS(
       Form.CURVES, "More objects", "of as many triangles together", "objects", "milliseconds"),
