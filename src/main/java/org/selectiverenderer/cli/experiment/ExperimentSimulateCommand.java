@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.CommandFailure;
@@ -27,8 +28,9 @@ import picocli.CommandLine.Option;
     name = "simulate",
     description = {
       "Simulates participants of known sensitivity. Prints their answers as a file that experiment"
-          + " analyse reads; with --power, how often studies like this find an effect, and with"
-          + " --needed, how many participants that takes.",
+          + " analyse reads; with --power, how often studies like this find an effect, by simulation"
+          + " and by formula, and with --needed, how many participants that takes.",
+      "The objects are those of the thesis's Tables 6 to 11, and as many absent ones.",
       "A list of numbers has one number for each condition, or one for all."
     },
     footer = {
@@ -224,6 +226,7 @@ final class ExperimentSimulateCommand extends CliCommand {
             studies,
             seed,
             line -> console().message("simulate: " + line));
+    checkTested(analysis);
     PowerReport report =
         PowerReport.of(
             analysis,
@@ -251,6 +254,28 @@ final class ExperimentSimulateCommand extends CliCommand {
     if (conditions.stream().distinct().count() < conditions.size()
         || conditions.stream().anyMatch(String::isBlank)) {
       throw CommandFailure.usage("--conditions must be different names");
+    }
+  }
+
+  private void checkTested(PowerAnalysis analysis) {
+    if (participants <= conditions.size()) {
+      throw CommandFailure.usage(
+          "--participants must be more than the number of conditions, %d: with one in each group"
+                  .formatted(conditions.size())
+              + " there is no error to test against");
+    }
+    if (needed && !analysis.tested().contains(goal.finding())) {
+      List<String> tested =
+          Stream.of(PowerGoal.values())
+              .filter(other -> analysis.tested().contains(other.finding()))
+              .map(PowerGoal::name)
+              .toList();
+      throw CommandFailure.usage(
+          tested.isEmpty()
+              ? "--needed has nothing to look for: one condition, and objects of one type in the %s"
+                  .formatted(area)
+              : "--goal %s is not tested by such studies of the %s; choose %s"
+                  .formatted(goal, area, String.join(", ", tested)));
     }
   }
 

@@ -5,13 +5,14 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.report.Block.Paragraph;
 import org.selectiverenderer.statistics.report.Block.Table;
+import org.selectiverenderer.statistics.simulation.FormulaPower;
 import org.selectiverenderer.statistics.simulation.Power;
 import org.selectiverenderer.statistics.simulation.PowerAnalysis;
 import org.selectiverenderer.statistics.simulation.PowerGoal;
@@ -20,11 +21,18 @@ import org.selectiverenderer.statistics.simulation.PowerGoal;
  * A power analysis in its forms.
  *
  * @param power of the number of participants asked for
+ * @param formula the same by the noncentral F distribution, by finding, where there is a formula
  * @param wanted for how much power the number of participants was sought
  * @param needed the number found; empty when the most tried is not enough
  */
 public record PowerReport(
-    PowerAnalysis analysis, Power power, Optional<Wanted> wanted, OptionalInt needed) {
+    PowerAnalysis analysis,
+    Power power,
+    Map<String, Double> formula,
+    Optional<Wanted> wanted,
+    Optional<PowerAnalysis.Needed> needed) {
+  private static final String NO_FORMULA = "by simulation only";
+
   /**
    * A power to be reached.
    *
@@ -33,15 +41,19 @@ public record PowerReport(
    */
   public record Wanted(PowerGoal goal, double target, int most) {}
 
-  /** Runs the simulations. */
+  /**
+   * Runs the simulations.
+   *
+   * @param participants more than there are conditions
+   * @param wanted what is tested
+   */
   public static PowerReport of(PowerAnalysis analysis, int participants, Optional<Wanted> wanted) {
-    Power power = analysis.power(participants);
-    OptionalInt needed =
-        wanted.isPresent()
-            ? analysis.needed(
-                wanted.get().goal().finding(), wanted.get().target(), wanted.get().most())
-            : OptionalInt.empty();
-    return new PowerReport(analysis, power, wanted, needed);
+    return new PowerReport(
+        analysis,
+        analysis.power(participants),
+        FormulaPower.of(analysis, participants),
+        wanted,
+        wanted.flatMap(goal -> analysis.needed(goal.goal().finding(), goal.target(), goal.most())));
   }
 
   /** For a terminal. */
@@ -57,34 +69,51 @@ public record PowerReport(
                   + figures.number(finding.low(), 3)
                   + ", "
                   + figures.number(finding.high(), 3)
-                  + "]"));
+                  + "]",
+              formula.containsKey(finding.name())
+                  ? figures.number(formula.get(finding.name()), 3)
+                  : figures.dash(NO_FORMULA)));
     }
     List<Block> blocks = new ArrayList<>();
     blocks.add(
         new Paragraph(
             "%s of %s; %s, %s; seed %d."
                 .formatted(
-                    power.studies() == 1
-                        ? "1 simulated study"
-                        : power.studies() + " simulated studies",
+                    studies(),
                     Counted.of(power.participants(), "participant"),
                     analysis.area(),
                     analysis.measure().symbol(),
                     analysis.seed())));
     blocks.add(
         new Table(
-            "Share of studies that find it", List.of("", "power", "95 % CI"), rows, List.of()));
+            "Share of studies that find it",
+            List.of("", "power", "95 % CI", "by formula"),
+            rows,
+            figures.notes()));
     wanted.ifPresent(goal -> blocks.add(new Paragraph(sentence(goal))));
     return TextPage.of("Power by simulation", blocks, true);
   }
 
   private String sentence(Wanted goal) {
     String percent = String.format(Locale.ROOT, "%.0f %%", 100 * goal.target());
-    return needed.isPresent()
-        ? "For a power of %s for %s it takes %s."
-            .formatted(percent, goal.goal().finding(), Counted.of(needed.getAsInt(), "participant"))
-        : "%s are not enough for a power of %s for %s."
-            .formatted(Counted.of(goal.most(), "participant"), percent, goal.goal().finding());
+    if (needed.isEmpty()) {
+      return "%s are not enough for a power of %s for %s."
+          .formatted(Counted.of(goal.most(), "participant"), percent, goal.goal().finding());
+    }
+    PowerAnalysis.Needed found = needed.get();
+    return "For a power of %s for %s it takes %s (%s, as far as %s of each number can tell)."
+        .formatted(
+            percent,
+            goal.goal().finding(),
+            Counted.of(found.participants(), "participant"),
+            found.high().isPresent()
+                ? "between %d and %d".formatted(found.low(), found.high().getAsInt())
+                : "at least %d, perhaps more than %d".formatted(found.low(), goal.most()),
+            studies());
+  }
+
+  private String studies() {
+    return power.studies() == 1 ? "1 simulated study" : power.studies() + " simulated studies";
   }
 
   /** For programs. */
@@ -99,13 +128,16 @@ public record PowerReport(
       JsonNumbers.put(node, "power", finding.share());
       JsonNumbers.put(node, "low", finding.low());
       JsonNumbers.put(node, "high", finding.high());
+      JsonNumbers.put(node, "formula", formula.getOrDefault(finding.name(), Double.NaN));
     }
     if (wanted.isPresent()) {
       ObjectNode node = json.putObject("needed");
       node.put("finding", wanted.get().goal().finding());
       JsonNumbers.put(node, "target", wanted.get().target());
       if (needed.isPresent()) {
-        node.put("participants", needed.getAsInt());
+        PowerAnalysis.Needed found = needed.get();
+        node.put("participants", found.participants()).put("low", found.low());
+        found.high().ifPresentOrElse(high -> node.put("high", high), () -> node.putNull("high"));
       } else {
         node.putNull("participants").put("tried", wanted.get().most());
       }

@@ -3,11 +3,11 @@ package org.selectiverenderer.statistics.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.TreeSet;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.statistics.anova.Descriptive;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Response;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
@@ -45,7 +45,7 @@ final class ScoresTable {
     TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (String type : columns.get(0).design().within().levels()) {
-      rows.add(List.of("%s objects (O = %s)".formatted(type, objects(type))));
+      rows.add(List.of("%s objects (O = %d)".formatted(type, present(type))));
       for (String condition : study.conditions()) {
         rows.add(row(condition, type, Optional.of(condition), figures));
       }
@@ -54,7 +54,7 @@ final class ScoresTable {
       }
     }
     List<String> notes = new ArrayList<>(figures.notes());
-    notes.add("O: objects asked for, present and absent. " + participants());
+    notes.add("O: objects that were present; absent ones were asked for too. " + participants());
     return new Table(
         area + ": mean (standard deviation) of d′ and log β by condition", header, rows, notes);
   }
@@ -75,16 +75,14 @@ final class ScoresTable {
             .formatted(Counted.of(all, "participant"), String.join(", ", fewer));
   }
 
-  private String objects(String type) {
-    TreeSet<Integer> counts = new TreeSet<>();
-    for (Score score : study.scores()) {
-      if (score.area().equals(area) && score.type().equals(type)) {
-        counts.add(score.objects());
-      }
-    }
-    return counts.size() > 1
-        ? counts.first() + " to " + counts.last()
-        : String.valueOf(counts.first());
+  /** The O of the thesis: how many objects of a type were there, whoever was asked for them. */
+  private long present(String type) {
+    return study.responses().usable().stream()
+        .filter(response -> response.area().equals(area) && response.type().equals(type))
+        .filter(Response::present)
+        .map(Response::object)
+        .distinct()
+        .count();
   }
 
   private List<String> row(

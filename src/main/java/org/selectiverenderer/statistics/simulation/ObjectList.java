@@ -3,12 +3,13 @@ package org.selectiverenderer.statistics.simulation;
 import java.util.List;
 
 /**
- * Objects of one type that participants are asked for in an area, every other one present.
+ * Objects of one type that participants are asked for in an area: those that were present, and as
+ * many that were absent.
  *
- * @param objects in all
+ * @param present how many were there: the O of the thesis's Tables 6 to 11
  */
-public record ObjectList(String area, String type, int objects) {
-  /** Those of the thesis's Tables 6 to 11 (their O); neutral where they are not told apart. */
+public record ObjectList(String area, String type, int present) {
+  /** Those of the thesis's Tables 6 to 11; neutral where they are not told apart. */
   public static final List<ObjectList> THESIS =
       List.of(
           new ObjectList("kitchen", "consistent", 12),
@@ -20,4 +21,9 @@ public record ObjectList(String area, String type, int objects) {
           new ObjectList("lounge", "neutral", 17),
           new ObjectList("sofa", "consistent", 4),
           new ObjectList("sofa", "inconsistent", 4));
+
+  /** Questions asked: the list has an absent object for each that was present (Appendix D). */
+  public int questions() {
+    return 2 * present;
+  }
 }

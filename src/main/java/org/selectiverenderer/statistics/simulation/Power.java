@@ -32,12 +32,20 @@ public record Power(int participants, int studies, List<Finding> findings) {
     findings = List.copyOf(findings);
   }
 
-  /** The share of studies that find it; 0 for what is not tested. */
-  public double share(String name) {
+  /**
+   * How often it is found.
+   *
+   * @param name of what is tested
+   */
+  public Finding finding(String name) {
     return findings.stream()
         .filter(finding -> finding.name().equals(name))
-        .mapToDouble(Finding::share)
         .findFirst()
-        .orElse(0);
+        .orElseThrow(() -> new IllegalArgumentException(name + " is not tested"));
+  }
+
+  /** The share of studies that find it. */
+  public double share(String name) {
+    return finding(name).share();
   }
 }

@@ -1,12 +1,15 @@
 package org.selectiverenderer.statistics.simulation;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.selectiverenderer.base.decimal.Counted;
@@ -77,25 +80,60 @@ public record PowerAnalysis(
     return new Power(participants, studies, findings);
   }
 
+  /** What studies like these test: names of {@link Power.Finding}s. */
+  public List<String> tested() {
+    return names(model.of(area));
+  }
+
+  /**
+   * How many participants a power takes, in equal groups.
+   *
+   * @param participants the smallest number whose simulated power reaches the target
+   * @param low the smallest whose 95 % interval reaches it
+   * @param high the smallest whose interval lies above it; empty if the most tried is not enough
+   */
+  public record Needed(int participants, int low, OptionalInt high) {}
+
   /**
    * The smallest number of participants, in equal groups, whose power for something reaches a
    * target.
    *
-   * @param name of a {@link Power.Finding}
+   * @param name of what is {@link #tested}
    * @param most to be tried
    * @return empty if that many are not enough
    */
-  public OptionalInt needed(String name, double target, int most) {
+  public Optional<Needed> needed(String name, double target, int most) {
+    if (!tested().contains(name)) {
+      throw new IllegalArgumentException(name + " is not tested");
+    }
     int groups = model.conditions().size();
-    IntPredicate enough = size -> power(size * groups).share(name) >= target;
-    int low = 1;
-    int high = 2;
-    while (!enough.test(high)) {
-      low = high;
-      high = Math.min(2 * high, most / groups);
-      if (high <= low) {
+    Map<Integer, Power.Finding> known = new HashMap<>();
+    IntFunction<Power.Finding> finding =
+        size -> known.computeIfAbsent(size, own -> power(own * groups).finding(name));
+    OptionalInt enough = smallest(1, most / groups, size -> finding.apply(size).share() >= target);
+    if (enough.isEmpty()) {
+      return Optional.empty();
+    }
+    int found = enough.getAsInt();
+    int low = smallest(1, found, size -> finding.apply(size).high() >= target).orElse(found);
+    OptionalInt high = smallest(found, most / groups, size -> finding.apply(size).low() >= target);
+    return Optional.of(
+        new Needed(
+            found * groups,
+            low * groups,
+            high.isPresent() ? OptionalInt.of(high.getAsInt() * groups) : OptionalInt.empty()));
+  }
+
+  /** The smallest size from one on, of at least 2, that is enough, if larger ones are too. */
+  private static OptionalInt smallest(int from, int most, IntPredicate enough) {
+    int low = Math.max(1, from - 1);
+    int high = Math.max(2, from);
+    while (high > most || !enough.test(high)) {
+      if (high >= most) {
         return OptionalInt.empty();
       }
+      low = high;
+      high = Math.min(2 * high, most);
     }
     while (high - low > 1) {
       int middle = (low + high) / 2;
@@ -105,7 +143,7 @@ public record PowerAnalysis(
         low = middle;
       }
     }
-    return OptionalInt.of(high * groups);
+    return OptionalInt.of(high);
   }
 
   private List<String> names(StudyModel own) {

@@ -49,7 +49,7 @@ public final class SimulatedStudy {
       boolean inconsistent = list.type().equals("inconsistent");
       double d = sensitivity + (inconsistent ? model.typeSensitivity() : 0);
       double c = criterion + (inconsistent ? model.typeCriterion() : 0);
-      for (int object = 0; object < list.objects(); object++) {
+      for (int object = 0; object < list.questions(); object++) {
         boolean present = object % 2 == 0;
         double distance = (present ? d : -d) / 2 + normal() - c;
         responses.add(

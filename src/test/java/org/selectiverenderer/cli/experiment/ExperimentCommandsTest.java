@@ -100,6 +100,21 @@ class ExperimentCommandsTest extends CommandRun {
   }
 
   @Test
+  void powerThatCannotBeComputedIsRefusedAtOnce() {
+    assertThat(execute("experiment", "simulate", "--power", "--participants", "3")).isEqualTo(2);
+    assertThat(text(err)).contains("--participants must be more than the number of conditions, 3");
+    assertThat(execute("experiment", "simulate", "--needed", "--goal", "type", "--area", "office"))
+        .isEqualTo(2);
+    assertThat(text(err))
+        .contains(
+            "--goal type is not tested by such studies of the office; choose condition, equivalence");
+    assertThat(
+            execute("experiment", "simulate", "--needed", "--conditions", "a", "--area", "office"))
+        .isEqualTo(2);
+    assertThat(text(err)).contains("--needed has nothing to look for: one condition");
+  }
+
+  @Test
   void aSimulatedStudyGoesThroughTheWholeAnalysis() throws IOException {
     Path answers = folder.resolve("r.csv");
     assertThat(

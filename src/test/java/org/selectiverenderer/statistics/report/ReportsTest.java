@@ -171,9 +171,9 @@ class ReportsTest {
             -0.2,
             0.3,
             List.of(
-                new ObjectList("kitchen", "consistent", 12),
-                new ObjectList("kitchen", "inconsistent", 8),
-                new ObjectList("office", "neutral", 10)));
+                new ObjectList("kitchen", "consistent", 6),
+                new ObjectList("kitchen", "inconsistent", 4),
+                new ObjectList("office", "neutral", 5)));
     return ResponsesCsv.of(SimulatedStudy.responses(model, 14, 5));
   }
 

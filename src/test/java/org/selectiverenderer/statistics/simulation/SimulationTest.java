@@ -1,6 +1,7 @@
 package org.selectiverenderer.statistics.simulation;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -38,7 +39,7 @@ class SimulationTest {
             0,
             0,
             0,
-            List.of(new ObjectList("kitchen", "consistent", 20)));
+            List.of(new ObjectList("kitchen", "consistent", 10)));
     List<Response> answers = SimulatedStudy.responses(model, 2000, 7);
     Detection found =
         Detection.of(
@@ -95,11 +96,48 @@ class SimulationTest {
   @Test
   void moreParticipantsFindALargeDifference() {
     PowerAnalysis analysis = analysis(model(List.of(0.4, 1.2, 2.0)), 100);
-    int needed = analysis.needed(AreaStudy.BETWEEN, 0.8, 200).orElseThrow();
+    PowerAnalysis.Needed found = analysis.needed(AreaStudy.BETWEEN, 0.8, 200).orElseThrow();
+    int needed = found.participants();
     assertThat(needed % 3).isZero();
     assertThat(analysis.power(needed).share(AreaStudy.BETWEEN)).isGreaterThanOrEqualTo(0.8);
     assertThat(analysis.power(needed - 3).share(AreaStudy.BETWEEN)).isLessThan(0.8);
     assertThat(analysis(ALIKE, 40).needed(AreaStudy.BETWEEN, 0.8, 24)).isEmpty();
+  }
+
+  @Test
+  void theNumberNeededHasAnInterval() {
+    PowerAnalysis analysis = analysis(model(List.of(0.6, 1.2, 1.6)), 40);
+    PowerAnalysis.Needed found = analysis.needed(AreaStudy.BETWEEN, 0.8, 200).orElseThrow();
+    assertThat(found.low()).isLessThan(found.participants());
+    assertThat(found.high().orElseThrow()).isGreaterThan(found.participants());
+    Power low = analysis.power(found.low());
+    assertThat(low.finding(AreaStudy.BETWEEN).high()).isGreaterThanOrEqualTo(0.8);
+    Power high = analysis.power(found.high().orElseThrow());
+    assertThat(high.finding(AreaStudy.BETWEEN).low()).isGreaterThanOrEqualTo(0.8);
+    assertThat(analysis.needed(AreaStudy.BETWEEN, 0.8, found.participants()).orElseThrow().high())
+        .isEmpty();
+  }
+
+  @Test
+  void whatIsNotTestedIsNotSearchedFor() {
+    PowerAnalysis office =
+        new PowerAnalysis(
+            ALIKE, "office", Measure.D_PRIME, Scoring.DEFAULT, AnovaOptions.DEFAULT, 5, 1, l -> {});
+    assertThat(office.tested()).containsExactly(AreaStudy.BETWEEN, PowerAnalysis.EQUIVALENCE);
+    assertThatThrownBy(() -> office.needed(AreaStudy.WITHIN, 0.8, 2000))
+        .isInstanceOf(IllegalArgumentException.class);
+    Power power = office.power(9);
+    assertThatThrownBy(() -> power.share(AreaStudy.WITHIN))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  /** The lists have as many absent as present objects; O of Tables 6 to 11 counts the present. */
+  @Test
+  void asManyAbsentObjectsAreAskedForAsPresentOnes() {
+    List<Response> answers = SimulatedStudy.responses(ALIKE, 1, 1);
+    assertThat(answers).hasSize(2 * (12 + 6 + 20 + 5 + 4 + 7 + 17 + 4 + 4));
+    assertThat(answers.stream().filter(Response::present)).hasSize(79);
+    assertThat(answers.stream().filter(answer -> answer.area().equals("kitchen"))).hasSize(36);
   }
 
   private static PowerAnalysis analysis(StudyModel model, int studies) {
