@@ -22,10 +22,10 @@ import org.selectiverenderer.base.problem.Problem;
 /**
  * Writes a head log while a session runs. Samples are handed over without waiting; a thread of its
  * own, {@code head-log}, writes them five times a second, so that whatever ends the program takes
- * at most the last fifth of a second with it. Another, {@code head-log-disk}, has the disk keep them
- * at every third time, so that a power cut takes less than a second: a disk that is slow to do so
- * must not keep the next samples in the program. A disk that is full ends the log with a message,
- * not the session.
+ * at most the last fifth of a second with it. Another, {@code head-log-disk}, has the disk keep
+ * them at every third time, so that a power cut takes less than a second: a disk that is slow to do
+ * so must not keep the next samples in the program. A disk that is full ends the log with a
+ * message, not the session.
  *
  * <p>So many samples may wait, minutes of them; while a disk is slower than that new ones are left
  * out, which is counted and told, and drawing goes on.
@@ -165,9 +165,10 @@ public final class HeadLogWriter implements AutoCloseable {
         under.get();
       }
     } catch (ExecutionException e) {
-      throw e.getCause() instanceof IOException failure
-          ? failure
-          : new IllegalStateException(e.getCause());
+      if (e.getCause() instanceof IOException failure) {
+        throw failure;
+      }
+      throw new IllegalStateException(e.getCause());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new InterruptedIOException("interrupted");
