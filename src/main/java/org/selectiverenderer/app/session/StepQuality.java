@@ -1,9 +1,11 @@
 package org.selectiverenderer.app.session;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.base.decimal.Rounded;
@@ -18,9 +20,10 @@ import org.selectiverenderer.experiment.study.StudyQuality;
 final class StepQuality {
   private final Session session;
   private final Consumer<Problem> told;
+  private final Set<String> said = new HashSet<>();
 
   /**
-   * @param told hears of each flag, for the experimenter
+   * @param told hears of the flags, for the experimenter; of what is so in all steps once
    */
   StepQuality(Session session, Consumer<Problem> told) {
     this.session = session;
@@ -63,6 +66,9 @@ final class StepQuality {
     members.putAll(more);
     members.put("why", why);
     session.journal().flag(flag, members);
+    if (!said.add(flag.spelling() + why)) {
+      return;
+    }
     told.accept(
         new Problem(
             Problem.Severity.WARNING,
