@@ -44,8 +44,13 @@ public final class FigureKeeper {
     return (System.nanoTime() - nanos) * 1e-6;
   }
 
-  /** The figures so far. */
-  public RunFigures figures(GlInfo gl, Shading shading, LatencyMeter latency) {
+  /**
+   * The figures so far.
+   *
+   * @param trackerSilence the longest time without a tracker's record, in seconds
+   */
+  public RunFigures figures(
+      GlInfo gl, Shading shading, LatencyMeter latency, double trackerSilence) {
     return new RunFigures(
         loadMs,
         firstFrameMs,
@@ -56,6 +61,7 @@ public final class FigureKeeper {
         ProcessMemory.peakMegabytes(),
         gl,
         shading,
-        latency);
+        latency,
+        trackerSilence);
   }
 }

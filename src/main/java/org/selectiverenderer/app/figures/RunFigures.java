@@ -21,6 +21,7 @@ import org.selectiverenderer.tracker.LatencyMeter;
  * @param drawn triangles sent to the graphics card after culling, per frame and for all eyes
  * @param shading that was asked for
  * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
+ * @param trackerSilence the longest time without a tracker's record, in seconds; 0 without a tracker
  */
 public record RunFigures(
     double loadMs,
@@ -32,7 +33,8 @@ public record RunFigures(
     double peakMegabytes,
     GlInfo gl,
     Shading shading,
-    LatencyMeter latency) {
+    LatencyMeter latency,
+    double trackerSilence) {
 
   /** The JSON object that the command line promises, the last line ended. */
   public String json() {
@@ -55,6 +57,9 @@ public record RunFigures(
           .put("p99", Rounded.to(2, latency.percentileMs(0.99)))
           .put("max", Rounded.to(2, latency.maxMs()))
           .put("records", latency.count());
+    }
+    if (trackerSilence > 0) {
+      node.put("tracker_silence_s", Rounded.to(2, trackerSilence));
     }
     node.put("peak_rss_mb", Rounded.to(1, peakMegabytes));
     node.putObject("gl")

@@ -1,12 +1,16 @@
 package org.selectiverenderer.app.head;
 
 import java.io.IOException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.TrackerSettings;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerHealth;
 import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerSpec;
@@ -19,6 +23,7 @@ import org.selectiverenderer.tracker.open.Trackers;
  */
 public final class ChainTracker implements AutoCloseable {
   private @Nullable HeadTracker tracker;
+  private final CountDownLatch heard = new CountDownLatch(1);
   private volatile Consumer<Problem> listener = problem -> {};
 
   /**
@@ -38,6 +43,26 @@ public final class ChainTracker implements AutoCloseable {
     return new Lent(open);
   }
 
+  /**
+   * Opens the tracker, unless it is open, and waits for its first record.
+   *
+   * @param settings the same for all runs
+   * @param patience milliseconds to wait
+   * @throws TrackerException when it cannot be used, or nothing comes in that time
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public void awaitRecord(TrackerSettings settings, long patience)
+      throws IOException, InterruptedException {
+    // What is wrong with it in the meantime is in the one line that follows.
+    try (HeadTracker lent = lend(settings, problem -> {})) {
+      if (settings.tracked() && !heard.await(patience, TimeUnit.MILLISECONDS)) {
+        throw new TrackerException(
+            "the tracker %s sent no record within %s s"
+                .formatted(lent.spec(), DecimalText.rounded(patience / 1000.0, 1)));
+      }
+    }
+  }
+
   @Override
   public void close() {
     if (tracker != null) {
@@ -46,6 +71,11 @@ public final class ChainTracker implements AutoCloseable {
   }
 
   private final class Told implements TrackerListener {
+    @Override
+    public void sample(PoseSample sample) {
+      heard.countDown();
+    }
+
     @Override
     public void problem(Problem problem) {
       listener.accept(problem);

@@ -36,6 +36,7 @@ public final class HeadSession implements AutoCloseable {
   private final @Nullable ReplayLog replay;
   private final @Nullable HeadLogFiles files;
   private final LatencyMeter latency = new LatencyMeter();
+  private final TrackerSilence silence = new TrackerSilence();
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
   private double unlogged = Double.NaN;
@@ -147,6 +148,15 @@ public final class HeadSession implements AutoCloseable {
   /** A frame was stepped; it is logged by {@link #log}. */
   public void stepped(double time) {
     unlogged = time;
+    TrackedMotion tracked = motion;
+    if (tracked != null) {
+      silence.frame(time, tracked.fresh());
+    }
+  }
+
+  /** The longest time that the run went on without a record of its tracker, in seconds. */
+  public double longestSilence() {
+    return silence.longest();
   }
 
   /**

@@ -8,6 +8,9 @@ public interface RunListener {
   /** Something is wrong with the scene. */
   void problem(Problem problem);
 
+  /** The display is not as asked for: what is shown instead, in a sentence. */
+  default void displayFallback(String told) {}
+
   /** A line of the time line. */
   void happened(TimelineEvent event);
 

@@ -235,7 +235,8 @@ final class SceneRun implements WorldHost, AutoCloseable {
     if (failure != null) {
       throw failure;
     }
-    return keeper.figures(gl, settings.display().shading(), head.latency());
+    return keeper.figures(
+        gl, settings.display().shading(), head.latency(), head.longestSilence());
   }
 
   /**

@@ -44,27 +44,29 @@ public final class WindowChain implements WorldHost {
   }
 
   private final Runs runs;
-  private final ChainTracker tracker = new ChainTracker();
+  private final ChainTracker tracker;
   private @Nullable WorldWindow window;
   private volatile @Nullable GuidedRun guided;
   private @Nullable SceneRun current;
   private @Nullable IOException failure;
   private boolean finished;
 
-  private WindowChain(Runs runs) {
+  private WindowChain(Runs runs, ChainTracker tracker) {
     this.runs = runs;
+    this.tracker = tracker;
   }
 
   /**
    * Shows all runs, in windows as the first one's settings want them.
    *
+   * @param tracker of all runs; stays open
    * @param message hears what about the display is not as asked for
    * @throws IOException when a run fails, with a one-line message
    * @throws InterruptedException if the waiting thread is interrupted
    */
-  public static void show(Runs runs, Consumer<String> message)
+  public static void show(Runs runs, ChainTracker tracker, Consumer<String> message)
       throws IOException, InterruptedException {
-    WindowChain chain = new WindowChain(runs);
+    WindowChain chain = new WindowChain(runs, tracker);
     Optional<GuidedRun> first = runs.next();
     if (first.isEmpty()) {
       return;
@@ -75,7 +77,6 @@ public final class WindowChain implements WorldHost {
       chain.window = window;
       window.run();
     } finally {
-      chain.tracker.close();
       chain.close();
     }
     if (chain.failure != null) {
@@ -86,8 +87,9 @@ public final class WindowChain implements WorldHost {
   private void begin(GuidedRun run) throws IOException {
     guided = run;
     RunListener listener = run.listener();
-    // What is not as asked for is said once, by the windows; the log is to know it each time.
-    RunSettings fitted = WindowStage.fitted(run.settings(), text -> {});
+    // What is not as asked for is said to people once, by the windows; log and journal know it of
+    // each run.
+    RunSettings fitted = WindowStage.fitted(run.settings(), listener::displayFallback);
     HeadSession head =
         HeadSession.with(
             tracker.lend(fitted.tracker(), listener::problem), fitted, listener::problem);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.run.WindowChain;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
@@ -23,16 +24,23 @@ public final class SessionRunner {
   private final SessionDialogue dialogue;
   private final ShownSteps shown;
   private final OperatorControls controls;
+  private final ChainTracker tracker;
   private final Consumer<String> message;
 
   /**
    * @param settings how scenes are shown
+   * @param tracker opened when a scene is first shown, unless it is open; stays open
    * @param message hears what is not as asked for, a line at a time
    */
   public SessionRunner(
-      Session session, SessionDialogue dialogue, SessionShow settings, Consumer<String> message) {
+      Session session,
+      SessionDialogue dialogue,
+      SessionShow settings,
+      ChainTracker tracker,
+      Consumer<String> message) {
     this.session = session;
     this.dialogue = dialogue;
+    this.tracker = tracker;
     this.message = message;
     controls = new OperatorControls(session.journal());
     shown = new ShownSteps(session, settings, controls);
@@ -68,7 +76,7 @@ public final class SessionRunner {
           controls.abort();
         }
       } else {
-        WindowChain.show(shown, message);
+        WindowChain.show(shown, tracker, message);
         // A window that was closed ends the session, as if the experimenter had.
         if (session.remaining().contains(step) || shown.wanted()) {
           controls.abort();

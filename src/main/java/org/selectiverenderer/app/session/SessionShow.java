@@ -1,8 +1,11 @@
 package org.selectiverenderer.app.session;
 
 import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
 import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
  * How a session's scenes are shown.
@@ -13,4 +16,9 @@ import org.selectiverenderer.tracker.TrackerOptions;
  * @param listener hears what is wrong with a scene
  */
 public record SessionShow(
-    Presentation presentation, TrackerOptions tracking, boolean operator, RunListener listener) {}
+    Presentation presentation, TrackerOptions tracking, boolean operator, RunListener listener) {
+  /** How a tracker is taken: while it is silent the picture stays as it is. */
+  public TrackerSettings tracker(TrackerSpec spec) {
+    return new TrackerSettings(spec, tracking, WhenLost.FREEZE);
+  }
+}

@@ -18,7 +18,6 @@ import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineJson;
 import org.selectiverenderer.base.json.JsonTree;
@@ -28,8 +27,8 @@ import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.Study;
-import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
 
 /** The steps of a session that show a scene, as runs of one chain of windows. */
 final class ShownSteps implements WindowChain.Runs {
@@ -39,12 +38,14 @@ final class ShownSteps implements WindowChain.Runs {
   private final Session session;
   private final SessionShow show;
   private final OperatorControls controls;
+  private final StepQuality quality;
   private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
 
   ShownSteps(Session session, SessionShow show, OperatorControls controls) {
     this.session = session;
     this.show = show;
     this.controls = controls;
+    quality = new StepQuality(session, show.listener()::problem);
   }
 
   private Optional<SessionStep> upcoming() {
@@ -110,7 +111,7 @@ final class ShownSteps implements WindowChain.Runs {
                 .filling(width, height)
                 .operator(show.operator()))
         .with(
-            new TrackerSettings(study.tracker(), show.tracking(), WhenLost.FREEZE),
+            show.tracker(session.tracker()),
             Optional.of(new HeadLogSettings(log)));
   }
 
@@ -129,6 +130,11 @@ final class ShownSteps implements WindowChain.Runs {
           brokenLogs.add(step.id()); // The log's thread says so before the log is closed.
         }
         show.listener().problem(problem);
+      }
+
+      @Override
+      public void displayFallback(String told) {
+        quality.flag(SessionFlag.DISPLAY_FALLBACK, step, Map.of(), told);
       }
 
       @Override
@@ -163,8 +169,10 @@ final class ShownSteps implements WindowChain.Runs {
     more.put("figures", read(figures.json()));
     more.put(
         "display", List.of(run.settings().display().width(), run.settings().display().height()));
+    quality.check(step, figures);
     if (brokenLogs.remove(step.id())) {
       more.put("head_log_incomplete", true);
+      session.journal().flag(SessionFlag.HEAD_LOG_INCOMPLETE, Map.of("step", step.id()));
     }
     session.finished(step, more);
   }

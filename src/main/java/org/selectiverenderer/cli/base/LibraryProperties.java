@@ -15,6 +15,8 @@ public final class LibraryProperties {
           "java.awt.headless", "true",
           // JOGL would try OpenGL ES too, and say at length where there is none.
           "jogl.disable.opengles", "true",
+          // A console only where somebody sits at it; Java 22 to 24 make one of any input.
+          "jdk.console", "java.base",
           // No probing for Groovy closures in every command.
           "picocli.disable.closures", "true",
           // No converters of options that nobody has: they take classes of java.sql and java.time.

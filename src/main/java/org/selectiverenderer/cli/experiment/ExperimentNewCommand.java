@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.ProgramPlace;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
@@ -26,15 +28,19 @@ import picocli.CommandLine.Parameters;
       "  ./selective-renderer experiment run mystudy/study.json --participant 001"
     })
 final class ExperimentNewCommand extends CliCommand {
+  private static final String DEFAULT_SCENE = "scenes/apartment.x3d";
+
   @Parameters(paramLabel = "DIR", description = "folder of the study; created if it does not exist")
   private Path folder = Path.of("");
 
   @Option(
       names = "--scene",
-      defaultValue = "scenes/apartment.x3d",
       paramLabel = "SCENE",
-      description = "scene of the study, with practice.x3d beside it (default: ${DEFAULT-VALUE})")
-  private Path scene = Path.of("");
+      description =
+          "scene of the study, with practice.x3d beside it (default: "
+              + DEFAULT_SCENE
+              + ", from here or of the program)")
+  private @Nullable Path scene;
 
   ExperimentNewCommand(Console console) {
     super(console);
@@ -42,12 +48,21 @@ final class ExperimentNewCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    for (Path needed : List.of(scene, scene.resolveSibling("practice.x3d"))) {
+    Path shown = scene == null ? usual() : scene;
+    for (Path needed : List.of(shown, shown.resolveSibling("practice.x3d"))) {
       if (!Files.isRegularFile(needed)) {
         throw CommandFailure.usage("there is no scene " + needed + "; name another with --scene");
       }
     }
-    console().message("study: " + StudyTemplate.write(folder, scene));
+    console().message("study: " + StudyTemplate.write(folder, shown));
     return ExitStatus.DONE;
+  }
+
+  /** The program's own scene, whatever folder the user is in. */
+  private static Path usual() {
+    Path here = Path.of(DEFAULT_SCENE);
+    return Files.isRegularFile(here)
+        ? here
+        : ProgramPlace.file(ExperimentNewCommand.class, DEFAULT_SCENE).orElse(here);
   }
 }

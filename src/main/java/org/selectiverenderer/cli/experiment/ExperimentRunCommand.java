@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.session.SessionDialogue;
 import org.selectiverenderer.app.session.SessionRunner;
 import org.selectiverenderer.app.session.SessionShow;
@@ -32,6 +33,7 @@ import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.tracker.TrackerSpec;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -50,11 +52,7 @@ import picocli.CommandLine.Option;
 final class ExperimentRunCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 
-  @Option(
-      names = "--participant",
-      paramLabel = "ID",
-      description = "id of the participant, letters and digits (default: the next free number)")
-  private @Nullable String participant;
+  @Mixin private ParticipantChoice participant = new ParticipantChoice();
 
   @Option(
       names = "--session",
@@ -94,6 +92,11 @@ final class ExperimentRunCommand extends CliCommand {
               + "(default: unless --unattended)")
   private @Nullable Boolean operator;
 
+  @Option(
+      names = "--without-tracker",
+      description = "runs without the head tracker that the study has; this is recorded")
+  private boolean withoutTracker;
+
   @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
 
   ExperimentRunCommand(Console console) {
@@ -117,17 +120,19 @@ final class ExperimentRunCommand extends CliCommand {
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    try (Session session = open(material, problems);
+    SessionShow show =
+        new SessionShow(
+            presentation.get(),
+            trackerFlags.options(),
+            operator == null ? !unattended : operator,
+            new RunOutput(console(), event -> {}));
+    try (ChainTracker tracker = new ChainTracker();
+        Session session = open(material, show, tracker, problems);
         SessionDialogue dialogue =
             unattended ? new SimulatedDialogue() : new WindowDialogue(material.wording())) {
-      SessionShow show =
-          new SessionShow(
-              presentation.get(),
-              trackerFlags.options(),
-              operator == null ? !unattended : operator,
-              new RunOutput(console(), event -> {}));
       console().message("session: " + session.folder().path());
-      return ended(new SessionRunner(session, dialogue, show, console()::message).run(), session);
+      return ended(
+          new SessionRunner(session, dialogue, show, tracker, console()::message).run(), session);
     } catch (GlUnavailableException e) {
       throw CommandFailure.environment(e.getMessage());
     } catch (InterruptedException e) {
@@ -137,10 +142,8 @@ final class ExperimentRunCommand extends CliCommand {
   }
 
   private void check() {
-    if (participant != null && !participant.matches(SessionFolder.LABEL)) {
-      throw CommandFailure.usage("--participant must consist of letters and digits");
-    }
-    if (resume && participant == null) {
+    participant.check();
+    if (resume && participant.typed().isEmpty()) {
       throw CommandFailure.usage("--resume needs --participant");
     }
     if (number < 1) {
@@ -159,17 +162,33 @@ final class ExperimentRunCommand extends CliCommand {
     }
   }
 
-  private Session open(StudyMaterial material, Problems problems) throws IOException {
+  /** The session; the tracker has sent something before anybody is assigned. */
+  private Session open(
+      StudyMaterial material, SessionShow show, ChainTracker tracker, Problems problems)
+      throws IOException, InterruptedException {
     SessionOptions options =
         new SessionOptions(
             Optional.ofNullable(condition),
             exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure),
             unattended,
+            withoutTracker && !(material.study().tracker() instanceof TrackerSpec.None),
             new ProgramVersion().getVersion()[0]);
-    String id = participant == null ? SessionFolder.nextId(material.study()) : participant;
-    return resume
-        ? Session.resume(material, id, number, options, problems)
-        : Session.begin(material, id, number, options, problems);
+    String id = participant.of(material.study(), resume, ConsoleQuestion::ask);
+    TrackerPresence presence = new TrackerPresence(tracker, show);
+    if (!resume) {
+      SessionFolder folder = new SessionFolder(material.study().folder(), id, number);
+      Session.requireNew(folder, options.software());
+      presence.require(options, material.study().tracker(), material.steps());
+      return Session.begin(material, id, number, options, problems);
+    }
+    Session session = Session.resume(material, id, number, options, problems);
+    try {
+      presence.require(options, material.study().tracker(), session.remaining());
+      return session;
+    } catch (IOException | InterruptedException | RuntimeException e) {
+      session.close();
+      throw e;
+    }
   }
 
   private static Optional<Presentation> presentation(Study study, Problems problems)

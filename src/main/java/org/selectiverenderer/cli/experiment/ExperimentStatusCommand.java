@@ -32,7 +32,7 @@ final class ExperimentStatusCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    StudyStatus status = StudyStatus.of(material.get());
+    StudyStatus status = StudyStatus.of(material.get(), problems);
     console().out().print(format.json() ? status.json() : status.text());
     return ExitStatus.of(problems);
   }

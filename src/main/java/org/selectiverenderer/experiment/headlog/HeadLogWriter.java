@@ -1,9 +1,14 @@
 package org.selectiverenderer.experiment.headlog;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
@@ -17,9 +22,10 @@ import org.selectiverenderer.base.problem.Problem;
 /**
  * Writes a head log while a session runs. Samples are handed over without waiting; a thread of its
  * own, {@code head-log}, writes them five times a second, so that whatever ends the program takes
- * at most the last fifth of a second with it, and has the disk keep them at every third time, so
- * that a power cut takes less than a second. A disk that is full ends the log with a message, not
- * the session.
+ * at most the last fifth of a second with it. Another, {@code head-log-disk}, has the disk keep
+ * them at every third time, so that a power cut takes less than a second: a disk that is slow to do
+ * so must not keep the next samples in the program. A disk that is full ends the log with a
+ * message, not the session.
  *
  * <p>So many samples may wait, minutes of them; while a disk is slower than that new ones are left
  * out, which is counted and told, and drawing goes on.
@@ -36,7 +42,7 @@ public final class HeadLogWriter implements AutoCloseable {
     /** Takes lines, each ended; may wait. */
     void write(String text) throws IOException;
 
-    /** Has the disk keep what was written. */
+    /** Has the disk keep what was written; may wait while another thread writes more. */
     void keep() throws IOException;
 
     /** Ends the log. */
@@ -51,6 +57,9 @@ public final class HeadLogWriter implements AutoCloseable {
   private final AtomicInteger waiting = new AtomicInteger();
   private final AtomicLong lost = new AtomicLong();
   private final Thread thread = new Thread(this::work, "head-log");
+  private final ExecutorService disk =
+      Executors.newSingleThreadExecutor(work -> new Thread(work, "head-log-disk"));
+  private @Nullable Future<?> keeping;
   private long lostTold;
   private volatile boolean closing;
   private volatile boolean failed;
@@ -111,23 +120,58 @@ public final class HeadLogWriter implements AutoCloseable {
   }
 
   private void work() {
-    for (int round = 1; !failed; round++) {
-      boolean last = closing; // What was added before closing is still written.
-      try {
-        writeQueue();
-        if (last || round % PER_FORCE == 0) {
-          lines.keep();
+    try {
+      for (int round = 1; !failed; round++) {
+        boolean last = closing; // What was added before closing is still written.
+        try {
+          writeQueue();
+          keep(last, round);
+          tellLost();
+        } catch (IOException | RuntimeException e) {
+          failed = true;
+          queue.clear();
+          tell(Problem.Severity.ERROR, "the head log ends here: " + reason(e));
         }
-        tellLost();
-      } catch (IOException | RuntimeException e) {
-        failed = true;
-        queue.clear();
-        tell(Problem.Severity.ERROR, "the head log ends here: " + reason(e));
+        if (last) {
+          return;
+        }
+        LockSupport.parkNanos(PAUSE);
       }
-      if (last) {
-        return;
+    } finally {
+      disk.shutdown();
+    }
+  }
+
+  /** Has the disk keep what was written: the last time here, before then on the disk's thread. */
+  private void keep(boolean last, int round) throws IOException {
+    if (last) {
+      awaitKept();
+      lines.keep();
+    } else if (round % PER_FORCE == 0 && (keeping == null || keeping.isDone())) {
+      awaitKept();
+      keeping =
+          disk.submit(
+              () -> {
+                lines.keep();
+                return null;
+              });
+    }
+  }
+
+  private void awaitKept() throws IOException {
+    Future<?> under = keeping;
+    try {
+      if (under != null) {
+        under.get();
       }
-      LockSupport.parkNanos(PAUSE);
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof IOException failure) {
+        throw failure;
+      }
+      throw new IllegalStateException(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted");
     }
   }
 

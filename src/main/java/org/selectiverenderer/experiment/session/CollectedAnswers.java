@@ -70,11 +70,7 @@ public record CollectedAnswers(
                             .formatted(folder.participant())));
         return;
       }
-      if (history.unattended()) {
-        problems.info(place, "the participant of this session was simulated; the answers are kept");
-      } else if (history.shortened()) {
-        problems.info(place, "exposures of this session were shortened; the answers are kept");
-      }
+      SessionFlags.tell(history, place, problems);
       int before = answers;
       List<String> known = new ArrayList<>();
       for (SessionStep step : material.steps()) {
@@ -201,11 +197,15 @@ public record CollectedAnswers(
     Gathering gathering = new Gathering(material, paper, problems);
     Set<String> onPaper = paper.participants();
     for (ParticipantSessions sessions : ParticipantSessions.all(material)) {
+      sessions.tellDamage(problems);
       Optional<SessionFolder> chosen = sessions.chosen(session);
       if (chosen.isPresent() || !onPaper.contains(sessions.participant())) {
         sessions.tellOthers(chosen, session, problems);
       }
-      if (chosen.isPresent()) {
+      if (chosen.isPresent() && !sessions.excluding(chosen.get()).isEmpty()) {
+        SessionFlags.tellExcluded(sessions, chosen.get(), paper, problems);
+        onPaper.remove(sessions.participant());
+      } else if (chosen.isPresent()) {
         gathering.session(chosen.get(), sessions.history(chosen.get()));
         onPaper.remove(sessions.participant());
       }

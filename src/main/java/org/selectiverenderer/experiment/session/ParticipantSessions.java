@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
@@ -50,11 +52,24 @@ final class ParticipantSessions {
           .filter(folder -> folder.number() == number.getAsInt())
           .findFirst();
     }
-    return sessions.keySet().stream()
-        .filter(this::answered)
-        .findFirst()
-        .or(() -> sessions.keySet().stream().filter(this::begun).findFirst())
-        .or(() -> sessions.keySet().stream().findFirst());
+    // One that the study leaves out counts only where there is no other, to be told then.
+    return Stream.<Predicate<SessionFolder>>of(
+            folder -> answered(folder) && excluding(folder).isEmpty(),
+            folder -> begun(folder) && excluding(folder).isEmpty(),
+            this::begun,
+            folder -> true)
+        .flatMap(wanted -> sessions.keySet().stream().filter(wanted))
+        .findFirst();
+  }
+
+  /** Flags by which the study leaves a session out. */
+  List<RaisedFlag> excluding(SessionFolder folder) {
+    return history(folder).excluding(material.study().quality());
+  }
+
+  /** Says which lines of the sessions' journals are no events. */
+  void tellDamage(Problems problems) {
+    sessions.forEach((folder, history) -> history.tellDamage(folder.journal(), problems));
   }
 
   private boolean answered(SessionFolder folder) {

@@ -71,7 +71,7 @@ public final class Participants {
     try (FileChannel channel =
         FileChannel.open(
             file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
-      channel.lock(); // Closing the channel lets go of it.
+      lock(channel);
       String text = text(channel);
       List<Assigned> all = parse(text);
       for (Assigned known : all) {
@@ -120,6 +120,15 @@ public final class Participants {
 
   Path file() {
     return file;
+  }
+
+  /** Waits until no other program adds a line; closing the channel lets go of it. */
+  private void lock(FileChannel channel) throws IOException {
+    try {
+      channel.lock();
+    } catch (IOException e) {
+      throw SessionLock.noLocks(file, e);
+    }
   }
 
   private static String text(FileChannel channel) throws IOException {

@@ -18,6 +18,8 @@ import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
 import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.study.SessionFlag;
+import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
  * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
@@ -28,22 +30,37 @@ public final class Session implements AutoCloseable {
   private final StudyMaterial material;
   private final SessionFolder folder;
   private final SessionOptions options;
+  private final SessionLock lock;
   private final SessionJournal journal;
+  private final SessionHistory history;
   private final MotionFiles motion;
-  private SessionHistory history;
 
   private Session(
       StudyMaterial material,
       SessionFolder folder,
       SessionOptions options,
-      SessionJournal journal,
-      SessionHistory history) {
+      SessionLock lock,
+      SessionJournal journal) {
     this.material = material;
     this.folder = folder;
     this.options = options;
+    this.lock = lock;
     this.journal = journal;
-    this.history = history;
+    history = journal.history();
     motion = new MotionFiles(folder, journal);
+  }
+
+  /**
+   * Whether a session can be begun; for what is to be looked at before.
+   *
+   * @param software name and version of the program
+   * @throws IOException if another program is running it, or it was begun before
+   */
+  public static void requireNew(SessionFolder folder, String software) throws IOException {
+    if (Files.isDirectory(folder.path())) {
+      SessionLock.take(folder.path(), software).close();
+      folder.requireNew();
+    }
   }
 
   /**
@@ -60,34 +77,45 @@ public final class Session implements AutoCloseable {
       Problems problems)
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
-    if (Files.exists(folder.journal())) {
-      throw new IOException(
-          folder.path()
-              + " exists already: --resume continues it, --session "
-              + (number + 1)
-              + " begins a new one");
-    }
     Files.createDirectories(folder.path().resolve("head"));
-    SessionJournal journal = SessionJournal.open(folder.journal(), true);
+    SessionLock lock = SessionLock.take(folder.path(), options.software());
+    try {
+      folder.requireNew();
+      Session session =
+          new Session(material, folder, options, lock, SessionJournal.begin(folder.journal()));
+      try {
+        session.tellBegun(problems);
+        return session;
+      } catch (IOException e) {
+        session.journal.close();
+        throw e;
+      }
+    } catch (IOException e) {
+      lock.close();
+      throw e;
+    }
+  }
+
+  private void tellBegun(Problems problems) throws IOException {
     for (Path made = folder.path();
         !made.equals(folder.study().getParent());
         made = made.getParent()) {
       Disk.forceFolder(made);
     }
-    Session session = new Session(material, folder, options, journal, SessionHistory.none());
-    String sum = Checksums.of(material.study().file());
     Map<String, Object> began = new LinkedHashMap<>();
-    began.put("participant", participant);
-    began.put("session", number);
+    began.put("participant", folder.participant());
+    began.put("session", folder.number());
     began.put("study", material.study().name());
-    began.put("study_sha256", sum);
+    began.put("study_sha256", Checksums.of(material.study().file()));
     began.putAll(options.recorded());
     journal.keep("session-began", began);
-    session.writeSettings();
-    session.tellConditionKept(
-        new Participants(material.study()).of(participant).map(Participants.Assigned::condition),
+    options.flags().forEach(flag -> journal.flag(flag, Map.of()));
+    writeSettings();
+    tellConditionKept(
+        new Participants(material.study())
+            .of(folder.participant())
+            .map(Participants.Assigned::condition),
         problems);
-    return session;
   }
 
   /** The study as it was, what the session was begun with, and checksums of what was shown. */
@@ -140,22 +168,32 @@ public final class Session implements AutoCloseable {
     if (!Files.isRegularFile(folder.journal())) {
       throw new IOException(folder.path() + " has no session to continue; leave --resume out");
     }
-    SessionJournal journal = SessionJournal.open(folder.journal(), false);
+    SessionLock lock = SessionLock.take(folder.path(), options.software());
     try {
-      SessionHistory history = SessionHistory.read(folder.journal());
-      if (history.over() || history.refused()) {
-        throw new IOException(folder.path() + " is complete; there is nothing to continue");
+      Optional<Map<String, Object>> mended = JournalMending.mend(folder.journal(), problems);
+      SessionJournal journal = SessionJournal.resume(folder.journal());
+      try {
+        if (journal.history().over() || journal.history().refused()) {
+          throw new IOException(folder.path() + " is complete; there is nothing to continue");
+        }
+        Session session = new Session(material, folder, options, lock, journal);
+        session.tellResumed(mended, problems);
+        return session;
+      } catch (IOException e) {
+        journal.close();
+        throw e;
       }
-      Session session = new Session(material, folder, options, journal, history);
-      session.tellResumed(problems);
-      return session;
     } catch (IOException e) {
-      journal.close();
+      lock.close();
       throw e;
     }
   }
 
-  private void tellResumed(Problems problems) throws IOException {
+  private void tellResumed(Optional<Map<String, Object>> mended, Problems problems)
+      throws IOException {
+    if (mended.isPresent()) {
+      journal.keep("journal-mended", mended.get());
+    }
     String sum = Checksums.of(material.study().file());
     Map<String, Object> resumed = new LinkedHashMap<>();
     resumed.put(
@@ -164,6 +202,7 @@ public final class Session implements AutoCloseable {
     resumed.put("study_sha256", sum);
     resumed.putAll(options.recorded());
     journal.keep("resumed", resumed);
+    options.flags().forEach(flag -> journal.flag(flag, Map.of()));
     Files.createDirectories(folder.path().resolve("head"));
     if (!Files.exists(folder.path().resolve("settings.json"))) {
       writeSettings();
@@ -223,6 +262,11 @@ public final class Session implements AutoCloseable {
     return material;
   }
 
+  /** The head tracker: the study's, unless the session goes on without it. */
+  public TrackerSpec tracker() {
+    return options.withoutTracker() ? new TrackerSpec.None() : material.study().tracker();
+  }
+
   /** The participant's condition, once it is assigned. */
   public Optional<Condition> condition() {
     return history.condition();
@@ -255,7 +299,10 @@ public final class Session implements AutoCloseable {
     if (headLog) {
       event.put("head_log", SessionFolder.headName(step, run));
     }
-    keep("step-began", event);
+    journal.keep("step-began", event);
+    if (step instanceof SessionStep.Exposure && run > 1) {
+      journal.flag(SessionFlag.REPEATED_EXPOSURE, Map.of("step", step.id(), "run", run));
+    }
   }
 
   /**
@@ -270,7 +317,7 @@ public final class Session implements AutoCloseable {
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("step", step.id());
     event.putAll(more);
-    keep("step-finished", event);
+    journal.keep("step-finished", event);
   }
 
   /** The form is filled in: the condition is assigned, in the study's list first. */
@@ -284,12 +331,12 @@ public final class Session implements AutoCloseable {
     event.put("assigned_by", assigned.insteadOf().isPresent() ? "experimenter" : "schedule");
     assigned.insteadOf().ifPresent(turn -> event.put("instead_of", turn.spelling()));
     event.put("age", age);
-    keep("assigned", event);
+    journal.keep("assigned", event);
   }
 
   /** The participant does not take part. */
   public void refuse() throws IOException {
-    keep("refused", Map.of());
+    journal.keep("refused", Map.of());
   }
 
   /** Whether the participant does not take part. */
@@ -299,7 +346,7 @@ public final class Session implements AutoCloseable {
 
   /** The experimenter ends it before its end. */
   public void abort(String step) throws IOException {
-    keep("aborted", Map.of("step", step));
+    journal.keep("aborted", Map.of("step", step));
   }
 
   /** What a step asks. */
@@ -345,22 +392,18 @@ public final class Session implements AutoCloseable {
     if (!ratings.isEmpty()) {
       folder.writeOnce("ratings.csv", AnswersCsv.RATINGS + ratings);
     }
-    keep("session-finished", Map.of());
-  }
-
-  private void keep(String event, Map<String, ?> more) throws IOException {
-    journal.keep(event, more);
-    history = SessionHistory.read(folder.journal());
+    journal.keep("session-finished", Map.of());
   }
 
   /**
-   * Waits for what is still being written and lets go of the journal.
+   * Waits for what is still being written and lets go of the session.
    *
    * @throws IOException if something could not be written
    */
   @Override
   public void close() throws IOException {
-    try (journal) {
+    try (lock;
+        journal) {
       motion.close();
     }
   }

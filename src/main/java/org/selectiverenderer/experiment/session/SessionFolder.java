@@ -35,16 +35,9 @@ public record SessionFolder(Path study, String participant, int number) {
     return all;
   }
 
-  /** A participant's id that nobody has yet: 001 and so on. */
-  public static String nextId(Study study) throws IOException {
-    List<String> taken = new ArrayList<>();
-    named(study.folder(), "sub-" + LABEL).forEach(path -> taken.add(label(path)));
-    new Participants(study).all().forEach(known -> taken.add(known.participant()));
-    int number = 1;
-    while (taken.contains(String.format(Locale.ROOT, "%03d", number))) {
-      number++;
-    }
-    return String.format(Locale.ROOT, "%03d", number);
+  /** The ids of those who have a folder, as the folders spell them. */
+  static List<String> participants(Study study) throws IOException {
+    return named(study.folder(), "sub-" + LABEL).stream().map(SessionFolder::label).toList();
   }
 
   private static String label(Path path) {
@@ -70,6 +63,21 @@ public record SessionFolder(Path study, String participant, int number) {
   /** The events. */
   public Path journal() {
     return path().resolve("events.jsonl");
+  }
+
+  /**
+   * Whether the session can be begun.
+   *
+   * @throws IOException if it was begun before, with a line that says what to do
+   */
+  void requireNew() throws IOException {
+    if (Files.exists(journal())) {
+      throw new IOException(
+          path()
+              + " exists already: --resume continues it, --session "
+              + (number + 1)
+              + " begins a new one");
+    }
   }
 
   /** The head log of a step's run, from 1. */

@@ -1,10 +1,7 @@
 package org.selectiverenderer.experiment.session;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -14,28 +11,29 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.study.SessionFlag;
+import org.selectiverenderer.experiment.study.StudyQuality;
 
 /**
- * What a session's journal says has happened. Lines that a crash cut off are no events and are
- * passed over.
+ * What a session's journal says has happened. Lines that are damaged or that a crash cut off are no
+ * events; {@link #tellDamage} says them. May be asked by any thread while a journal adds to it.
  */
 final class SessionHistory {
   private final Set<String> finished = new LinkedHashSet<>();
   private final Map<String, Integer> runs = new HashMap<>();
   private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
   private final List<String> headLogs = new ArrayList<>();
-  private final Set<String> brokenLogs = new LinkedHashSet<>();
+  private final Set<RaisedFlag> flags = new LinkedHashSet<>();
   private Optional<Condition> condition = Optional.empty();
   private String checksum = "";
-  private boolean unattended;
-  private boolean shortened;
   private boolean aborted;
   private boolean over;
   private boolean refused;
+  private JournalText text = JournalText.of(new byte[0]);
 
   private SessionHistory() {}
 
@@ -45,42 +43,39 @@ final class SessionHistory {
   }
 
   /**
-   * Reads a journal.
+   * Reads a journal; harmless while a program writes it.
    *
    * @throws IOException if it cannot be read
    */
   public static SessionHistory read(Path journal) throws IOException {
     SessionHistory history = new SessionHistory();
-    String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
-    for (String line : text.split("\n")) {
-      JsonNode event = whole(line);
-      if (event != null && event.isObject()) {
-        history.add(event);
-      }
-    }
+    history.text = JournalText.read(journal);
+    history.text.events().forEach(history::add);
     return history;
   }
 
-  private static @Nullable JsonNode whole(String line) {
-    try {
-      return JsonTree.parse(line);
-    } catch (JsonProcessingException e) {
-      return null; // Cut off by a crash: it was never said.
+  /** Says which lines of the journal that was read are no events. */
+  void tellDamage(Path journal, Problems problems) {
+    JournalMending.tellDamaged(journal, text, problems);
+    if (text.tail() > 0) {
+      problems.info(
+          new Location(journal.toString(), text.lines() + 1, 1),
+          "the last line is cut off, by a crash or because it is being written now; it is no"
+              + " event, and --resume mends the file");
     }
   }
 
-  private void add(JsonNode event) {
+  /** An event is on the disk. */
+  synchronized void add(JsonNode event) {
     String step = event.path("step").asText();
     switch (event.path("event").asText()) {
       case "session-began" -> {
-        unattended = event.path("unattended").asBoolean();
-        shortened = event.has("exposure_s");
+        options(event);
         checksum = event.path("study_sha256").asText();
       }
       case "resumed" -> {
         aborted = false;
-        unattended |= event.path("unattended").asBoolean();
-        shortened |= event.has("exposure_s");
+        options(event);
       }
       case "assigned" -> condition = Condition.of(event.path("condition").asText());
       case "step-began" -> {
@@ -92,7 +87,7 @@ final class SessionHistory {
       case "step-finished" -> {
         finished.add(step);
         if (event.path("head_log_incomplete").asBoolean()) {
-          brokenLogs.add(step);
+          raise(SessionFlag.HEAD_LOG_INCOMPLETE, step);
         }
       }
       case "answer" ->
@@ -101,6 +96,8 @@ final class SessionHistory {
               .put(
                   event.path("object").asText(),
                   new Answer(event.path("value").asText(), event.path("confidence").asInt()));
+      case "flag" ->
+          SessionFlag.of(event.path("flag").asText()).ifPresent(flag -> raise(flag, step));
       case "refused" -> refused = true;
       case "aborted" -> aborted = true;
       case "session-finished" -> over = true;
@@ -110,73 +107,99 @@ final class SessionHistory {
     }
   }
 
+  /** Journals of before there were flags say these in their own way. */
+  private void options(JsonNode event) {
+    if (event.path("unattended").asBoolean()) {
+      raise(SessionFlag.SIMULATED, "");
+    }
+    if (event.has("exposure_s")) {
+      raise(SessionFlag.SHORTENED, "");
+    }
+  }
+
+  private void raise(SessionFlag flag, String step) {
+    flags.add(new RaisedFlag(flag, step));
+  }
+
+  /** What sets the session apart, each once, in the order in which it was told. */
+  public synchronized List<RaisedFlag> flags() {
+    return List.copyOf(flags);
+  }
+
+  /** Those of its flags by which a study leaves the session out. */
+  List<RaisedFlag> excluding(StudyQuality quality) {
+    return refused()
+        ? List.of()
+        : flags().stream().filter(raised -> quality.exclude().contains(raised.flag())).toList();
+  }
+
+  /** Whether a flag was raised, of whatever step. */
+  boolean flagged(SessionFlag flag) {
+    return flags().stream().anyMatch(raised -> raised.flag() == flag);
+  }
+
   /** Whether a step is done. */
-  public boolean finished(SessionStep step) {
+  public synchronized boolean finished(SessionStep step) {
     return finished.contains(step.id());
   }
 
   /** How often a step was begun. */
-  public int runs(SessionStep step) {
+  public synchronized int runs(SessionStep step) {
     return runs.getOrDefault(step.id(), 0);
   }
 
   /** The answers of a step so far, by object. */
-  public Map<String, Answer> answers(SessionStep step) {
+  public synchronized Map<String, Answer> answers(SessionStep step) {
     return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
   }
 
   /** Steps with answers, by their ids. */
-  Set<String> answeredSteps() {
+  synchronized Set<String> answeredSteps() {
     return Set.copyOf(answers.keySet());
   }
 
   /** Answers in all, each object's last. */
-  int answerCount() {
+  synchronized int answerCount() {
     return answers.values().stream().mapToInt(Map::size).sum();
   }
 
   /** Names of all head logs that were begun. */
-  public List<String> headLogs() {
+  public synchronized List<String> headLogs() {
     return List.copyOf(headLogs);
   }
 
-  /** Steps that were shown to their end with a head log that a full or slow disk cut short. */
-  Set<String> brokenLogs() {
-    return brokenLogs;
-  }
-
   /** The participant's condition, once it is assigned. */
-  public Optional<Condition> condition() {
+  public synchronized Optional<Condition> condition() {
     return condition;
   }
 
   /** SHA-256 of the study file with which it began. */
-  String checksum() {
+  synchronized String checksum() {
     return checksum;
   }
 
   /** Whether a simulated participant took part, if only for a while. */
   public boolean unattended() {
-    return unattended;
+    return flagged(SessionFlag.SIMULATED);
   }
 
   /** Whether exposures were shortened for a test. */
   public boolean shortened() {
-    return shortened;
+    return flagged(SessionFlag.SHORTENED);
   }
 
   /** Whether the experimenter stopped it; it may be resumed. */
-  public boolean aborted() {
+  public synchronized boolean aborted() {
     return aborted;
   }
 
   /** Whether the participant did not consent. */
-  public boolean refused() {
+  public synchronized boolean refused() {
     return refused;
   }
 
   /** Whether it is complete. */
-  public boolean over() {
+  public synchronized boolean over() {
     return over;
   }
 }

@@ -2,15 +2,13 @@ package org.selectiverenderer.experiment.session;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.OffsetDateTime;
 import java.time.temporal.ChronoUnit;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -20,17 +18,18 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.Disk;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.experiment.study.SessionFlag;
 
 /**
  * The events of a session, one JSON object a line, each forced to the disk. A thread of its own,
  * {@code session-journal}, writes, so that a frame need not wait for a disk; who must know that an
- * event is kept waits for it. The file is locked: a session has one journal at a time. May be told
- * things by any thread.
+ * event is kept waits for it. The file is only ever added to, by one program at a time: {@link
+ * SessionLock} sees to that. May be told things by any thread.
  */
 public final class SessionJournal implements AutoCloseable {
   private final Path file;
   private final FileChannel channel;
-  private final FileLock lock;
+  private final SessionHistory history;
   private final ExecutorService writer =
       Executors.newSingleThreadExecutor(
           work -> {
@@ -40,53 +39,38 @@ public final class SessionJournal implements AutoCloseable {
           });
   private volatile @Nullable IOException failure;
 
-  private SessionJournal(Path file, FileChannel channel, FileLock lock) {
+  private SessionJournal(Path file, FileChannel channel, SessionHistory history) {
     this.file = file;
     this.channel = channel;
-    this.lock = lock;
+    this.history = history;
   }
 
   /**
-   * Opens a journal and goes to its end. A last line that a crash cut off is ended there, so that
-   * it stays what it is: no event.
+   * Begins a journal.
    *
-   * @param fresh whether the file must not be there yet; else it must
-   * @throws IOException if it cannot be opened, or another program has it
+   * @throws IOException if it cannot be made, or is there already
    */
-  static SessionJournal open(Path file, boolean fresh) throws IOException {
-    FileChannel channel =
-        fresh
-            ? FileChannel.open(
-                file,
-                StandardOpenOption.CREATE_NEW,
-                StandardOpenOption.READ,
-                StandardOpenOption.WRITE)
-            : FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE);
-    try {
-      FileLock lock = channel.tryLock();
-      if (lock == null) {
-        throw new IOException(
-            file + ": another program is running this session; wait until it has ended");
-      }
-      SessionJournal journal = new SessionJournal(file, channel, lock);
-      journal.toTheEnd();
-      return journal;
-    } catch (OverlappingFileLockException e) {
-      channel.close();
-      throw new IOException(file + ": this session is already running", e);
-    } catch (IOException e) {
-      channel.close();
-      throw e;
-    }
+  static SessionJournal begin(Path file) throws IOException {
+    return new SessionJournal(
+        file,
+        FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.APPEND),
+        SessionHistory.none());
   }
 
-  private void toTheEnd() throws IOException {
-    long size = channel.size();
-    channel.position(size);
-    ByteBuffer last = ByteBuffer.allocate(1);
-    if (size > 0 && channel.read(last, size - 1) == 1 && last.get(0) != '\n') {
-      channel.write(ByteBuffer.wrap(new byte[] {'\n'}));
-    }
+  /**
+   * Goes on with a journal that ends with a whole line ({@link JournalMending}).
+   *
+   * @throws IOException if it is not there or cannot be opened
+   */
+  static SessionJournal resume(Path file) throws IOException {
+    SessionHistory history = SessionHistory.read(file);
+    return new SessionJournal(
+        file, FileChannel.open(file, StandardOpenOption.APPEND), history);
+  }
+
+  /** What has happened so far, as far as it is on the disk; grows as events are kept. */
+  SessionHistory history() {
+    return history;
   }
 
   /**
@@ -96,6 +80,19 @@ public final class SessionJournal implements AutoCloseable {
    */
   public void tell(String event, Map<String, ?> more) {
     submit(event, more);
+  }
+
+  /**
+   * Tells that something sets the session apart, for {@code status} and {@code collect}; does not
+   * wait.
+   *
+   * @param more what there is to say of it; {@code step} where it is of a step
+   */
+  public void flag(SessionFlag flag, Map<String, ?> more) {
+    Map<String, Object> members = new LinkedHashMap<>();
+    members.put("flag", flag.spelling());
+    members.putAll(more);
+    submit("flag", members);
   }
 
   /**
@@ -115,9 +112,16 @@ public final class SessionJournal implements AutoCloseable {
     }
     IOException failed = failure;
     if (failed != null) {
-      throw new IOException(
-          file + ": an event could not be written: " + failed.getMessage(), failed);
+      throw named(failed);
     }
+  }
+
+  private IOException named(IOException failed) {
+    return new IOException(
+        "%s: an event could not be written (%s); what was written before is kept, and --resume "
+                .formatted(file, failed.getMessage())
+            + "continues the session once the disk can be written",
+        failed);
   }
 
   private Future<?> submit(String event, Map<String, ?> more) {
@@ -130,16 +134,31 @@ public final class SessionJournal implements AutoCloseable {
       line.put("step", String.valueOf(step));
     }
     more.forEach((key, value) -> line.set(key, JsonTree.of(value)));
-    byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
-    return writer.submit(() -> write(bytes));
+    return writer.submit(() -> write(line));
   }
 
-  private void write(byte[] bytes) {
+  private void write(ObjectNode line) {
     try {
-      Disk.write(channel, bytes);
-      channel.force(false);
+      long before = channel.size();
+      try {
+        Disk.write(channel, (line + "\n").getBytes(StandardCharsets.UTF_8));
+        channel.force(false);
+      } catch (IOException e) {
+        takeBack(before, e);
+        throw e;
+      }
+      history.add(line);
     } catch (IOException e) {
       failure = e;
+    }
+  }
+
+  /** Takes back half an event, else the next one would stand in the same line. */
+  private void takeBack(long size, IOException failed) {
+    try {
+      channel.truncate(size);
+    } catch (IOException e) {
+      failed.addSuppressed(e); // --resume mends the line.
     }
   }
 
@@ -158,11 +177,10 @@ public final class SessionJournal implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    lock.release();
     channel.close();
     IOException failed = failure;
     if (failed != null) {
-      throw failed;
+      throw named(failed);
     }
   }
 }

@@ -1,10 +1,13 @@
 package org.selectiverenderer.experiment.session;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.study.SessionFlag;
 
 /**
  * How a session is run. All of it is recorded.
@@ -12,10 +15,36 @@ import org.selectiverenderer.control.Condition;
  * @param condition the experimenter's choice instead of the schedule's
  * @param exposure seconds of each exposure instead of the study's, for tests
  * @param unattended whether a simulated participant takes part, for tests
+ * @param withoutTracker whether the session does without the tracker that the study has
  * @param software name and version of the program
  */
 public record SessionOptions(
-    Optional<Condition> condition, OptionalDouble exposure, boolean unattended, String software) {
+    Optional<Condition> condition,
+    OptionalDouble exposure,
+    boolean unattended,
+    boolean withoutTracker,
+    String software) {
+
+  /** With the study's tracker. */
+  public SessionOptions(
+      Optional<Condition> condition, OptionalDouble exposure, boolean unattended, String software) {
+    this(condition, exposure, unattended, false, software);
+  }
+
+  /** What of it sets a session apart. */
+  List<SessionFlag> flags() {
+    List<SessionFlag> flags = new ArrayList<>();
+    if (unattended) {
+      flags.add(SessionFlag.SIMULATED);
+    }
+    if (exposure.isPresent()) {
+      flags.add(SessionFlag.SHORTENED);
+    }
+    if (withoutTracker) {
+      flags.add(SessionFlag.TRACKER_ABSENT);
+    }
+    return flags;
+  }
 
   /** What the journal says of it. */
   Map<String, Object> recorded() {

@@ -11,6 +11,7 @@ import java.util.Set;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 
 /**
@@ -38,7 +39,8 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
    *
    * @param condition empty before it is assigned
    * @param missing steps that are not finished
-   * @param notes what sets it apart: simulated, shortened, a head log that lacks frames
+   * @param flags what sets it apart
+   * @param excluded whether {@code collect} leaves it out, as the study says of one of its flags
    */
   public record Row(
       String participant,
@@ -46,7 +48,13 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       String condition,
       State state,
       List<String> missing,
-      List<String> notes) {}
+      List<RaisedFlag> flags,
+      boolean excluded) {
+    /** What sets it apart, for people; each once, though several steps may have it. */
+    public List<String> notes() {
+      return flags.stream().map(RaisedFlag::note).distinct().toList();
+    }
+  }
 
   /**
    * A group.
@@ -54,22 +62,30 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
    * @param planned participants; one more in some groups where they cannot be equal
    * @param assigned participants
    * @param finished participants with a finished session
+   * @param counting those of them with a finished session that the study does not leave out
    */
-  public record Group(String condition, int planned, int assigned, int finished) {}
+  public record Group(String condition, int planned, int assigned, int finished, int counting) {}
 
   /**
    * Reads it from the study's folder.
    *
+   * @param problems hears of journals that are damaged
    * @throws IOException if it cannot be read
    */
-  public static StudyStatus of(StudyMaterial material) throws IOException {
+  public static StudyStatus of(StudyMaterial material, Problems problems) throws IOException {
     List<Row> rows = new ArrayList<>();
     Set<String> finished = new HashSet<>();
+    Set<String> counting = new HashSet<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
       SessionHistory history = SessionHistory.read(folder.journal());
-      rows.add(row(material, folder, history));
+      history.tellDamage(folder.journal(), problems);
+      Row row = row(material, folder, history);
+      rows.add(row);
       if (history.over()) {
         finished.add(folder.participant());
+        if (!row.excluded()) {
+          counting.add(folder.participant());
+        }
       }
     }
     List<Participants.Assigned> assigned = new Participants(material.study()).all();
@@ -83,23 +99,18 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
               condition.spelling(),
               (material.study().participants() + count - 1) / count,
               members.size(),
-              (int)
-                  members.stream()
-                      .filter(member -> finished.contains(member.participant()))
-                      .count()));
+              among(members, finished),
+              among(members, counting)));
     }
     return new StudyStatus(material.study().name(), material.study().participants(), rows, groups);
   }
 
+  private static int among(List<Participants.Assigned> members, Set<String> participants) {
+    return (int)
+        members.stream().filter(member -> participants.contains(member.participant())).count();
+  }
+
   private static Row row(StudyMaterial material, SessionFolder folder, SessionHistory history) {
-    List<String> notes = new ArrayList<>();
-    if (history.unattended()) {
-      notes.add("simulated");
-    }
-    if (history.shortened()) {
-      notes.add("exposure shortened");
-    }
-    history.brokenLogs().forEach(step -> notes.add("head log of " + step + " incomplete"));
     return new Row(
         folder.participant(),
         folder.number(),
@@ -113,7 +124,8 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
                 .filter(step -> !history.finished(step))
                 .map(SessionStep::id)
                 .toList(),
-        notes);
+        history.flags(),
+        !history.excluding(material.study().quality()).isEmpty());
   }
 
   /** As text for people. */
@@ -123,10 +135,11 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     text.append(
         String.format(
             Locale.ROOT,
-            "%s: %d of %d planned participants have finished a session%n%n",
+            "%s: %d of %d planned participants have finished a session%s%n%n",
             study,
             groups.stream().mapToInt(Group::finished).sum(),
-            planned));
+            planned,
+            excluded()));
     text.append(
         String.format(
             Locale.ROOT, "%-12s %8s %9s %9s%n", "group", "planned", "assigned", "finished"));
@@ -153,7 +166,9 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
               "missing"));
     }
     for (Row row : sessions) {
-      String notes = row.notes.isEmpty() ? "" : " (" + String.join(", ", row.notes) + ")";
+      String notes =
+          (row.excluded ? " LEFT OUT" : "")
+              + (row.flags.isEmpty() ? "" : " (" + String.join(", ", row.notes()) + ")");
       text.append(
           String.format(
                   Locale.ROOT,
@@ -169,6 +184,15 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     return text.toString().replace("\r\n", "\n");
   }
 
+  private String excluded() {
+    int left = groups.stream().mapToInt(group -> group.finished - group.counting).sum();
+    return switch (left) {
+      case 0 -> "";
+      case 1 -> "; 1 is left out of the answers, as the study excludes it";
+      default -> "; " + left + " are left out of the answers, as the study excludes them";
+    };
+  }
+
   /** As JSON, several lines. */
   public String json() {
     ObjectNode root = JsonTree.object();
@@ -180,7 +204,8 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
           .put("condition", group.condition)
           .put("planned", group.planned)
           .put("assigned", group.assigned)
-          .put("finished", group.finished);
+          .put("finished", group.finished)
+          .put("counting", group.counting);
     }
     ArrayNode list = root.putArray("sessions");
     for (Row row : sessions) {
@@ -190,7 +215,15 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       node.put("condition", row.condition);
       node.put("state", row.state.name().toLowerCase(Locale.ROOT));
       row.missing.forEach(node.putArray("missing")::add);
-      row.notes.forEach(node.putArray("notes")::add);
+      row.notes().forEach(node.putArray("notes")::add);
+      ArrayNode flags = node.putArray("flags");
+      row.flags.forEach(
+          raised ->
+              flags
+                  .addObject()
+                  .put("flag", raised.flag().spelling())
+                  .put("step", raised.step()));
+      node.put("excluded", row.excluded);
     }
     return JsonText.of(root);
   }

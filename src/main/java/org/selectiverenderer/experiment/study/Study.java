@@ -20,6 +20,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param seed of the assignment and of the order of questions
  * @param fade seconds in which the picture of an area comes and goes, beside its exposure
  * @param language of the questionnaires, a code such as {@code en}
+ * @param quality what sessions must be like to count
  */
 public record Study(
     Path file,
@@ -37,7 +38,8 @@ public record Study(
     TrackerSpec tracker,
     MouseMapping mouse,
     String language,
-    List<Questionnaire> questionnaires) {
+    List<Questionnaire> questionnaires,
+    StudyQuality quality) {
 
   public Study {
     conditions = List.copyOf(conditions);

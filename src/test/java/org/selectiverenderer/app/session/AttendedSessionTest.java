@@ -31,6 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
@@ -153,8 +154,9 @@ class AttendedSessionTest {
                 number,
                 new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
                 new Problems());
+        ChainTracker tracker = new ChainTracker();
         SessionDialogue dialogue = new WindowDialogue(material.wording())) {
-      return new SessionRunner(session, dialogue, show(), text -> {}).run();
+      return new SessionRunner(session, dialogue, show(), tracker, text -> {}).run();
     }
   }
 

@@ -105,7 +105,11 @@ class KilledSessionTest {
         .doesNotContain("NaN");
     done("status", study.toString());
     assertThat(Files.readString(log))
-        .contains("finished   nothing (simulated, exposure shortened)");
+        .contains(
+            "finished   nothing (simulated, exposure shortened",
+            "exposure-lounge: shown more than once");
+    assertThat(session.resolve("session.lock")).exists();
+    assertThat(session.resolve("running.json")).doesNotExist();
   }
 
   private JsonNode event(String name) throws IOException {

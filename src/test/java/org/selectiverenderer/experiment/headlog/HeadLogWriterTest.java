@@ -25,7 +25,7 @@ class HeadLogWriterTest {
     final StringBuffer taken = new StringBuffer();
 
     @Override
-    public void keep() {
+    public void keep() throws IOException {
       // Nothing to do.
     }
 
@@ -65,6 +65,57 @@ class HeadLogWriterTest {
     assertThat(problems).hasSize(1);
     assertThat(problems.take().toString())
         .contains("p01.csv", "5 frames are missing from the head log");
+  }
+
+  @Test
+  void aDiskThatIsSlowToKeepDoesNotHoldBackWhatIsWritten() throws Exception {
+    CountDownLatch keeping = new CountDownLatch(1);
+    CountDownLatch spinning = new CountDownLatch(1);
+    LinkedBlockingQueue<String> written = new LinkedBlockingQueue<>();
+    Disk disk =
+        new Disk() {
+          @Override
+          public void write(String text) {
+            written.add(text);
+          }
+
+          @Override
+          public void keep() {
+            keeping.countDown();
+            try {
+              spinning.await();
+            } catch (InterruptedException e) {
+              throw new IllegalStateException(e);
+            }
+          }
+        };
+    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, 10, problems::add);
+    keeping.await();
+    writer.add(sample(7)); // Killed now, the program would have written it.
+    assertThat(written.take()).startsWith("7.");
+    spinning.countDown();
+    writer.close();
+    assertThat(problems).isEmpty();
+  }
+
+  @Test
+  void aDiskThatFailsToKeepEndsTheLogWithAMessage() throws IOException, InterruptedException {
+    Disk disk =
+        new Disk() {
+          @Override
+          public void write(String text) {
+            taken.append(text);
+          }
+
+          @Override
+          public void keep() throws IOException {
+            throw new IOException("the disk is gone");
+          }
+        };
+    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, 10, problems::add);
+    assertThat(problems.take().toString()).contains("the head log ends here", "the disk is gone");
+    writer.close();
+    assertThat(problems).isEmpty();
   }
 
   @Test

@@ -7,12 +7,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesReader;
@@ -108,5 +110,71 @@ class CollectedAnswersTest extends TwoRoomsStudy {
         .singleElement()
         .asString()
         .contains("participants.tsv: ", "the participant 009 has no session;");
+  }
+
+  private void whole(String id, SessionFlag... flags) throws IOException {
+    whole(id, 1, flags);
+  }
+
+  private void whole(String id, int number, SessionFlag... flags) throws IOException {
+    try (Session session = Session.begin(material(), id, number, OPTIONS, new Problems())) {
+      form(session);
+      for (SessionFlag flag : flags) {
+        session.journal().flag(flag, Map.of("step", "exposure-hall"));
+      }
+      answerAll(session, "yes", 4);
+      answerAll(session, "no", 1);
+      answerAll(session, "2", 0);
+      session.end();
+    }
+  }
+
+  @Test
+  void aFlaggedSessionIsSaidAndKeptUnlessTheStudyExcludesIt() throws IOException {
+    whole("001", SessionFlag.REPEATED_EXPOSURE, SessionFlag.LOW_FRAME_RATE);
+    whole("002");
+    Problems kept = new Problems();
+    assertThat(
+            CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), kept)
+                .participants())
+        .isEqualTo(2);
+    assertThat(kept.any()).isFalse();
+    assertThat(kept.list())
+        .extracting(Problem::message)
+        .containsExactly(
+            "the session is flagged repeated-exposure (exposure-hall); the answers are kept, as the"
+                + " study does not exclude it",
+            "the session is flagged low-frame-rate (exposure-hall); the answers are kept, as the"
+                + " study does not exclude it");
+
+    exclude("repeated-exposure", "low-frame-rate", "simulated");
+    Problems excluded = new Problems();
+    CollectedAnswers answers =
+        CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), excluded);
+    assertThat(answers.participants()).isEqualTo(1);
+    assertThat(answers.responses()).doesNotContain("001,").hasLineCount(4);
+    assertThat(answers.ratings()).doesNotContain("001");
+    assertThat(excluded.any()).isTrue();
+    assertThat(excluded.list())
+        .singleElement()
+        .asString()
+        .isEqualTo(
+            folder.resolve("sub-001/ses-01/events.jsonl")
+                + ": 5 answers of session 1 of the participant 001 are left out, because the study"
+                + " excludes sessions flagged repeated-exposure (exposure-hall), low-frame-rate"
+                + " (exposure-hall)");
+  }
+
+  @Test
+  void aSessionThatTheStudyDoesNotExcludeIsTakenInstead() throws IOException {
+    exclude("tracker-lost");
+    whole("001", 1, SessionFlag.TRACKER_LOST);
+    whole("001", 2);
+    assertThat(collecting(OptionalInt.empty(), 4))
+        .singleElement()
+        .asString()
+        .contains("5 answers of session 1 of the participant 001 are left out, because session 2");
+    assertThat(collecting(OptionalInt.of(1), 1))
+        .anyMatch(line -> line.contains("the study excludes sessions flagged tracker-lost"));
   }
 }

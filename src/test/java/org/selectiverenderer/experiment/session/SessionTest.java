@@ -10,6 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
@@ -54,10 +55,81 @@ class SessionTest extends TwoRoomsStudy {
           .containsOnly(Map.entry(first.object(), new Answer("no", 2)));
       session.began(hall, false);
     }
+    String whole = before.substring(0, before.lastIndexOf('\n') + 1);
     String after = Files.readString(events);
-    assertThat(after).startsWith(before + "\n");
-    assertThat(after.substring(before.length()))
-        .contains("\"event\":\"resumed\"", "\"finished\":[\"form\"]", "\"run\":2");
+    assertThat(after).startsWith(whole);
+    assertThat(after.substring(whole.length()).lines())
+        .first()
+        .asString()
+        .contains("\"journal-mended\"", "\"cut_off_line\":", "\"kept_as\":\"events-cut-off-01.txt\"");
+    assertThat(after)
+        .contains("\"event\":\"resumed\"", "\"finished\":[\"form\"]", "\"run\":2")
+        .doesNotContain("recog\"");
+    assertThat(folder.resolve("sub-001/ses-01/events-cut-off-01.txt"))
+        .hasContent("{\"event\":\"step-finished\",\"step\":\"recog");
+    assertThat(JournalText.read(events).damaged()).isEmpty();
+  }
+
+  @Test
+  void aLastEventThatLacksOnlyItsLinesEndCounts() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+    }
+    Path events = folder.resolve("sub-001/ses-01/events.jsonl");
+    Files.writeString(events, Files.readString(events).stripTrailing());
+    Problems problems = new Problems();
+    try (Session session = Session.resume(material(), "001", 1, OPTIONS, problems)) {
+      assertThat(left(session)).first().isEqualTo("recognition-hall");
+    }
+    assertThat(problems.list()).isEmpty();
+    assertThat(JournalText.read(events).damaged()).isEmpty();
+    assertThat(folder.resolve("sub-001/ses-01/events-cut-off-01.txt")).doesNotExist();
+  }
+
+  @Test
+  void aDamagedLineInTheMiddleIsSaidAndStaysAndTheOthersAreUsed() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+    }
+    Path events = folder.resolve("sub-001/ses-01/events.jsonl");
+    String[] lines = Files.readString(events).split("\n");
+    int hit = 0;
+    while (!lines[hit].contains("\"answer\"")) {
+      hit++;
+    }
+    lines[hit] = lines[hit].replace("\"value\":\"yes\"", "\"value\":\u0001yes");
+    String damaged = String.join("\n", lines) + "\n";
+    Files.writeString(events, damaged);
+    Problems problems = new Problems();
+    try (Session session = Session.resume(material(), "001", 1, OPTIONS, problems)) {
+      assertThat(left(session)).first().isEqualTo("recognition-bath");
+    }
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .startsWith(events + ":" + (hit + 1) + ":1: this line is damaged and is no event;");
+    assertThat(events).content().startsWith(damaged).contains("\"damaged_lines\":[" + (hit + 1) + "]");
+    Problems collected = new Problems();
+    CollectedAnswers answers =
+        CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), collected);
+    assertThat(answers.answers()).isEqualTo(1);
+    assertThat(collected.list()).first().asString().contains(":" + (hit + 1) + ":1: this line");
+  }
+
+  @Test
+  void whatIsToldIsKnownWithoutReadingTheFileAgain() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
+      session.began(hall, false);
+      Files.writeString(folder.resolve("sub-001/ses-01/events.jsonl"), "");
+      QuestionItem first = session.screen(hall).items().get(0);
+      session.answer(hall, first, new Answer("no", 2));
+      assertThat(session.answers(hall)).containsOnlyKeys(first.object());
+      session.finished(hall, Map.of());
+      assertThat(left(session)).first().isEqualTo("recognition-bath");
+    }
   }
 
   @Test
@@ -73,7 +145,7 @@ class SessionTest extends TwoRoomsStudy {
   void aSessionThatIsBeingRunIsNotRunASecondTime() throws IOException {
     try (Session session = begin("001")) {
       assertThat(session.condition()).isEmpty();
-      assertThatThrownBy(() -> resume("001")).hasMessageContaining("is already running");
+      assertThatThrownBy(() -> resume("001")).hasMessageContaining("is being run by test (process " + ProcessHandle.current().pid());
     }
     resume("001").close();
   }

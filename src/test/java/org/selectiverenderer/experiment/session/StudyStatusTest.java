@@ -2,6 +2,7 @@ package org.selectiverenderer.experiment.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,7 +10,10 @@ import java.util.Map;
 import java.util.OptionalInt;
 import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.study.SessionFlag;
 
 /** Who is done, and what is missing. */
 class StudyStatusTest extends TwoRoomsStudy {
@@ -21,7 +25,7 @@ class StudyStatusTest extends TwoRoomsStudy {
       session.abort("recognition-bath");
     }
     begin("002").close();
-    StudyStatus status = StudyStatus.of(material());
+    StudyStatus status = StudyStatus.of(material(), new Problems());
     assertThat(status.sessions())
         .extracting(StudyStatus.Row::participant, StudyStatus.Row::state)
         .containsExactly(
@@ -39,7 +43,7 @@ class StudyStatusTest extends TwoRoomsStudy {
                 .responses())
         .hasLineCount(3);
     assertThat(problems.list()).isNotEmpty();
-    assertThat(SessionFolder.nextId(material().study())).isEqualTo("003");
+    assertThat(ParticipantIds.of(material().study()).next()).isEqualTo("003");
   }
 
   @Test
@@ -49,9 +53,69 @@ class StudyStatusTest extends TwoRoomsStudy {
       session.began(step, true);
       session.finished(step, Map.of("head_log_incomplete", true));
     }
-    StudyStatus status = StudyStatus.of(material());
+    StudyStatus status = StudyStatus.of(material(), new Problems());
     assertThat(status.sessions().get(0).notes()).containsExactly("head log of form incomplete");
     assertThat(status.text()).contains("1 session, 0 finished");
+  }
+
+  @Test
+  void flagsAreShownAsTextAndAsJsonWithTheirSteps() throws IOException {
+    try (Session session = begin("001")) {
+      session.journal().flag(SessionFlag.LOW_FRAME_RATE, Map.of("step", "exposure-hall", "fps", 9));
+      session.journal().flag(SessionFlag.TRACKER_ABSENT, Map.of());
+    }
+    StudyStatus status = StudyStatus.of(material(), new Problems());
+    assertThat(status.text())
+        .contains("(exposure-hall: too few frames per second, without the study's tracker)")
+        .doesNotContain("LEFT OUT");
+    JsonNode row = JsonTree.parse(status.json()).path("sessions").path(0);
+    assertThat(row.path("flags").toString())
+        .isEqualTo(
+            "[{\"flag\":\"low-frame-rate\",\"step\":\"exposure-hall\"},"
+                + "{\"flag\":\"tracker-absent\",\"step\":\"\"}]");
+    assertThat(row.path("excluded").isBoolean()).isTrue();
+    assertThat(row.path("excluded").asBoolean()).isFalse();
+  }
+
+  @Test
+  void aSessionThatTheStudyExcludesDoesNotCountInItsGroup() throws IOException {
+    exclude("tracker-absent");
+    try (Session session = begin("001")) {
+      form(session);
+      session.journal().flag(SessionFlag.TRACKER_ABSENT, Map.of());
+      answerAll(session, "yes", 4);
+      answerAll(session, "yes", 4);
+      answerAll(session, "3", 0);
+      session.end();
+    }
+    StudyStatus status = StudyStatus.of(material(), new Problems());
+    assertThat(status.groups()).extracting(StudyStatus.Group::finished).containsOnlyOnce(1);
+    assertThat(status.groups()).extracting(StudyStatus.Group::counting).containsOnly(0);
+    assertThat(status.text())
+        .contains("1 is left out of the answers, as the study excludes it")
+        .contains("nothing LEFT OUT (without the study's tracker)");
+    assertThat(status.json()).contains("\"excluded\" : true");
+  }
+
+  @Test
+  void aDamagedLineIsToldByItsNumber() throws IOException {
+    begin("001").close();
+    Path events = folder.resolve("sub-001/ses-01/events.jsonl");
+    Files.writeString(events, "{\"event\":\"no\n" + Files.readString(events) + "{\"event\":\"ha");
+    Problems problems = new Problems();
+    StudyStatus.of(material(), problems);
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .containsExactly(
+            events
+                + ":1:1: this line is damaged and is no event; the other lines are used, and nothing"
+                + " is deleted",
+            events
+                + ":3:1: the last line is cut off, by a crash or because it is being written now; it"
+                + " is no event, and --resume mends the file");
+    assertThat(problems.list())
+        .extracting(Problem::severity)
+        .containsExactly(Problem.Severity.WARNING, Problem.Severity.INFO);
   }
 
   @Test
@@ -59,6 +123,6 @@ class StudyStatusTest extends TwoRoomsStudy {
     Path stray = folder.resolve("sub-001/ses-99999999999");
     Files.createDirectories(stray);
     Files.writeString(stray.resolve("events.jsonl"), "");
-    assertThat(StudyStatus.of(material()).sessions()).isEmpty();
+    assertThat(StudyStatus.of(material(), new Problems()).sessions()).isEmpty();
   }
 }

@@ -3,10 +3,12 @@ package org.selectiverenderer.experiment.session;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problems;
@@ -42,6 +44,15 @@ abstract class TwoRoomsStudy {
     Files.writeString(
         folder.resolve("e.csv"),
         "area,schema,object,en\nhall,HallSchema,coat,Coat\nhall,HallSchema,boat,Boat\n");
+  }
+
+  /** The study says which flags leave a session out. */
+  void exclude(String... flags) throws IOException {
+    String list = Arrays.stream(flags).collect(Collectors.joining("\", \"", "[\"", "\"]"));
+    Files.writeString(
+        file,
+        Files.readString(file)
+            .replace("\"participants\"", "\"quality\": {\"exclude\": " + list + "}, \"participants\""));
   }
 
   StudyMaterial material() throws IOException {

@@ -11,8 +11,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
@@ -157,6 +160,53 @@ class StudyReaderTest {
   }
 
   @Test
+  void theQualityOfSessionsMayBeLeftOut() throws IOException {
+    assertThat(problems(text.replaceFirst("(?m)^ *\"quality\".*$", ""))).isEmpty();
+    assertThat(StudyReader.read(file, new Problems()).orElseThrow().quality())
+        .isEqualTo(StudyQuality.DEFAULT);
+  }
+
+  @Test
+  void whatIsAskedOfSessionsIsReadAndFaultsAreNamed() throws IOException {
+    String quality =
+        "\"quality\": {\"min_fps\": 24, \"exclude\": [\"simulated\", \"tracker-lost\"]},";
+    assertThat(problems(text.replaceFirst("\"quality\".*", quality))).isEmpty();
+    assertThat(StudyReader.read(file, new Problems()).orElseThrow().quality())
+        .isEqualTo(
+            new StudyQuality(
+                OptionalDouble.of(24),
+                0.1,
+                1,
+                Set.of(SessionFlag.TRACKER_LOST, SessionFlag.SIMULATED)));
+    assertThat(
+            problems(
+                text.replaceFirst("\"quality\".*", "\"quality\": {\"exclude\": [\"sleepy\"]},")))
+        .singleElement()
+        .asString()
+        .contains(
+            "'sleepy' is not a flag of a session (repeated-exposure, display-fallback, ",
+            "the study is not used");
+    assertThat(
+            problems(
+                text.replaceFirst("\"quality\".*", "\"quality\": {\"max_slow_frames\": 0.2},")))
+        .singleElement()
+        .asString()
+        .contains("\"max_slow_frames\" says nothing without \"min_fps\"");
+  }
+
+  @Test
+  void tooFewFramesAreToldByMeanAndByShare() {
+    StudyQuality quality = new StudyQuality(OptionalDouble.of(30), 0.1, 1, Set.of());
+    assertThat(quality.tooSlow(30, 0.1)).isEmpty();
+    assertThat(quality.tooSlow(22.46, 0.1))
+        .containsExactly("22.5 frames per second on average, less than 30");
+    assertThat(quality.tooSlow(40, 0.123))
+        .containsExactly("12.3 % of the frames slower than 30 per second, more than 10 %");
+    assertThat(quality.tooSlow(10, 0.9)).hasSize(2);
+    assertThat(StudyQuality.DEFAULT.tooSlow(0.1, 1)).isEmpty();
+  }
+
+  @Test
   void thePublishedSchemaHasTheKeysOfTheReader() throws IOException {
     JsonNode schema = new ObjectMapper().readTree(folder.resolve("study.schema.json").toFile());
     assertThat(keys(schema)).isEqualTo(known(text.replaceFirst("\\{", "{\"x\": 1,")));
@@ -165,6 +215,12 @@ class StudyReaderTest {
         .isEqualTo(known(text.replace("{\"name\": \"kitchen\",", "{\"x\": 1, \"name\": \"k\",")));
     assertThat(keys(schema.at("/properties/display")))
         .isEqualTo(known(text.replace("{\"mode\"", "{\"x\": 1, \"mode\"")));
+    assertThat(keys(schema.at("/properties/quality")))
+        .isEqualTo(known(text.replace("\"quality\": {", "\"quality\": {\"x\": 1, ")));
+    assertThat(schema.at("/properties/quality/properties/exclude/items/enum"))
+        .extracting(JsonNode::asText)
+        .containsExactly(
+            Arrays.stream(SessionFlag.values()).map(SessionFlag::spelling).toArray(String[]::new));
     assertThat(keys(schema.at("/properties/practice")))
         .isEqualTo(known(text.replace("\"practice\": {", "\"practice\": {\"x\": 1, ")));
     assertThat(keys(schema.at("/properties/questionnaires/items")))

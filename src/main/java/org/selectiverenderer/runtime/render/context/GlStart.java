@@ -1,13 +1,12 @@
 package org.selectiverenderer.runtime.render.context;
 
 import com.jogamp.opengl.GLProfile;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.CodeSource;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import org.selectiverenderer.base.files.ProgramPlace;
 
 /**
  * Begins OpenGL on a thread of its own, {@code gl-start}, while the program finds out what it is to
@@ -42,14 +41,7 @@ public final class GlStart {
   }
 
   private static Optional<Path> jar() {
-    CodeSource source = GlStart.class.getProtectionDomain().getCodeSource();
-    try {
-      return source == null
-          ? Optional.empty()
-          : Optional.of(Path.of(source.getLocation().toURI())).filter(Files::isRegularFile);
-    } catch (URISyntaxException | IllegalArgumentException e) {
-      return Optional.empty(); // Of a class loader that has no files.
-    }
+    return ProgramPlace.of(GlStart.class).filter(Files::isRegularFile);
   }
 
   /** Waits until it has begun: a process that ends before would pull the driver from under it. */

@@ -28,27 +28,68 @@ public final class FrameTimes {
   /**
    * All in milliseconds; zeros when there was no frame. A percentile is the smallest time kept that
    * is not exceeded by that share of them (nearest rank).
+   *
+   * @param kept the times of which the percentiles are
    */
-  public record Summary(long count, double mean, double p50, double p95, double p99, double max) {
+  public record Summary(
+      long count, double mean, double p50, double p95, double p99, double max, Sorted kept) {
     /** Frames per second; 0 when there was no frame. */
     public double framesPerSecond() {
       return mean > 0 ? 1000 / mean : 0;
     }
+
+    /** Which share of the frames kept took longer than so many milliseconds, 0 to 1. */
+    public double shareAbove(double ms) {
+      return kept.shareAbove(ms);
+    }
+  }
+
+  /** Times in ascending order; equal to others that are the same. */
+  public static final class Sorted {
+    private final double[] times;
+
+    /**
+     * @param times in any order; taken over
+     */
+    private Sorted(double[] times) {
+      this.times = times;
+      Arrays.sort(this.times);
+    }
+
+    static Sorted of(double... times) {
+      return new Sorted(times.clone());
+    }
+
+    private double percentile(double share) {
+      return times.length == 0 ? 0 : times[(int) Math.ceil(share * times.length) - 1];
+    }
+
+    private double shareAbove(double ms) {
+      return times.length == 0
+          ? 0
+          : (double) Arrays.stream(times).filter(time -> time > ms).count() / times.length;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Sorted sorted && Arrays.equals(times, sorted.times);
+    }
+
+    @Override
+    public int hashCode() {
+      return Arrays.hashCode(times);
+    }
   }
 
   public Summary summary() {
-    double[] sorted = Arrays.copyOf(store, (int) Math.min(count, store.length));
-    Arrays.sort(sorted);
+    Sorted kept = new Sorted(Arrays.copyOf(store, (int) Math.min(count, store.length)));
     return new Summary(
         count,
         count == 0 ? 0 : sum / count,
-        percentile(sorted, 0.5),
-        percentile(sorted, 0.95),
-        percentile(sorted, 0.99),
-        max);
-  }
-
-  private static double percentile(double[] sorted, double share) {
-    return sorted.length == 0 ? 0 : sorted[(int) Math.ceil(share * sorted.length) - 1];
+        kept.percentile(0.5),
+        kept.percentile(0.95),
+        kept.percentile(0.99),
+        max,
+        kept);
   }
 }

@@ -1,0 +1,78 @@
+package org.selectiverenderer.app.session;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.study.SessionFlag;
+import org.selectiverenderer.experiment.study.StudyQuality;
+
+/** Flags a session whose exposure was not shown as the study asks for, by the run's figures. */
+final class StepQuality {
+  private final Session session;
+  private final Consumer<Problem> told;
+  private final Set<String> said = new HashSet<>();
+
+  /**
+   * @param told hears of the flags, for the experimenter; of what is so in all steps once
+   */
+  StepQuality(Session session, Consumer<Problem> told) {
+    this.session = session;
+    this.told = told;
+  }
+
+  /** A run of a step was shown to its end; called before the step is finished. */
+  void check(SessionStep step, RunFigures figures) {
+    if (!(step instanceof SessionStep.Exposure)) {
+      return;
+    }
+    StudyQuality quality = session.material().study().quality();
+    double fps = figures.times().framesPerSecond();
+    double slow = figures.times().shareAbove(quality.slowMs());
+    List<String> why = quality.tooSlow(fps, slow);
+    if (!why.isEmpty()) {
+      Map<String, Object> more = new LinkedHashMap<>();
+      more.put("fps", Rounded.to(1, fps));
+      more.put("slow_frames", Rounded.to(4, slow));
+      flag(SessionFlag.LOW_FRAME_RATE, step, more, String.join(", and ", why));
+    }
+    double silence = figures.trackerSilence();
+    if (silence > quality.trackerSilence()) {
+      flag(
+          SessionFlag.TRACKER_LOST,
+          step,
+          Map.of("seconds", Rounded.to(2, silence)),
+          String.format(Locale.ROOT, "the tracker was silent for %.1f s", silence));
+    }
+  }
+
+  /**
+   * Flags the session and says so.
+   *
+   * @param why for people
+   */
+  void flag(SessionFlag flag, SessionStep step, Map<String, ?> more, String why) {
+    Map<String, Object> members = new LinkedHashMap<>();
+    members.put("step", step.id());
+    members.putAll(more);
+    members.put("why", why);
+    session.journal().flag(flag, members);
+    if (!said.add(flag.spelling() + why)) {
+      return;
+    }
+    told.accept(
+        new Problem(
+            Problem.Severity.WARNING,
+            Location.of(session.folder().journal().toString()),
+            "%s: %s; the session is flagged %s".formatted(step.id(), why, flag.spelling())));
+  }
+}

@@ -1,0 +1,82 @@
+package org.selectiverenderer.experiment.session;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * Makes a journal end with a whole line before a session goes on. A last line that a crash cut off
+ * is taken away, once a copy of it is on the disk; a last event that lacks only its line's end gets
+ * it. Lines in the middle that cannot be read stay as they are, and are told.
+ */
+final class JournalMending {
+  private JournalMending() {}
+
+  /**
+   * Mends a journal that no other program writes.
+   *
+   * @param problems hears what was found
+   * @return what the journal is to say of it; empty where it was whole
+   * @throws IOException if it cannot be read or written; nothing is lost then
+   */
+  static Optional<Map<String, Object>> mend(Path journal, Problems problems) throws IOException {
+    byte[] bytes = Files.readAllBytes(journal);
+    JournalText text = JournalText.of(bytes);
+    Map<String, Object> found = new LinkedHashMap<>();
+    if (!text.damaged().isEmpty()) {
+      tellDamaged(journal, text, problems);
+      found.put("damaged_lines", text.damaged());
+    }
+    if (text.tail() > 0) {
+      Path copy = copy(journal, Arrays.copyOfRange(bytes, text.kept(), bytes.length));
+      try (FileChannel channel = FileChannel.open(journal, StandardOpenOption.WRITE)) {
+        channel.truncate(text.kept());
+        channel.force(true);
+      }
+      int line = text.lines() + 1;
+      problems.warning(
+          new Location(journal.toString(), line, 1),
+          "the last line was cut off by a crash and is no event; what there is of it was moved to %s"
+              .formatted(copy.getFileName()));
+      found.put("cut_off_line", line);
+      found.put("bytes", text.tail());
+      found.put("kept_as", copy.getFileName().toString());
+    } else if (!text.ended()) {
+      try (FileChannel channel = FileChannel.open(journal, StandardOpenOption.APPEND)) {
+        Disk.write(channel, new byte[] {'\n'});
+        channel.force(true);
+      }
+    }
+    return found.isEmpty() ? Optional.empty() : Optional.of(found);
+  }
+
+  /** Says which lines of a journal cannot be read; nothing is changed. */
+  static void tellDamaged(Path journal, JournalText text, Problems problems) {
+    for (int line : text.damaged()) {
+      problems.warning(
+          new Location(journal.toString(), line, 1),
+          "this line is damaged and is no event; the other lines are used, and nothing is deleted");
+    }
+  }
+
+  private static Path copy(Path journal, byte[] tail) throws IOException {
+    Path copy = journal;
+    for (int number = 1; Files.exists(copy); number++) {
+      copy = journal.resolveSibling(String.format(Locale.ROOT, "events-cut-off-%02d.txt", number));
+    }
+    FileActions.REAL.write(copy, tail);
+    Disk.forceFolder(copy.getParent());
+    return copy;
+  }
+}

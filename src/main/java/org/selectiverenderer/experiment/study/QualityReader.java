@@ -1,0 +1,60 @@
+package org.selectiverenderer.experiment.study;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonValue;
+
+/** Reads {@code "quality"} of a study file. */
+final class QualityReader {
+  /** A display that nobody has; a slip of the key. */
+  private static final double MOST_FPS = 1000;
+
+  private static final double LONGEST = 3600;
+
+  private QualityReader() {}
+
+  static StudyQuality read(JsonMembers study) {
+    return study
+        .object("quality", "the quality", QualityReader::quality)
+        .orElse(StudyQuality.DEFAULT);
+  }
+
+  private static StudyQuality quality(JsonMembers keys) {
+    StudyQuality usual = StudyQuality.DEFAULT;
+    OptionalDouble minFps =
+        keys.has("min_fps")
+            ? OptionalDouble.of(keys.number("min_fps", 1, MOST_FPS, Double.NaN))
+            : OptionalDouble.empty();
+    if (minFps.isEmpty() && keys.has("max_slow_frames")) {
+      keys.fault("max_slow_frames", "\"max_slow_frames\" says nothing without \"min_fps\"");
+    }
+    return new StudyQuality(
+        minFps,
+        keys.number("max_slow_frames", 0, 1, usual.slowShare()),
+        keys.number("max_tracker_silence", 0.1, LONGEST, usual.trackerSilence()),
+        exclude(keys));
+  }
+
+  private static Set<SessionFlag> exclude(JsonMembers keys) {
+    Set<SessionFlag> exclude = EnumSet.noneOf(SessionFlag.class);
+    for (JsonValue value : keys.list("exclude", false)) {
+      SessionFlag.of(value.toString())
+          .ifPresentOrElse(
+              exclude::add,
+              () ->
+                  keys.fault(
+                      value,
+                      "'%s' is not a flag of a session (%s)"
+                          .formatted(
+                              value,
+                              Arrays.stream(SessionFlag.values())
+                                  .map(SessionFlag::spelling)
+                                  .collect(Collectors.joining(", ")))));
+    }
+    return exclude;
+  }
+}
