@@ -38,7 +38,7 @@ public final class HeadSession implements AutoCloseable {
   private final LatencyMeter latency = new LatencyMeter();
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
-  private double unlogged = Double.NaN;
+  private @Nullable FrameMoment unlogged;
 
   private HeadSession(
       RunSettings settings,
@@ -145,19 +145,22 @@ public final class HeadSession implements AutoCloseable {
   }
 
   /** A frame was stepped; it is logged by {@link #log}. */
-  public void stepped(double time) {
-    unlogged = time;
+  public void stepped(FrameMoment frame) {
+    unlogged = frame;
   }
 
   /**
    * Logs the frame last stepped, unless that is done: when it is submitted, which looking for what
    * is in the middle of the view would delay, or before the next is stepped.
+   *
+   * @param visible whether the participant saw it
    */
-  public void log() {
-    if (recorder != null && !Double.isNaN(unlogged)) {
-      recorder.frame(unlogged);
+  public void log(boolean visible) {
+    FrameMoment frame = unlogged;
+    if (recorder != null && frame != null) {
+      recorder.frame(frame, visible);
     }
-    unlogged = Double.NaN;
+    unlogged = null;
   }
 
   /** The frame was handed to the display. */

@@ -9,6 +9,7 @@ import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
 import org.selectiverenderer.app.figures.FigureKeeper;
 import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.head.FrameMoment;
 import org.selectiverenderer.app.head.HeadSession;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.operator.OverlayText;
@@ -30,6 +31,9 @@ import org.selectiverenderer.runtime.walk.NavigationCommand;
  * on one thread, until the run is {@link #finished}.
  */
 final class SceneRun implements WorldHost, AutoCloseable {
+  /** As dark as this a picture is there, darker it is gone. */
+  private static final double HALF = 0.5;
+
   private final RunSettings settings;
   private final HeadSession head;
   private final RunGuide guide;
@@ -156,10 +160,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private void advance(LiveScene live, double elapsed) {
     boolean over = guide.over(elapsed);
     if (!guide.paused() || live.walk().frames() == 0) {
+      head.log(false); // A frame that was stepped but, in a hidden window, not drawn.
       for (double frame : live.clock().due(elapsed)) {
-        head.log(); // A frame that was stepped but, in a hidden window, not drawn.
+        head.log(seen()); // One of several that a slow picture stands for.
         live.walk().step(frame, live.motion());
-        head.stepped(frame);
+        head.stepped(FrameMoment.now(frame, time));
       }
       over |= live.clock().over(elapsed);
     }
@@ -193,7 +198,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
   @Override
   public void submitted() {
     head.submitted();
-    head.log();
+    head.log(seen());
+  }
+
+  /** Whether the participant sees what is drawn. */
+  private boolean seen() {
+    return guide.darkness(time.seconds()) <= HALF;
   }
 
   @Override
@@ -255,7 +265,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   public void close() throws IOException {
     try (head;
         opening) {
-      head.log();
+      head.log(false); // The last one was stepped, and the window closed before it was shown.
     }
   }
 }

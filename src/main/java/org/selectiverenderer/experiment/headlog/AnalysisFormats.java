@@ -3,6 +3,7 @@ package org.selectiverenderer.experiment.headlog;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
+import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
@@ -16,12 +17,13 @@ public final class AnalysisFormats {
     StringBuilder text = new StringBuilder();
     line(
         text,
-        "%s, %s: %.1f s, %d samples, head idle %.0f %% of the time",
+        "%s, %s: %.1f s in view, %d samples, head idle %.0f %% of the time",
         analysis.log().description().scene(),
         analysis.log().description().condition(),
         analysis.seconds(),
-        analysis.log().samples().size(),
+        analysis.log().samples().size() - analysis.unshown().samples(),
         100 * analysis.idle());
+    leftOut(text, analysis.unshown());
     line(text, "");
     line(text, "%-32s %8s %6s %8s %8s", "in the middle of the view", "s", "looks", "first", "long");
     for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
@@ -52,6 +54,23 @@ public final class AnalysisFormats {
     return text.toString();
   }
 
+  private static void leftOut(StringBuilder text, HeadLogAnalysis.Unshown unshown) {
+    if (unshown.samples() > 0) {
+      line(
+          text,
+          "left out: %.1f s, %d samples without a picture (black or fading)",
+          unshown.seconds(),
+          unshown.samples());
+    }
+    if (unshown.pauses() > 0) {
+      line(
+          text,
+          "paused: %s, %.1f s together",
+          Counted.of(unshown.pauses(), "time"),
+          unshown.paused());
+    }
+  }
+
   private static void line(StringBuilder text, String format, Object... arguments) {
     text.append(String.format(Locale.ROOT, format, arguments)).append('\n');
   }
@@ -62,7 +81,12 @@ public final class AnalysisFormats {
     HeadLogDescription shown = analysis.log().description();
     root.put("scene", shown.scene()).put("condition", shown.condition());
     root.put("seconds", Rounded.to(3, analysis.seconds()));
-    root.put("samples", analysis.log().samples().size());
+    root.put("samples", analysis.log().samples().size() - analysis.unshown().samples());
+    root.putObject("left_out")
+        .put("seconds", Rounded.to(3, analysis.unshown().seconds()))
+        .put("samples", analysis.unshown().samples())
+        .put("pauses", analysis.unshown().pauses())
+        .put("paused_seconds", Rounded.to(3, analysis.unshown().paused()));
     root.put("idle", Rounded.to(3, analysis.idle()));
     ArrayNode objects = root.putArray("objects");
     for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
