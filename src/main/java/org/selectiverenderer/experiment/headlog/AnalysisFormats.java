@@ -2,7 +2,9 @@ package org.selectiverenderer.experiment.headlog;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonText;
@@ -26,18 +28,21 @@ public final class AnalysisFormats {
     leftOut(text, analysis.unshown());
     line(text, "");
     line(text, "%-32s %8s %6s %8s %8s", "in the middle of the view", "s", "looks", "first", "long");
-    for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
-      line(
-          text,
-          "%-32s %8.2f %6d %8.2f %8.2f",
-          view.object(),
-          view.seconds(),
-          view.looks(),
-          view.first(),
-          view.longest());
-    }
-    if (!analysis.unseen().isEmpty()) {
-      line(text, "never: %s", String.join(", ", analysis.unseen()));
+    SceneMap map = analysis.log().description().map();
+    views(text, analysis.objects().stream().filter(view -> !map.surrounds(view.object())));
+    analysis
+        .unseen()
+        .forEach(
+            (room, names) ->
+                line(
+                    text,
+                    "never%s: %s",
+                    room.isEmpty() ? "" : ", " + room,
+                    String.join(", ", names)));
+    if (analysis.objects().stream().anyMatch(view -> map.surrounds(view.object()))) {
+      line(text, "");
+      line(text, "walls, floors, ceilings");
+      views(text, analysis.objects().stream().filter(view -> map.surrounds(view.object())));
     }
     line(text, "");
     for (RoomView room : analysis.rooms()) {
@@ -52,6 +57,19 @@ public final class AnalysisFormats {
               : "; not seen: " + String.join(", ", room.unseen()));
     }
     return text.toString();
+  }
+
+  private static void views(StringBuilder text, Stream<HeadLogAnalysis.ObjectView> views) {
+    views.forEach(
+        view ->
+            line(
+                text,
+                "%-32s %8.2f %6d %8.2f %8.2f",
+                view.object(),
+                view.seconds(),
+                view.looks(),
+                view.first(),
+                view.longest()));
   }
 
   private static void leftOut(StringBuilder text, HeadLogAnalysis.Unshown unshown) {
@@ -96,10 +114,11 @@ public final class AnalysisFormats {
           .put("seconds", Rounded.to(3, view.seconds()))
           .put("looks", view.looks())
           .put("first", Rounded.to(3, view.first()))
-          .put("longest", Rounded.to(3, view.longest()));
+          .put("longest", Rounded.to(3, view.longest()))
+          .put("surroundings", shown.map().surrounds(view.object()));
     }
     ArrayNode unseen = root.putArray("unseen");
-    analysis.unseen().forEach(unseen::add);
+    analysis.unseen().values().stream().flatMap(List::stream).sorted().forEach(unseen::add);
     ArrayNode rooms = root.putArray("rooms");
     for (RoomView room : analysis.rooms()) {
       ArrayNode sides =

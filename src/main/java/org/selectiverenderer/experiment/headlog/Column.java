@@ -29,8 +29,8 @@ enum Column {
           + " since the frame before",
       s -> s.moved() ? "moved" : "idle"),
   OBJECT(
-      "in the middle of the view, by the DEF of its Switch, of its Inline or the nearest DEF; empty"
-          + " for none",
+      "in the middle of the view, by the DEF of its Switch, else of its outermost Inline, else of"
+          + " its outermost group below the room, else the room's; empty for none",
       HeadSample::object),
   DISTANCE(
       "of the object's surface along the line of sight; empty for none",
@@ -45,7 +45,10 @@ enum Column {
       s -> String.join(" ", s.cone())),
   SCHEMAS("active schemas, separated by spaces", s -> String.join(" ", s.schemas())),
   FRAME_MS(
-      "from the step of the frame before to that of this one, pauses not counted", "ms", 3, HeadSample::frameMs),
+      "from the step of the frame before to that of this one, pauses not counted",
+      "ms",
+      3,
+      HeadSample::frameMs),
   VISIBLE(
       "1 when the participant saw it; 0 while the picture is black or less than half as bright as"
           + " it is, and in a window that is not drawn",

@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * What a head log says about a session. Only samples that the participant saw count: what lies in
@@ -15,7 +17,8 @@ import java.util.Map;
  * @param idle share of the time in which the head did not move, 0 to 1
  * @param looks in order of time
  * @param objects those looked at, the one looked at longest first
- * @param unseen objects of the scene that were never in the middle of the view
+ * @param unseen objects of the scene that were never in the middle of the view, by room; walls,
+ *     floors and ceilings are not among them
  */
 public record HeadLogAnalysis(
     HeadLog log,
@@ -24,7 +27,7 @@ public record HeadLogAnalysis(
     double idle,
     List<Dwell> looks,
     List<ObjectView> objects,
-    List<String> unseen,
+    Map<String, List<String>> unseen,
     List<RoomView> rooms) {
 
   /** Shorter gaps in a look are blinks of the log: an edge, a leg of a chair passing. */
@@ -71,12 +74,19 @@ public record HeadLogAnalysis(
         all > 0 ? idle / all : 0,
         looks,
         objects,
-        log.description().map().objects().stream()
-            .map(SceneMap.Box::name)
-            .filter(name -> !seen.contains(name))
-            .sorted()
-            .toList(),
+        unseen(log.description().map(), seen),
         log.description().map().rooms().stream().map(room -> RoomView.of(room, log)).toList());
+  }
+
+  private static Map<String, List<String>> unseen(SceneMap map, List<String> seen) {
+    return map.objects().stream()
+        .filter(object -> !seen.contains(object.name()))
+        .sorted(Comparator.comparing(SceneMap.Box::name))
+        .collect(
+            Collectors.groupingBy(
+                map::roomOf,
+                TreeMap::new,
+                Collectors.mapping(SceneMap.Box::name, Collectors.toList())));
   }
 
   private static Unshown unshown(HeadLog log) {

@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
  * @param pitch degrees about X, positive up
  * @param roll degrees about Z, positive to the left shoulder
  * @param moved whether head or viewer moved since the frame before
- * @param object in the middle of the view: by the DEF of its Switch, else of its Inline, else the
- *     nearest; empty when there is none
+ * @param object in the middle of the view, by the name that {@link SceneObjects} gives it; empty
+ *     when there is none
  * @param distance of its surface, in the scene's unit; NaN when there is none
  * @param version the choice that its Switch shows, -1 when no Switch holds it
  * @param cone objects in a cone about the middle, the one that fills most of it first

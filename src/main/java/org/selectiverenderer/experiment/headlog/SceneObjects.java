@@ -79,7 +79,7 @@ final class SceneObjects {
         return Optional.of(named);
       }
       boolean top = at.parent() == tree.root();
-      if (top && room(at)) {
+      if (top && isRoom(at)) {
         best.put(Rank.ROOM, named);
       } else if (type.equals("Inline")) {
         best.put(Rank.INLINE, named);
@@ -105,7 +105,7 @@ final class SceneObjects {
   }
 
   /** Whether a node at the top of the scene holds objects, rather than being one. */
-  private boolean room(Instance top) {
+  boolean isRoom(Instance top) {
     return rooms.computeIfAbsent(
         top, at -> at instanceof GroupInstance group && holds(group, at.node()));
   }
