@@ -2,8 +2,11 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
@@ -22,6 +25,7 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
 import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
@@ -41,6 +45,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final RunStop stop;
   private final Controls controls;
   private final WindowInput windowInput;
+  private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
   private final OverlayText overlay = new OverlayText();
   private final OperatorConsole console;
   private final FigureKeeper keeper = new FigureKeeper();
@@ -104,12 +109,45 @@ final class SceneRun implements WorldHost, AutoCloseable {
   @Override
   public void input(InputEvent event) {
     windowInput.accept(event);
+    operatorKey(event, true);
+  }
+
+  @Override
+  public void operatorInput(InputEvent event) {
+    if (operatorKey(event, false)) {
+      windowInput.command(event);
+    }
+  }
+
+  /** Whether a key went down that was not down before: one that is held is told again and again. */
+  private boolean operatorKey(InputEvent event, boolean participants) {
+    if (event instanceof InputEvent.FocusLost) {
+      held.clear();
+    }
+    if (!(event instanceof InputEvent.KeyInput key)) {
+      return false;
+    }
+    boolean first = key.pressed() ? held.add(key.key()) : held.remove(key.key());
+    if (key.pressed() && first) {
+      guide.operatorKey(key.key(), participants);
+    }
+    return key.pressed() && first;
+  }
+
+  @Override
+  public boolean pointerKept() {
+    return guide.keepsPointer();
   }
 
   @Override
   public Optional<World> step() {
     List<NavigationCommand> commands =
-        controls.takeCommands().stream().filter(guide::hears).toList();
+        Stream.concat(
+                controls.takeCommands().stream().filter(guide::hears),
+                guide.takeHeadingReset()
+                    ? Stream.of(NavigationCommand.RESET_HEADING)
+                    : Stream.empty())
+            .toList();
     if (state == RunState.LOADING && opening.done()) {
       open();
     }
@@ -150,6 +188,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   private void obey(NavigationCommand command, Walking walking) {
+    guide.heard(command);
     switch (command) {
       case RESET_HEADING -> head.resetHeading();
       case TOGGLE_OVERLAY -> overlay.toggle();
@@ -229,7 +268,14 @@ final class SceneRun implements WorldHost, AutoCloseable {
     return scene == null
         ? OperatorConsole.waiting(told)
         : console.page(
-            walk(), overlay.interval(), told, width, height, pictureWidth, pictureHeight);
+            walk(),
+            overlay.interval(),
+            told,
+            guide.blind(),
+            width,
+            height,
+            pictureWidth,
+            pictureHeight);
   }
 
   private Walkthrough walk() {

@@ -141,6 +141,20 @@ public final class WindowChain implements WorldHost {
   }
 
   @Override
+  public void operatorInput(InputEvent event) {
+    if (current != null) {
+      current.operatorInput(event);
+    }
+  }
+
+  /** Between two runs as in the one before: the participant's hand does not rest. */
+  @Override
+  public boolean pointerKept() {
+    GuidedRun run = guided;
+    return run != null && run.guide().keepsPointer();
+  }
+
+  @Override
   public boolean closing() {
     GuidedRun run = guided;
     return run == null || run.guide().closing();

@@ -67,11 +67,12 @@ final class ShownSteps implements WindowChain.Runs {
     }
     Path log = session.headLog(step.get());
     session.began(step.get(), true);
+    RunListener listener = listener(step.get(), log);
     return Optional.of(
-        new GuidedRun(settings(step.get(), log), listener(step.get(), log), guide(step.get())));
+        new GuidedRun(settings(step.get(), log), listener, guide(step.get(), listener)));
   }
 
-  private StepGuide guide(SessionStep step) {
+  private StepGuide guide(SessionStep step, RunListener listener) {
     OptionalDouble shortened = session.options().exposure();
     if (step instanceof SessionStep.Exposure exposure) {
       return new StepGuide(
@@ -79,7 +80,9 @@ final class ShownSteps implements WindowChain.Runs {
           step,
           exposure.area().viewpoint(),
           OptionalDouble.of(shortened.orElse(exposure.area().seconds())),
-          controls);
+          controls,
+          show.stage(),
+          listener::problem);
     }
     return new StepGuide(
         session,
@@ -89,7 +92,9 @@ final class ShownSteps implements WindowChain.Runs {
             ? OptionalDouble.of(
                 Math.min(UNATTENDED_PRACTICE, shortened.orElse(UNATTENDED_PRACTICE)))
             : OptionalDouble.empty(),
-        controls);
+        controls,
+        show.stage(),
+        listener::problem);
   }
 
   private RunSettings settings(SessionStep step, Path log) {
@@ -108,7 +113,8 @@ final class ShownSteps implements WindowChain.Runs {
         .with(
             DisplaySettings.of(show.presentation())
                 .filling(width, height)
-                .operator(show.operator()))
+                .operator(show.operator())
+                .operatorOn(show.stage().monitor()))
         .with(
             new TrackerSettings(study.tracker(), show.tracking(), WhenLost.FREEZE),
             Optional.of(new HeadLogSettings(log)));

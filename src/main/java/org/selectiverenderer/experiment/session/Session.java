@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,6 +19,7 @@ import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
 import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.study.Study;
 
 /**
  * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
@@ -204,7 +206,22 @@ public final class Session implements AutoCloseable {
 
   /** The steps that are still to be done, in order. */
   public List<SessionStep> remaining() {
-    return material.steps().stream().filter(step -> !history.finished(step)).toList();
+    return steps().stream().filter(step -> !history.finished(step)).toList();
+  }
+
+  /**
+   * All steps, the areas in the participant's order; an area that the study has got since comes
+   * last.
+   */
+  private List<SessionStep> steps() {
+    List<String> order = history.areaOrder();
+    return material.steps(
+        material.study().areas().stream()
+            .sorted(
+                Comparator.comparing(
+                    area ->
+                        order.contains(area.name()) ? order.indexOf(area.name()) : order.size()))
+            .toList());
   }
 
   public SessionJournal journal() {
@@ -285,6 +302,25 @@ public final class Session implements AutoCloseable {
     assigned.insteadOf().ifPresent(turn -> event.put("instead_of", turn.spelling()));
     event.put("age", age);
     keep("assigned", event);
+    order(assigned);
+  }
+
+  /** The order of the areas is said once and kept, whatever becomes of the study's file. */
+  private void order(Participants.Assigned assigned) throws IOException {
+    Study study = material.study();
+    if (study.areas().isEmpty()) {
+      return;
+    }
+    int turn = AreaSequence.turn(study, assigned.place());
+    keep(
+        "area-order",
+        Map.of(
+            "order",
+            study.course().order().spelling(),
+            "areas",
+            AreaSequence.of(study, folder.participant(), turn).stream()
+                .map(Study.Area::name)
+                .toList()));
   }
 
   /** The participant does not take part. */

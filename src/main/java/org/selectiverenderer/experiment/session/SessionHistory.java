@@ -29,6 +29,7 @@ final class SessionHistory {
   private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
   private final List<String> headLogs = new ArrayList<>();
   private final Set<String> brokenLogs = new LinkedHashSet<>();
+  private final List<String> areaOrder = new ArrayList<>();
   private Optional<Condition> condition = Optional.empty();
   private String checksum = "";
   private boolean unattended;
@@ -83,6 +84,10 @@ final class SessionHistory {
         shortened |= event.has("exposure_s");
       }
       case "assigned" -> condition = Condition.of(event.path("condition").asText());
+      case "area-order" -> {
+        areaOrder.clear();
+        event.path("areas").forEach(area -> areaOrder.add(area.asText()));
+      }
       case "step-began" -> {
         runs.merge(step, 1, Integer::sum);
         if (event.has("head_log")) {
@@ -143,6 +148,11 @@ final class SessionHistory {
   /** Steps that were shown to their end with a head log that a full or slow disk cut short. */
   Set<String> brokenLogs() {
     return brokenLogs;
+  }
+
+  /** Names of the areas in the participant's order, once it is known. */
+  List<String> areaOrder() {
+    return List.copyOf(areaOrder);
   }
 
   /** The participant's condition, once it is assigned. */

@@ -99,9 +99,9 @@ class AttendedSessionTest {
     FutureTask<Boolean> picture = OpenWindow.asking(this::watch);
     fillInTheForm();
     status("practice: 1 s so far");
-    press("Go on", () -> shows("exposure-hall: "));
-    press("Pause", () -> shows("exposure-hall: PAUSED"));
-    press("Continue", () -> !shows("exposure-hall: PAUSED"));
+    press("Go on (F9)", () -> shows("exposure-hall: "));
+    press("Pause (F8)", () -> shows("exposure-hall: PAUSED"));
+    press("Continue (F8)", () -> !shows("exposure-hall: PAUSED"));
     JFrame questions = OpenWindow.named(hands, "questionnaire");
     watching.set(false);
     OpenWindow.answer(picture);
@@ -139,7 +139,7 @@ class AttendedSessionTest {
     FutureTask<SessionRunner.Outcome> second = OpenWindow.asking(() -> run(2));
     fillInTheForm();
     status("practice: 1 s so far");
-    press("Go on", () -> shows("exposure-hall: "));
+    press("Go on (F9)", () -> shows("exposure-hall: "));
     abort();
     assertThat(OpenWindow.answer(second)).isEqualTo(SessionRunner.Outcome.ABORTED);
     assertThat(events(2)).endsWith("step-began", "scene", "shown", "aborted");
@@ -153,7 +153,7 @@ class AttendedSessionTest {
                 number,
                 new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
                 new Problems());
-        SessionDialogue dialogue = new WindowDialogue(material.wording())) {
+        SessionDialogue dialogue = new WindowDialogue(material.wording(), Optional.empty())) {
       return new SessionRunner(session, dialogue, show(), text -> {}).run();
     }
   }
@@ -164,6 +164,7 @@ class AttendedSessionTest {
             DisplayMode.WINDOW, new EyeGeometry(DisplayProfile.PROVIEW_50, 0.063), false),
         TrackerOptions.NONE,
         false,
+        SessionStage.DESK,
         new RunListener() {
           @Override
           public void problem(Problem problem) {
@@ -234,7 +235,7 @@ class AttendedSessionTest {
   private void press(String button, BooleanSupplier effect) {
     OpenWindow.click(
         hands,
-        button.equals("Go on")
+        button.startsWith("Go on")
             ? Hands.named(controls, button, JButton.class)
             : Hands.named(controls, button, JToggleButton.class),
         effect);

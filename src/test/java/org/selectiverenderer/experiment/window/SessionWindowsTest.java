@@ -227,7 +227,7 @@ class SessionWindowsTest {
             new Problems())) {
       OperatorControls controls = new OperatorControls(session.journal());
       assertThat(controls.askAbort()).as("nobody there to ask").isFalse();
-      ControlWindow opened = ControlWindow.open(controls);
+      ControlWindow opened = ControlWindow.open(controls, Optional.empty());
       try {
         JFrame window = OpenWindow.named(hands, "controls");
         controls.status("exposure-kitchen: 12 s left");
@@ -236,7 +236,7 @@ class SessionWindowsTest {
         hands.type("7");
         hands.await("the note", () -> note.getText().equals("7"));
         hands.press(KeyEvent.VK_ENTER);
-        JToggleButton pause = Hands.named(window, "Pause", JToggleButton.class);
+        JToggleButton pause = Hands.named(window, "Pause (F8)", JToggleButton.class);
         OpenWindow.click(hands, pause, controls::paused);
         JLabel status =
             Hands.onEdt(
@@ -250,7 +250,7 @@ class SessionWindowsTest {
         AtomicBoolean went = new AtomicBoolean(); // Taken once.
         OpenWindow.click(
             hands,
-            Hands.named(window, "Go on", JButton.class),
+            Hands.named(window, "Go on (F9)", JButton.class),
             () -> {
               if (controls.takeGoOn()) {
                 went.set(true);
