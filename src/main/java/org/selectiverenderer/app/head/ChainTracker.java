@@ -20,16 +20,21 @@ import org.selectiverenderer.tracker.open.Trackers;
 public final class ChainTracker implements AutoCloseable {
   private @Nullable HeadTracker tracker;
   private volatile Consumer<Problem> listener = problem -> {};
+  private volatile Consumer<PoseSample> taker = sample -> {};
 
   /**
    * The tracker for a run, which may close what it gets: the device stays open.
    *
    * @param settings the same for all runs
    * @param hears what is wrong with the tracker until the next run asks
+   * @param takes each record until then, on the tracker's thread
    * @throws IOException when it cannot be used
    */
-  public HeadTracker lend(TrackerSettings settings, Consumer<Problem> hears) throws IOException {
+  public HeadTracker lend(
+      TrackerSettings settings, Consumer<Problem> hears, Consumer<PoseSample> takes)
+      throws IOException {
     listener = hears;
+    taker = takes;
     HeadTracker open = tracker;
     if (open == null) {
       open = Trackers.open(settings.spec(), settings.options(), new Told());
@@ -46,6 +51,11 @@ public final class ChainTracker implements AutoCloseable {
   }
 
   private final class Told implements TrackerListener {
+    @Override
+    public void sample(PoseSample sample) {
+      taker.accept(sample);
+    }
+
     @Override
     public void problem(Problem problem) {
       listener.accept(problem);

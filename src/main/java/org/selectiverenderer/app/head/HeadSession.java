@@ -35,6 +35,7 @@ public final class HeadSession implements AutoCloseable {
   private final HeadTracker tracker;
   private final @Nullable ReplayLog replay;
   private final @Nullable HeadLogFiles files;
+  private final TrackerTap tap;
   private final LatencyMeter latency = new LatencyMeter();
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
@@ -45,8 +46,10 @@ public final class HeadSession implements AutoCloseable {
       Consumer<Problem> problem,
       HeadTracker tracker,
       @Nullable ReplayLog replay,
-      @Nullable HeadLogFiles files) {
+      @Nullable HeadLogFiles files,
+      TrackerTap tap) {
     this.settings = settings;
+    this.tap = tap;
     this.problem = problem;
     this.tracker = tracker;
     this.replay = replay;
@@ -78,32 +81,40 @@ public final class HeadSession implements AutoCloseable {
       throws IOException {
     TrackerSettings tracking = settings.tracker();
     if (!(tracking.spec() instanceof TrackerSpec.Replay spec)) {
+      TrackerTap tap = new TrackerTap();
       TrackerListener heard =
           new TrackerListener() {
+            @Override
+            public void sample(PoseSample sample) {
+              tap.accept(sample);
+            }
+
             @Override
             public void problem(Problem told) {
               problem.accept(told);
             }
           };
       HeadTracker live = Trackers.open(tracking.spec(), tracking.options(), heard);
-      return new HeadSession(settings, problem, live, null, files);
+      return new HeadSession(settings, problem, live, null, files, tap);
     }
     // A log is replayed by the frames' clock, so that each run of it shows the same.
     ReplayLog log =
         ReplayLog.read(spec.file(), new Problems(problem))
             .orElseThrow(() -> new TrackerException("the log " + spec.file() + " has faults"));
     HeadTracker stepped = new SteppedReplay(spec, log, tracking.options());
-    return new HeadSession(settings, problem, stepped, log, files);
+    return new HeadSession(settings, problem, stepped, log, files, new TrackerTap());
   }
 
   /**
    * With a live tracker that is open already.
    *
+   * @param tap through which its records come
    * @throws IOException when the log cannot be written or is there already
    */
   public static HeadSession with(
-      HeadTracker tracker, RunSettings settings, Consumer<Problem> problem) throws IOException {
-    return new HeadSession(settings, problem, tracker, null, claimed(settings));
+      HeadTracker tracker, TrackerTap tap, RunSettings settings, Consumer<Problem> problem)
+      throws IOException {
+    return new HeadSession(settings, problem, tracker, null, claimed(settings), tap);
   }
 
   private static @Nullable HeadLogFiles claimed(RunSettings settings) throws IOException {
@@ -127,6 +138,9 @@ public final class HeadSession implements AutoCloseable {
     if (files != null) {
       double cone = settings.log().orElseThrow().coneDegrees();
       recorder = HeadRecorder.open(files, cone, settings, walk, problem);
+      if (settings.tracker().tracked() && replay == null) {
+        tap.open(settings.log().orElseThrow(), settings.tracker().spec().toString(), problem);
+      }
     }
     if (!settings.tracker().tracked()) {
       return walking;
@@ -197,7 +211,13 @@ public final class HeadSession implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    tracker.close();
+    try (tap) {
+      tracker.close();
+      closeLog();
+    }
+  }
+
+  private void closeLog() throws IOException {
     if (recorder != null) {
       recorder.close();
     } else if (files != null) {

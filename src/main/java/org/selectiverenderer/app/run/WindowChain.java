@@ -9,6 +9,7 @@ import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.head.TrackerTap;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.runtime.World;
@@ -88,9 +89,10 @@ public final class WindowChain implements WorldHost {
     RunListener listener = run.listener();
     // What is not as asked for is said once, by the windows; the log is to know it each time.
     RunSettings fitted = WindowStage.fitted(run.settings(), text -> {});
+    TrackerTap tap = new TrackerTap();
     HeadSession head =
         HeadSession.with(
-            tracker.lend(fitted.tracker(), listener::problem), fitted, listener::problem);
+            tracker.lend(fitted.tracker(), listener::problem, tap), tap, fitted, listener::problem);
     current = new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop());
   }
 

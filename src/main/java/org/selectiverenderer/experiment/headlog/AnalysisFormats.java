@@ -4,6 +4,8 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.decimal.Rounded;
@@ -30,15 +32,23 @@ public final class AnalysisFormats {
     line(text, "%-32s %8s %6s %8s %8s", "in the middle of the view", "s", "looks", "first", "long");
     SceneMap map = analysis.log().description().map();
     views(text, analysis.objects().stream().filter(view -> !map.surrounds(view.object())));
+    Set<String> notEntered =
+        analysis.rooms().stream()
+            .filter(room -> room.seconds() == 0)
+            .map(RoomView::room)
+            .collect(Collectors.toSet());
     analysis
         .unseen()
         .forEach(
-            (room, names) ->
+            (room, names) -> {
+              if (!notEntered.contains(room)) {
                 line(
                     text,
                     "never%s: %s",
                     room.isEmpty() ? "" : ", " + room,
-                    String.join(", ", names)));
+                    String.join(", ", names));
+              }
+            });
     if (analysis.objects().stream().anyMatch(view -> map.surrounds(view.object()))) {
       line(text, "");
       line(text, "walls, floors, ceilings");

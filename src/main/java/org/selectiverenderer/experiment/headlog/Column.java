@@ -94,7 +94,8 @@ enum Column {
     decimals = -1;
   }
 
-  private static String wall(@Nullable Instant time) {
+  /** A date and time as it stands in a log; empty for none. */
+  static String wall(@Nullable Instant time) {
     return time == null ? "" : WALL_CLOCK.format(time);
   }
 
