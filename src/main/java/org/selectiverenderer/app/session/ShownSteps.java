@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.run.GuidedRun;
 import org.selectiverenderer.app.run.RunListener;
@@ -30,6 +31,8 @@ import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.tracker.open.TrackerSearch;
 
 /** The steps of a session that show a scene, as runs of one chain of windows. */
 final class ShownSteps implements WindowChain.Runs {
@@ -39,6 +42,7 @@ final class ShownSteps implements WindowChain.Runs {
   private final Session session;
   private final SessionShow show;
   private final OperatorControls controls;
+  private @Nullable TrackerSpec tracker;
   private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
 
   ShownSteps(Session session, SessionShow show, OperatorControls controls) {
@@ -97,7 +101,7 @@ final class ShownSteps implements WindowChain.Runs {
         listener::problem);
   }
 
-  private RunSettings settings(SessionStep step, Path log) {
+  private RunSettings settings(SessionStep step, Path log) throws IOException {
     Study study = session.material().study();
     Path scene =
         step instanceof SessionStep.Practice practice
@@ -116,8 +120,39 @@ final class ShownSteps implements WindowChain.Runs {
                 .operator(show.operator())
                 .operatorOn(show.stage().monitor()))
         .with(
-            new TrackerSettings(study.tracker(), show.tracking(), WhenLost.FREEZE),
+            new TrackerSettings(tracker(step), show.tracking(), WhenLost.FREEZE),
             Optional.of(new HeadLogSettings(log)));
+  }
+
+  /**
+   * The study's tracker; one that is to be found is looked for once. Where there is none the
+   * session goes on by mouse, which is said and flagged.
+   */
+  private TrackerSpec tracker(SessionStep step) throws IOException {
+    TrackerSpec known = tracker;
+    if (known == null) {
+      TrackerSpec wanted = session.material().study().tracker();
+      Optional<TrackerSpec> found = found(wanted);
+      if (found.isEmpty()) {
+        session.journal().tell("flag", Map.of("flag", "tracker-absent", "step", step.id()));
+        show.listener()
+            .printed(
+                "no tracker %s answers at a serial port; the mouse turns the view"
+                    .formatted(wanted));
+      }
+      known = found.orElse(new TrackerSpec.None());
+      tracker = known;
+    }
+    return known;
+  }
+
+  private static Optional<TrackerSpec> found(TrackerSpec wanted) throws IOException {
+    try {
+      return TrackerSearch.found(wanted);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted while looking for the tracker", e);
+    }
   }
 
   /** The seed of the random condition: each participant has a lot of his own, always the same. */

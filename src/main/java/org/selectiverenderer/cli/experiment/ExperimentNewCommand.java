@@ -31,7 +31,7 @@ final class ExperimentNewCommand extends CliCommand {
 
   @Option(
       names = "--scene",
-      defaultValue = "scenes/apartment.x3d",
+      defaultValue = "scenes/apartment-lit.x3d",
       paramLabel = "SCENE",
       description = "scene of the study, with practice.x3d beside it (default: ${DEFAULT-VALUE})")
   private Path scene = Path.of("");
