@@ -29,7 +29,7 @@ class TrackerLogTest {
         log.add(
             new TrackerRecord(
                 i,
-                100 + i / 256.0,
+                100 + i / 250.0,
                 Instant.parse("2026-01-01T12:00:00Z").plusMillis(4 * i),
                 10.00004 * i,
                 -1,
@@ -45,12 +45,12 @@ class TrackerLogTest {
     assertThat(Files.readAllLines(file))
         .containsExactly(
             "t,yaw,pitch,roll,number,wall,mono",
-            "0.003906,10.0000,-1.0000,0.0000,1,2026-01-01T12:00:00.004Z,100.003906",
-            "0.007813,20.0001,-1.0000,0.0000,2,2026-01-01T12:00:00.008Z,100.007813",
-            "0.011719,30.0001,-1.0000,0.0000,3,2026-01-01T12:00:00.012Z,100.011719");
+            "0.004000,10.0000,-1.0000,0.0000,1,2026-01-01T12:00:00.004Z,100.004000",
+            "0.008000,20.0001,-1.0000,0.0000,2,2026-01-01T12:00:00.008Z,100.008000",
+            "0.012000,30.0001,-1.0000,0.0000,3,2026-01-01T12:00:00.012Z,100.012000");
     ReplayLog replay = ReplayLog.read(file, new Problems()).orElseThrow();
     assertThat(replay.size()).isEqualTo(3);
-    assertThat(replay.duration()).isCloseTo(2 / 256.0, within(1e-5));
+    assertThat(replay.duration()).isCloseTo(2 / 250.0, within(1e-5));
   }
 
   @Test
