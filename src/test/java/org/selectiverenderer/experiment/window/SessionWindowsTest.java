@@ -257,6 +257,21 @@ class SessionWindowsTest {
               }
               return went.get();
             });
+        AtomicBoolean reset = new AtomicBoolean(); // Taken once.
+        OpenWindow.click(
+            hands,
+            Hands.named(window, "Reset Heading (F4)", JButton.class),
+            () -> {
+              if (controls.takeResetHeading()) {
+                reset.set(true);
+              }
+              return reset.get();
+            });
+        hands.press(KeyEvent.VK_F8);
+        hands.await("the pause", controls::paused);
+        hands.await("the button", () -> pause.getText().equals("Continue (F8)"));
+        hands.press(KeyEvent.VK_F8);
+        hands.await("no pause", () -> !controls.paused());
         OpenWindow.click(
             hands, Hands.named(window, "Abort ...", JButton.class), OpenWindow::asking);
         OpenWindow.answerDialog(hands, "Continue the Session");
@@ -274,7 +289,15 @@ class SessionWindowsTest {
     }
     String events = Files.readString(folder.resolve("study/sub-001/ses-01/events.jsonl"));
     assertThat(events.lines().map(line -> line.replaceAll(".*\"event\":\"([^\"]*)\".*", "$1")))
-        .containsExactly("session-began", "note", "paused", "continued", "go-on", "aborted");
+        .containsExactly(
+            "session-began",
+            "note",
+            "paused",
+            "continued",
+            "go-on",
+            "paused",
+            "continued",
+            "aborted");
     assertThat(events).containsPattern("\"time\":\"\\d{4}-.*\"event\":\"note\",\"text\":\"7\"");
   }
 
