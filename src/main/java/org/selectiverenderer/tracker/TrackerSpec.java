@@ -33,9 +33,14 @@ public sealed interface TrackerSpec {
   /**
    * {@code intertrax2:/dev/ttyUSB0}.
    *
-   * @param port a serial port's device, or COM3 on Windows
+   * @param port a serial port's device, or COM3 on Windows; {@code auto} for the first that answers
    */
   record InterTrax2(String port) implements TrackerSpec {
+    /** Whether its port is to be found. */
+    public boolean searched() {
+      return port.equals("auto");
+    }
+
     @Override
     public String toString() {
       return "intertrax2:" + port;

@@ -7,6 +7,7 @@ public final class Stopwatch {
   private final LongSupplier nanos;
   private long begun;
   private long now;
+  private long stood;
   private boolean going;
 
   public Stopwatch() {
@@ -33,6 +34,7 @@ public final class Stopwatch {
       begun = now;
     } else if (paused) {
       begun += now - last;
+      stood += now - last;
     }
   }
 
@@ -40,6 +42,16 @@ public final class Stopwatch {
   public void restart() {
     now = nanos.getAsLong();
     begun = now;
+  }
+
+  /** What its clock said at the last frame, in nanoseconds; that clock goes on in pauses. */
+  public long nanos() {
+    return now;
+  }
+
+  /** How long it was paused in all, in nanoseconds. */
+  public long paused() {
+    return stood;
   }
 
   /** As of the last frame; 0 before the first. */

@@ -25,16 +25,21 @@ public final class ChainTracker implements AutoCloseable {
   private @Nullable HeadTracker tracker;
   private final CountDownLatch heard = new CountDownLatch(1);
   private volatile Consumer<Problem> listener = problem -> {};
+  private volatile Consumer<PoseSample> taker = sample -> {};
 
   /**
    * The tracker for a run, which may close what it gets: the device stays open.
    *
    * @param settings the same for all runs
    * @param hears what is wrong with the tracker until the next run asks
+   * @param takes each record until then, on the tracker's thread
    * @throws IOException when it cannot be used
    */
-  public HeadTracker lend(TrackerSettings settings, Consumer<Problem> hears) throws IOException {
+  public HeadTracker lend(
+      TrackerSettings settings, Consumer<Problem> hears, Consumer<PoseSample> takes)
+      throws IOException {
     listener = hears;
+    taker = takes;
     HeadTracker open = tracker;
     if (open == null) {
       open = Trackers.open(settings.spec(), settings.options(), new Told());
@@ -54,7 +59,7 @@ public final class ChainTracker implements AutoCloseable {
   public void awaitRecord(TrackerSettings settings, long patience)
       throws IOException, InterruptedException {
     // What is wrong with it in the meantime is in the one line that follows.
-    try (HeadTracker lent = lend(settings, problem -> {})) {
+    try (HeadTracker lent = lend(settings, problem -> {}, sample -> {})) {
       if (settings.tracked() && !heard.await(patience, TimeUnit.MILLISECONDS)) {
         throw new TrackerException(
             "the tracker %s sent no record within %s s"
@@ -74,6 +79,7 @@ public final class ChainTracker implements AutoCloseable {
     @Override
     public void sample(PoseSample sample) {
       heard.countDown();
+      taker.accept(sample);
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
@@ -37,7 +38,7 @@ final class HeadRecorder implements AutoCloseable {
   private final PoseSample angles = new PoseSample();
   private final Vector3d lastPosition = new Vector3d(Double.NaN);
   private final Quaterniond lastOrientation = new Quaterniond();
-  private long lastFrame;
+  private @Nullable FrameMoment last;
 
   private HeadRecorder(Walkthrough walk, HeadLogWriter writer, double coneDegrees) {
     this.walk = walk;
@@ -84,9 +85,12 @@ final class HeadRecorder implements AutoCloseable {
         SceneSurvey.of(walk.world().instances()));
   }
 
-  /** A frame was stepped. */
-  void frame(double time) {
-    long now = System.nanoTime();
+  /**
+   * Logs a frame: what is in the middle of the view now was there when it was stepped.
+   *
+   * @param visible whether the participant saw it
+   */
+  void frame(FrameMoment frame, boolean visible) {
     Viewer viewer = walk.world().viewer();
     Vector3dc at = viewer.position();
     Quaterniondc turn = viewer.orientation();
@@ -97,7 +101,7 @@ final class HeadRecorder implements AutoCloseable {
     Gaze.Found found = gaze.find();
     writer.add(
         new HeadSample(
-            time,
+            frame.time(),
             at.x(),
             at.y(),
             at.z(),
@@ -110,10 +114,11 @@ final class HeadRecorder implements AutoCloseable {
             found.version(),
             found.cone(),
             walk.activeSchemas(),
-            lastFrame == 0 ? 0 : (now - lastFrame) * 1e-6));
+            last == null ? 0 : frame.millisecondsSince(last),
+            new HeadSample.Moment(visible, frame.wall(), frame.nanos() * 1e-9)));
     lastPosition.set(at);
     lastOrientation.set(turn);
-    lastFrame = now;
+    last = frame;
   }
 
   @Override

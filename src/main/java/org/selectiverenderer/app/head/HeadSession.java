@@ -35,19 +35,22 @@ public final class HeadSession implements AutoCloseable {
   private final HeadTracker tracker;
   private final @Nullable ReplayLog replay;
   private final @Nullable HeadLogFiles files;
+  private final TrackerTap tap;
   private final LatencyMeter latency = new LatencyMeter();
   private final TrackerSilence silence = new TrackerSilence();
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
-  private double unlogged = Double.NaN;
+  private @Nullable FrameMoment unlogged;
 
   private HeadSession(
       RunSettings settings,
       Consumer<Problem> problem,
       HeadTracker tracker,
       @Nullable ReplayLog replay,
-      @Nullable HeadLogFiles files) {
+      @Nullable HeadLogFiles files,
+      TrackerTap tap) {
     this.settings = settings;
+    this.tap = tap;
     this.problem = problem;
     this.tracker = tracker;
     this.replay = replay;
@@ -79,32 +82,40 @@ public final class HeadSession implements AutoCloseable {
       throws IOException {
     TrackerSettings tracking = settings.tracker();
     if (!(tracking.spec() instanceof TrackerSpec.Replay spec)) {
+      TrackerTap tap = new TrackerTap();
       TrackerListener heard =
           new TrackerListener() {
+            @Override
+            public void sample(PoseSample sample) {
+              tap.accept(sample);
+            }
+
             @Override
             public void problem(Problem told) {
               problem.accept(told);
             }
           };
       HeadTracker live = Trackers.open(tracking.spec(), tracking.options(), heard);
-      return new HeadSession(settings, problem, live, null, files);
+      return new HeadSession(settings, problem, live, null, files, tap);
     }
     // A log is replayed by the frames' clock, so that each run of it shows the same.
     ReplayLog log =
         ReplayLog.read(spec.file(), new Problems(problem))
             .orElseThrow(() -> new TrackerException("the log " + spec.file() + " has faults"));
     HeadTracker stepped = new SteppedReplay(spec, log, tracking.options());
-    return new HeadSession(settings, problem, stepped, log, files);
+    return new HeadSession(settings, problem, stepped, log, files, new TrackerTap());
   }
 
   /**
    * With a live tracker that is open already.
    *
+   * @param tap through which its records come
    * @throws IOException when the log cannot be written or is there already
    */
   public static HeadSession with(
-      HeadTracker tracker, RunSettings settings, Consumer<Problem> problem) throws IOException {
-    return new HeadSession(settings, problem, tracker, null, claimed(settings));
+      HeadTracker tracker, TrackerTap tap, RunSettings settings, Consumer<Problem> problem)
+      throws IOException {
+    return new HeadSession(settings, problem, tracker, null, claimed(settings), tap);
   }
 
   private static @Nullable HeadLogFiles claimed(RunSettings settings) throws IOException {
@@ -128,6 +139,9 @@ public final class HeadSession implements AutoCloseable {
     if (files != null) {
       double cone = settings.log().orElseThrow().coneDegrees();
       recorder = HeadRecorder.open(files, cone, settings, walk, problem);
+      if (settings.tracker().tracked() && replay == null) {
+        tap.open(settings.log().orElseThrow(), settings.tracker().spec().toString(), problem);
+      }
     }
     if (!settings.tracker().tracked()) {
       return walking;
@@ -146,11 +160,11 @@ public final class HeadSession implements AutoCloseable {
   }
 
   /** A frame was stepped; it is logged by {@link #log}. */
-  public void stepped(double time) {
-    unlogged = time;
+  public void stepped(FrameMoment frame) {
+    unlogged = frame;
     TrackedMotion tracked = motion;
     if (tracked != null) {
-      silence.frame(time, tracked.fresh());
+      silence.frame(frame.time(), tracked.fresh());
     }
   }
 
@@ -162,12 +176,15 @@ public final class HeadSession implements AutoCloseable {
   /**
    * Logs the frame last stepped, unless that is done: when it is submitted, which looking for what
    * is in the middle of the view would delay, or before the next is stepped.
+   *
+   * @param visible whether the participant saw it
    */
-  public void log() {
-    if (recorder != null && !Double.isNaN(unlogged)) {
-      recorder.frame(unlogged);
+  public void log(boolean visible) {
+    FrameMoment frame = unlogged;
+    if (recorder != null && frame != null) {
+      recorder.frame(frame, visible);
     }
-    unlogged = Double.NaN;
+    unlogged = null;
   }
 
   /** The frame was handed to the display. */
@@ -204,7 +221,13 @@ public final class HeadSession implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    tracker.close();
+    try (tap) {
+      tracker.close();
+      closeLog();
+    }
+  }
+
+  private void closeLog() throws IOException {
     if (recorder != null) {
       recorder.close();
     } else if (files != null) {

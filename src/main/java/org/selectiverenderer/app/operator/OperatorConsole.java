@@ -46,11 +46,13 @@ public final class OperatorConsole {
    *
    * @param interval seconds from frame to frame
    * @param told what the session has to say
+   * @param blind whether nothing may tell the condition: the polygons do
    */
   public OperatorPage page(
       Walkthrough walk,
       double interval,
       List<String> told,
+      boolean blind,
       int width,
       int height,
       int pictureWidth,
@@ -73,7 +75,7 @@ public final class OperatorConsole {
             walk.enteredAreas(),
             marks);
     double below = told(told, width * 0.5, top, marks);
-    lines(walk, interval, width * 0.5, below, marks);
+    lines(walk, interval, blind, width * 0.5, below, marks);
     alarm(width, marks);
     return new OperatorPage((width - shownWidth) / 2, MARGIN, shownWidth, shownHeight, marks);
   }
@@ -102,18 +104,20 @@ public final class OperatorConsole {
     }
   }
 
-  private void lines(Walkthrough walk, double interval, double left, double top, List<Mark> marks) {
+  private void lines(
+      Walkthrough walk, double interval, boolean blind, double left, double top, List<Mark> marks) {
     double y = top + LETTERS;
-    y = line(left, y, INK, "schemas active: " + list(walk.activeSchemas()), marks);
+    if (!blind) {
+      y = line(left, y, INK, "schemas active: " + list(walk.activeSchemas()), marks);
+    }
     y = line(left, y, INK, "areas entered: " + list(walk.enteredAreas()), marks);
     y =
         line(
             left,
             y,
             INK,
-            text(
-                "%,d polygons    %.1f ms per frame    %.0f s",
-                walk.polygons(), interval * 1000, walk.world().time()),
+            (blind ? "" : text("%,d polygons    ", walk.polygons()))
+                + text("%.1f ms per frame    %.0f s", interval * 1000, walk.world().time()),
             marks);
     Vector3dc eye = walk.world().viewer().position();
     y = line(left, y, FAINT, text("at %.2f  %.2f  %.2f", eye.x(), eye.y(), eye.z()), marks);

@@ -2,6 +2,7 @@ package org.selectiverenderer.app.run;
 
 import java.util.List;
 import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
@@ -22,6 +23,31 @@ public interface RunGuide {
   /** Whether a command of the user counts. A participant's only resets the head's heading. */
   default boolean hears(NavigationCommand command) {
     return command == NavigationCommand.RESET_HEADING;
+  }
+
+  /** A command was heard and is being done. */
+  default void heard(NavigationCommand command) {}
+
+  /**
+   * A key of the operator that is none of the participant's: a function key.
+   *
+   * @param participants whether it was pressed in the participant's window
+   */
+  default void operatorKey(KeyboardKey key, boolean participants) {}
+
+  /** Whether somebody asked since the last call for the heading to be reset. */
+  default boolean takeHeadingReset() {
+    return false;
+  }
+
+  /** Whether the pointer is kept in the participant's window, so that it presses nothing else. */
+  default boolean keepsPointer() {
+    return false;
+  }
+
+  /** Whether the operator is not to know the condition. */
+  default boolean blind() {
+    return false;
   }
 
   /** The scene is there, before its first frame. */

@@ -2,13 +2,17 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
 import org.selectiverenderer.app.figures.FigureKeeper;
 import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.head.FrameMoment;
 import org.selectiverenderer.app.head.HeadSession;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.operator.OverlayText;
@@ -21,6 +25,7 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
 import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
@@ -30,6 +35,9 @@ import org.selectiverenderer.runtime.walk.NavigationCommand;
  * on one thread, until the run is {@link #finished}.
  */
 final class SceneRun implements WorldHost, AutoCloseable {
+  /** As dark as this a picture is there, darker it is gone. */
+  private static final double HALF = 0.5;
+
   private final RunSettings settings;
   private final HeadSession head;
   private final RunGuide guide;
@@ -37,6 +45,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final RunStop stop;
   private final Controls controls;
   private final WindowInput windowInput;
+  private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
   private final OverlayText overlay = new OverlayText();
   private final OperatorConsole console;
   private final FigureKeeper keeper = new FigureKeeper();
@@ -100,12 +109,45 @@ final class SceneRun implements WorldHost, AutoCloseable {
   @Override
   public void input(InputEvent event) {
     windowInput.accept(event);
+    operatorKey(event, true);
+  }
+
+  @Override
+  public void operatorInput(InputEvent event) {
+    if (operatorKey(event, false)) {
+      windowInput.command(event);
+    }
+  }
+
+  /** Whether a key went down that was not down before: one that is held is told again and again. */
+  private boolean operatorKey(InputEvent event, boolean participants) {
+    if (event instanceof InputEvent.FocusLost) {
+      held.clear();
+    }
+    if (!(event instanceof InputEvent.KeyInput key)) {
+      return false;
+    }
+    boolean first = key.pressed() ? held.add(key.key()) : held.remove(key.key());
+    if (key.pressed() && first) {
+      guide.operatorKey(key.key(), participants);
+    }
+    return key.pressed() && first;
+  }
+
+  @Override
+  public boolean pointerKept() {
+    return guide.keepsPointer();
   }
 
   @Override
   public Optional<World> step() {
     List<NavigationCommand> commands =
-        controls.takeCommands().stream().filter(guide::hears).toList();
+        Stream.concat(
+                controls.takeCommands().stream().filter(guide::hears),
+                guide.takeHeadingReset()
+                    ? Stream.of(NavigationCommand.RESET_HEADING)
+                    : Stream.empty())
+            .toList();
     if (state == RunState.LOADING && opening.done()) {
       open();
     }
@@ -146,6 +188,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   private void obey(NavigationCommand command, Walking walking) {
+    guide.heard(command);
     switch (command) {
       case RESET_HEADING -> head.resetHeading();
       case TOGGLE_OVERLAY -> overlay.toggle();
@@ -156,10 +199,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private void advance(LiveScene live, double elapsed) {
     boolean over = guide.over(elapsed);
     if (!guide.paused() || live.walk().frames() == 0) {
+      head.log(false); // A frame that was stepped but, in a hidden window, not drawn.
       for (double frame : live.clock().due(elapsed)) {
-        head.log(); // A frame that was stepped but, in a hidden window, not drawn.
+        head.log(seen()); // One of several that a slow picture stands for.
         live.walk().step(frame, live.motion());
-        head.stepped(frame);
+        head.stepped(FrameMoment.now(frame, time));
       }
       over |= live.clock().over(elapsed);
     }
@@ -193,7 +237,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
   @Override
   public void submitted() {
     head.submitted();
-    head.log();
+    head.log(seen());
+  }
+
+  /** Whether the participant sees what is drawn. */
+  private boolean seen() {
+    return guide.darkness(time.seconds()) <= HALF;
   }
 
   @Override
@@ -219,7 +268,14 @@ final class SceneRun implements WorldHost, AutoCloseable {
     return scene == null
         ? OperatorConsole.waiting(told)
         : console.page(
-            walk(), overlay.interval(), told, width, height, pictureWidth, pictureHeight);
+            walk(),
+            overlay.interval(),
+            told,
+            guide.blind(),
+            width,
+            height,
+            pictureWidth,
+            pictureHeight);
   }
 
   private Walkthrough walk() {
@@ -256,7 +312,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   public void close() throws IOException {
     try (head;
         opening) {
-      head.log();
+      head.log(false); // The last one was stepped, and the window closed before it was shown.
     }
   }
 }

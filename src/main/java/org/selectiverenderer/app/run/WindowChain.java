@@ -9,6 +9,7 @@ import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.head.TrackerTap;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.runtime.World;
@@ -90,9 +91,10 @@ public final class WindowChain implements WorldHost {
     // What is not as asked for is said to people once, by the windows; log and journal know it of
     // each run.
     RunSettings fitted = WindowStage.fitted(run.settings(), listener::displayFallback);
+    TrackerTap tap = new TrackerTap();
     HeadSession head =
         HeadSession.with(
-            tracker.lend(fitted.tracker(), listener::problem), fitted, listener::problem);
+            tracker.lend(fitted.tracker(), listener::problem, tap), tap, fitted, listener::problem);
     current = new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop());
   }
 
@@ -140,6 +142,20 @@ public final class WindowChain implements WorldHost {
     if (current != null) {
       current.input(event);
     }
+  }
+
+  @Override
+  public void operatorInput(InputEvent event) {
+    if (current != null) {
+      current.operatorInput(event);
+    }
+  }
+
+  /** Between two runs as in the one before: the participant's hand does not rest. */
+  @Override
+  public boolean pointerKept() {
+    GuidedRun run = guided;
+    return run != null && run.guide().keepsPointer();
   }
 
   @Override

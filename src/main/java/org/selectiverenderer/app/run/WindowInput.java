@@ -20,6 +20,13 @@ final class WindowInput {
     }
   }
 
+  /** A key that went down in another window than the user's: only a command counts. */
+  void command(InputEvent event) {
+    if (event instanceof InputEvent.KeyInput input && input.pressed()) {
+      Optional.ofNullable(keys.get(input.key().name())).ifPresent(controls::command);
+    }
+  }
+
   void accept(InputEvent event) {
     if (event instanceof InputEvent.KeyInput input) {
       Optional.ofNullable(keys.get(input.key().name()))

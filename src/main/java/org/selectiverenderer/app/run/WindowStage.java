@@ -112,10 +112,28 @@ final class WindowStage {
   }
 
   private Optional<WindowOptions> operator() {
-    return settings.operator()
-        ? Optional.of(
-            new WindowOptions("Operator - " + title, OPERATOR_WIDTH, OPERATOR_HEIGHT, 0, false))
-        : Optional.empty();
+    if (!settings.operator()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        settings
+            .operatorMonitor()
+            .map(this::operatorOn)
+            .orElseGet(
+                () ->
+                    new WindowOptions(
+                        "Operator - " + title, OPERATOR_WIDTH, OPERATOR_HEIGHT, 0, false)));
+  }
+
+  private WindowOptions operatorOn(Monitor monitor) {
+    return new WindowOptions(
+        "Operator - " + title,
+        Math.min(OPERATOR_WIDTH, monitor.width()),
+        Math.min(OPERATOR_HEIGHT, monitor.height()),
+        0,
+        false,
+        Optional.of(monitor),
+        false);
   }
 
   private RunWindows dual() {
@@ -139,20 +157,15 @@ final class WindowStage {
       return Optional.empty();
     }
     Optional<Monitor> free =
-        monitors.stream().filter(m -> !m.equals(left) && !m.equals(right)).findFirst();
+        settings
+            .operatorMonitor()
+            .or(
+                () ->
+                    monitors.stream().filter(m -> !m.equals(left) && !m.equals(right)).findFirst());
     if (free.isEmpty()) {
       message.accept("there is no third monitor for the operator's window, so it is not opened");
     }
-    return free.map(
-        monitor ->
-            new WindowOptions(
-                "Operator - " + title,
-                Math.min(OPERATOR_WIDTH, monitor.width()),
-                Math.min(OPERATOR_HEIGHT, monitor.height()),
-                0,
-                false,
-                Optional.of(monitor),
-                false));
+    return free.map(this::operatorOn);
   }
 
   private RunWindows quad() {

@@ -13,10 +13,15 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param presentation to one eye or two, and on what
  * @param tracking how the tracker's angles are taken
  * @param operator whether there is a window with what the participant sees
+ * @param stage what the operator has and sees
  * @param listener hears what is wrong with a scene
  */
 public record SessionShow(
-    Presentation presentation, TrackerOptions tracking, boolean operator, RunListener listener) {
+    Presentation presentation,
+    TrackerOptions tracking,
+    boolean operator,
+    SessionStage stage,
+    RunListener listener) {
   /** How a tracker is taken: while it is silent the picture stays as it is. */
   public TrackerSettings tracker(TrackerSpec spec) {
     return new TrackerSettings(spec, tracking, WhenLost.FREEZE);

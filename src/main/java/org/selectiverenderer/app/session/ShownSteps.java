@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.run.GuidedRun;
 import org.selectiverenderer.app.run.RunListener;
@@ -51,8 +52,7 @@ final class ShownSteps implements WindowChain.Runs {
   private Optional<SessionStep> upcoming() {
     return session.remaining().stream()
         .findFirst()
-        .filter(
-            step -> step instanceof SessionStep.Practice || step instanceof SessionStep.Exposure);
+        .filter(SessionStep::shows);
   }
 
   /** Whether there is a scene to be shown next. */
@@ -68,11 +68,12 @@ final class ShownSteps implements WindowChain.Runs {
     }
     Path log = session.headLog(step.get());
     session.began(step.get(), true);
+    RunListener listener = listener(step.get(), log);
     return Optional.of(
-        new GuidedRun(settings(step.get(), log), listener(step.get(), log), guide(step.get())));
+        new GuidedRun(settings(step.get(), log), listener, guide(step.get(), listener)));
   }
 
-  private StepGuide guide(SessionStep step) {
+  private StepGuide guide(SessionStep step, RunListener listener) {
     OptionalDouble shortened = session.options().exposure();
     if (step instanceof SessionStep.Exposure exposure) {
       return new StepGuide(
@@ -80,7 +81,9 @@ final class ShownSteps implements WindowChain.Runs {
           step,
           exposure.area().viewpoint(),
           OptionalDouble.of(shortened.orElse(exposure.area().seconds())),
-          controls);
+          controls,
+          show.stage(),
+          listener::problem);
     }
     return new StepGuide(
         session,
@@ -90,10 +93,12 @@ final class ShownSteps implements WindowChain.Runs {
             ? OptionalDouble.of(
                 Math.min(UNATTENDED_PRACTICE, shortened.orElse(UNATTENDED_PRACTICE)))
             : OptionalDouble.empty(),
-        controls);
+        controls,
+        show.stage(),
+        listener::problem);
   }
 
-  private RunSettings settings(SessionStep step, Path log) {
+  private RunSettings settings(SessionStep step, Path log) throws IOException {
     Study study = session.material().study();
     Path scene =
         step instanceof SessionStep.Practice practice
@@ -109,7 +114,8 @@ final class ShownSteps implements WindowChain.Runs {
         .with(
             DisplaySettings.of(show.presentation())
                 .filling(width, height)
-                .operator(show.operator()))
+                .operator(show.operator())
+                .operatorOn(show.stage().monitor()))
         .with(
             show.tracker(session.tracker()),
             Optional.of(new HeadLogSettings(log)));

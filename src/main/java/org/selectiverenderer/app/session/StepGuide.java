@@ -5,14 +5,22 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import org.joml.Quaterniond;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunGuide;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.study.Stay;
+import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
  * Leads practice or an exposure: from its viewpoint, for its time or until the experimenter goes
@@ -28,6 +36,9 @@ final class StepGuide implements RunGuide {
   private final OptionalDouble exposure;
   private final double fade;
   private final OperatorControls controls;
+  private final SessionStage stage;
+  private final Consumer<Problem> problem;
+  private @Nullable Walkthrough walk;
   private double begun;
   private double ending = Double.POSITIVE_INFINITY;
   private int frames;
@@ -35,37 +46,119 @@ final class StepGuide implements RunGuide {
 
   /**
    * @param exposure seconds; empty until the experimenter goes on
+   * @param stage what the operator has and sees
+   * @param problem hears where the participant cannot be kept where the study wants it
    */
   StepGuide(
       Session session,
       SessionStep step,
       String viewpoint,
       OptionalDouble exposure,
-      OperatorControls controls) {
+      OperatorControls controls,
+      SessionStage stage,
+      Consumer<Problem> problem) {
     this.session = session;
     this.step = step;
     this.viewpoint = viewpoint;
     this.exposure = exposure;
     this.controls = controls;
+    this.stage = stage;
+    this.problem = problem;
     fade = session.material().study().fade();
   }
 
   @Override
-  public void opened(Walkthrough walk) {
+  public void opened(Walkthrough opened) {
+    walk = opened;
     controls.takeGoOn(); // Asked for before there was anything to go on from.
-    walk.world().viewpoints().stream()
+    opened.world().viewpoints().stream()
         .filter(node -> viewpoint.equals(node.name()))
         .findFirst()
-        .ifPresent(walk.world()::goTo);
+        .ifPresent(opened.world()::goTo);
   }
 
   @Override
   public ViewerMotion motion(ViewerMotion users) {
-    if (!session.options().unattended()) {
-      return users;
+    ViewerMotion moving =
+        session.options().unattended()
+            ? (viewer, time, dt) ->
+                viewer.turnTo(new Quaterniond().rotationY(TURN * dt).mul(viewer.orientation()))
+            : users;
+    Walkthrough scene = walk;
+    return scene != null && step instanceof SessionStep.Exposure exposed
+        ? kept(scene, exposed.area(), moving)
+        : moving;
+  }
+
+  /** Keeps the participant where the study wants it during an exposure. */
+  private ViewerMotion kept(Walkthrough scene, Study.Area area, ViewerMotion moving) {
+    Study study = session.material().study();
+    Stay stay = study.stay(area);
+    if (stay == Stay.TURN) {
+      return Enclosure.standing(scene.world().viewer(), moving);
     }
-    return (viewer, time, dt) ->
-        viewer.turnTo(new Quaterniond().rotationY(TURN * dt).mul(viewer.orientation()));
+    Enclosure enclosure = Enclosure.open(scene);
+    if (stay == Stay.WALK && !area.within().map(enclosure::add).orElseGet(enclosure::addRoom)) {
+      tell(
+          area,
+          area.within()
+                  .map(name -> "the viewpoint is not in " + name + ", a ProximitySensor or room")
+                  .orElse("the viewpoint is in no room")
+              + "; the participant can walk out of the area");
+    }
+    if (study.course().closed() && !enclosure.addRoom()) {
+      tell(area, "the viewpoint is in no room that could be closed");
+    }
+    return enclosure.around(moving);
+  }
+
+  private void tell(Study.Area area, String what) {
+    problem.accept(
+        new Problem(
+            Problem.Severity.WARNING,
+            Location.of(session.material().study().file().toString()),
+            "area " + area.name() + ": " + what));
+  }
+
+  @Override
+  public void heard(NavigationCommand command) {
+    if (command == NavigationCommand.RESET_HEADING) {
+      session
+          .journal()
+          .tell(
+              "heading-reset",
+              Map.of("step", step.id(), "mono", Rounded.to(6, System.nanoTime() * 1e-9)));
+    }
+  }
+
+  @Override
+  public boolean takeHeadingReset() {
+    return controls.takeResetHeading();
+  }
+
+  @Override
+  public void operatorKey(KeyboardKey key, boolean participants) {
+    // Who has a pointer of his own need not press keys that the participant might touch.
+    if (participants && !stage.pointerKept()) {
+      return;
+    }
+    switch (key) {
+      case F8 -> controls.pause(!controls.paused());
+      case F9 -> controls.goOn();
+      default -> {
+        // The others say nothing to the operator.
+      }
+    }
+  }
+
+  @Override
+  public boolean keepsPointer() {
+    return stage.pointerKept() && !controls.paused() && !controls.asking() && !controls.aborted();
+  }
+
+  @Override
+  public boolean blind() {
+    return stage.blind();
   }
 
   @Override
@@ -125,10 +218,13 @@ final class StepGuide implements RunGuide {
   public List<String> operatorLines(double seconds) {
     List<String> lines = new ArrayList<>();
     lines.add(
-        "participant %s, %s"
-            .formatted(
-                session.folder().participant(),
-                session.condition().map(condition -> condition.spelling()).orElse("")));
+        "participant "
+            + session.folder().participant()
+            + session
+                .condition()
+                .filter(known -> !stage.blind())
+                .map(condition -> ", " + condition.spelling())
+                .orElse(""));
     lines.add(left(seconds));
     return lines;
   }

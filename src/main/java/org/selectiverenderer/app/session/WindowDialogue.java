@@ -10,24 +10,32 @@ import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.window.ControlWindow;
+import org.selectiverenderer.experiment.window.DesktopPlace;
 import org.selectiverenderer.experiment.window.FormWindow;
 import org.selectiverenderer.experiment.window.QuestionnaireWindow;
 import org.selectiverenderer.experiment.window.SessionEnd;
 import org.selectiverenderer.experiment.window.ThanksWindow;
+import org.selectiverenderer.runtime.render.window.Monitor;
 
 /** Participant and experimenter sit before windows. */
 public final class WindowDialogue implements SessionDialogue {
   private final Wording wording;
+  private final Optional<DesktopPlace> place;
   private @Nullable ControlWindow control;
 
-  public WindowDialogue(Wording wording) {
+  /**
+   * @param operator the operator's monitor; empty for wherever the desktop puts windows
+   */
+  public WindowDialogue(Wording wording, Optional<Monitor> operator) {
     this.wording = wording;
+    place =
+        operator.map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()));
     FlatLightLaf.setup();
   }
 
   @Override
   public void open(OperatorControls controls) {
-    control = ControlWindow.open(controls);
+    control = ControlWindow.open(controls, place);
   }
 
   @Override

@@ -1,11 +1,13 @@
 package org.selectiverenderer.app.settings;
 
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.window.Monitor;
 
 /**
  * On what a scene is shown.
@@ -17,6 +19,7 @@ import org.selectiverenderer.runtime.render.Shading;
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
  * @param shading where light is computed
  * @param operator whether there is a window for whoever runs the session
+ * @param operatorMonitor on which it opens; empty for one that no eye uses
  */
 public record DisplaySettings(
     Presentation presentation,
@@ -25,7 +28,8 @@ public record DisplaySettings(
     boolean sized,
     OptionalInt samples,
     Shading shading,
-    boolean operator) {
+    boolean operator,
+    Optional<Monitor> operatorMonitor) {
   /** A window on a desk. */
   public static final DisplaySettings WINDOW =
       of(
@@ -43,39 +47,50 @@ public record DisplaySettings(
         false,
         OptionalInt.empty(),
         Shading.AUTO,
-        false);
+        false,
+        Optional.empty());
   }
 
   /** In a size that was asked for. */
   public DisplaySettings sized(int wantedWidth, int wantedHeight) {
     return new DisplaySettings(
-        presentation, wantedWidth, wantedHeight, true, samples, shading, operator);
+        presentation, wantedWidth, wantedHeight, true, samples, shading, operator, operatorMonitor);
   }
 
   /** With so many samples per pixel. */
   public DisplaySettings samples(OptionalInt wanted) {
-    return new DisplaySettings(presentation, width, height, sized, wanted, shading, operator);
+    return new DisplaySettings(
+        presentation, width, height, sized, wanted, shading, operator, operatorMonitor);
   }
 
   /** With light computed there. */
   public DisplaySettings shading(Shading wanted) {
-    return new DisplaySettings(presentation, width, height, sized, samples, wanted, operator);
+    return new DisplaySettings(
+        presentation, width, height, sized, samples, wanted, operator, operatorMonitor);
   }
 
   /** With a window for the operator or without. */
   public DisplaySettings operator(boolean wanted) {
-    return new DisplaySettings(presentation, width, height, sized, samples, shading, wanted);
+    return new DisplaySettings(
+        presentation, width, height, sized, samples, shading, wanted, operatorMonitor);
+  }
+
+  /** With the operator's window on a monitor. */
+  public DisplaySettings operatorOn(Optional<Monitor> wanted) {
+    return new DisplaySettings(
+        presentation, width, height, sized, samples, shading, operator, wanted);
   }
 
   /** Of the size that a monitor turned out to have. */
   public DisplaySettings filling(int foundWidth, int foundHeight) {
     return new DisplaySettings(
-        presentation, foundWidth, foundHeight, sized, samples, shading, operator);
+        presentation, foundWidth, foundHeight, sized, samples, shading, operator, operatorMonitor);
   }
 
   /** Shown in another way; the size stays if it was asked for. */
   public DisplaySettings as(Presentation other) {
-    DisplaySettings suited = of(other).samples(samples).shading(shading).operator(operator);
+    DisplaySettings suited =
+        of(other).samples(samples).shading(shading).operator(operator).operatorOn(operatorMonitor);
     return sized ? suited.sized(width, height) : suited;
   }
 }

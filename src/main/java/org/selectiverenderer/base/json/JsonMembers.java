@@ -91,6 +91,11 @@ public final class JsonMembers {
     return found;
   }
 
+  /** A value of any kind; empty where it is missing. */
+  public Optional<JsonValue> value(String key) {
+    return find(key);
+  }
+
   /** A fault of the object as a whole. */
   public void fault(String message) {
     faults.at(at, message);
@@ -162,6 +167,15 @@ public final class JsonMembers {
 
   private static String tidy(double number) {
     return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
+  }
+
+  /** True or false; {@code otherwise} where it is missing or a fault. */
+  public boolean truth(String key, boolean otherwise) {
+    Optional<JsonValue> found = find(key);
+    if (found.isPresent() && found.get().truth().isEmpty()) {
+      fault(key, "\"" + key + "\" must be true or false");
+    }
+    return found.flatMap(JsonValue::truth).orElse(otherwise);
   }
 
   /** One of some spellings. */

@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
       "  ./selective-renderer experiment run mystudy/study.json --participant 001"
     })
 final class ExperimentNewCommand extends CliCommand {
-  private static final String DEFAULT_SCENE = "scenes/apartment.x3d";
+  private static final String DEFAULT_SCENE = "scenes/apartment-lit.x3d";
 
   @Parameters(paramLabel = "DIR", description = "folder of the study; created if it does not exist")
   private Path folder = Path.of("");

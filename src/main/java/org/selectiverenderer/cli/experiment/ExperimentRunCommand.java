@@ -9,6 +9,7 @@ import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.session.SessionDialogue;
 import org.selectiverenderer.app.session.SessionRunner;
 import org.selectiverenderer.app.session.SessionShow;
+import org.selectiverenderer.app.session.SessionStage;
 import org.selectiverenderer.app.session.SimulatedDialogue;
 import org.selectiverenderer.app.session.WindowDialogue;
 import org.selectiverenderer.base.problem.Problems;
@@ -33,7 +34,7 @@ import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
-import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.runtime.render.window.Monitors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -97,6 +98,20 @@ final class ExperimentRunCommand extends CliCommand {
       description = "runs without the head tracker that the study has; this is recorded")
   private boolean withoutTracker;
 
+  @Option(
+      names = "--operator-monitor",
+      paramLabel = "M",
+      description =
+          "number, from 0, or name of the monitor for the experimenter's windows "
+              + "(default: the study's, else one that no eye uses)")
+  private @Nullable String operatorMonitor;
+
+  @Option(
+      names = "--show-condition",
+      description =
+          "shows the experimenter the participant's condition, even if the study is blind")
+  private boolean showCondition;
+
   @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
 
   ExperimentRunCommand(Console console) {
@@ -120,16 +135,20 @@ final class ExperimentRunCommand extends CliCommand {
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    SessionStage stage = stage(material.study(), presentation.get());
     SessionShow show =
         new SessionShow(
             presentation.get(),
             trackerFlags.options(),
             operator == null ? !unattended : operator,
+            stage,
             new RunOutput(console(), event -> {}));
     try (ChainTracker tracker = new ChainTracker();
         Session session = open(material, show, tracker, problems);
         SessionDialogue dialogue =
-            unattended ? new SimulatedDialogue() : new WindowDialogue(material.wording())) {
+            unattended
+                ? new SimulatedDialogue()
+                : new WindowDialogue(material.wording(), stage.monitor())) {
       console().message("session: " + session.folder().path());
       return ended(
           new SessionRunner(session, dialogue, show, tracker, console()::message).run(), session);
@@ -157,8 +176,28 @@ final class ExperimentRunCommand extends CliCommand {
             reason -> {
               throw CommandFailure.environment(reason + "; a session needs windows");
             });
-    if (!unattended) {
-      LibraryProperties.allowSwing();
+  }
+
+  /** Looks at the monitors, with which JOGL begins; then Swing may. */
+  private SessionStage stage(Study study, Presentation presentation) {
+    try {
+      return SessionStage.of(
+          study,
+          presentation,
+          Optional.ofNullable(operatorMonitor),
+          showCondition,
+          Monitors.all(),
+          console()::message);
+    } catch (IllegalArgumentException e) {
+      throw CommandFailure.usage(
+          e.getMessage()
+              + (operatorMonitor == null
+                  ? " by --operator-monitor, or in the study's \"display\""
+                  : " by --operator-monitor"));
+    } finally {
+      if (!unattended) {
+        LibraryProperties.allowSwing();
+      }
     }
   }
 
@@ -171,7 +210,8 @@ final class ExperimentRunCommand extends CliCommand {
             Optional.ofNullable(condition),
             exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure),
             unattended,
-            withoutTracker && !(material.study().tracker() instanceof TrackerSpec.None),
+            TrackerPresence.instead(
+                material.study().tracker(), withoutTracker, console()::message),
             new ProgramVersion().getVersion()[0]);
     String id = participant.of(material.study(), resume, ConsoleQuestion::ask);
     TrackerPresence presence = new TrackerPresence(tracker, show);

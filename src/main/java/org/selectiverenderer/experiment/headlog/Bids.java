@@ -37,7 +37,8 @@ public final class Bids {
           new Channel("head_ORNT_y", "quat_y", "ORNT", "n/a", r -> r.turn.y),
           new Channel("head_ORNT_z", "quat_z", "ORNT", "n/a", r -> r.turn.z),
           new Channel("head_ORNT_w", "quat_w", "ORNT", "n/a", r -> r.turn.w),
-          new Channel("latency", "n/a", "LATENCY", "s", r -> r.sample.t() - r.started));
+          new Channel("latency", "n/a", "LATENCY", "s", r -> time(r.sample) - r.started),
+          new Channel("visible", "n/a", "MISC", "n/a", r -> r.sample.visible() ? 1 : 0));
 
   /** How the name of the data file ends. */
   public static final String DATA = "_motion.tsv";
@@ -83,7 +84,7 @@ public final class Bids {
 
   private static String motion(HeadLog log) {
     StringBuilder text = new StringBuilder();
-    double started = log.samples().get(0).t();
+    double started = time(log.samples().get(0));
     for (HeadSample sample : log.samples()) {
       Row row =
           new Row(
@@ -104,10 +105,19 @@ public final class Bids {
     return text.toString();
   }
 
+  /** Pauses count, where the log knows of them: the data are over time as it went by. */
+  private static double time(HeadSample sample) {
+    double mono = sample.moment().mono();
+    return Double.isNaN(mono) ? sample.t() : mono;
+  }
+
   private static double rate(HeadLog log) {
-    return log.duration() > 0
-        ? Math.round(1000 * (log.samples().size() - 1) / log.duration()) / 1000.0
-        : 0;
+    double seconds = log.duration(); // Pauses, which have no samples, do not make it slower.
+    return seconds > 0 ? Math.round(1000 * (log.samples().size() - 1) / seconds) / 1000.0 : 0;
+  }
+
+  private static double recorded(HeadLog log) {
+    return time(log.samples().get(log.samples().size() - 1)) - time(log.samples().get(0));
   }
 
   private static String channels(HeadLog log) {
@@ -115,17 +125,17 @@ public final class Bids {
         new StringBuilder(
             "name\tcomponent\ttype\ttracked_point\tunits\tsampling_frequency\treference_frame\n");
     for (Channel channel : CHANNELS) {
-      boolean latency = channel.type.equals("LATENCY");
+      boolean beside = channel.type.equals("LATENCY") || channel.type.equals("MISC");
       text.append(
           String.join(
               "\t",
               channel.name,
               channel.component,
               channel.type,
-              latency ? "n/a" : "head",
+              beside ? "n/a" : "head",
               channel.units,
               Double.toString(rate(log)),
-              latency ? "n/a" : "scene"));
+              beside ? "n/a" : "scene"));
       text.append('\n');
     }
     return text.toString();
@@ -150,8 +160,9 @@ public final class Bids {
     root.put("POSChannelCount", 3);
     root.put("ORNTChannelCount", 4);
     root.put("LATENCYChannelCount", 1);
+    root.put("MISCChannelCount", 1);
     root.put("TrackedPointsCount", 1);
-    root.put("RecordingDuration", Rounded.to(3, log.duration()));
+    root.put("RecordingDuration", Rounded.to(3, recorded(log)));
     root.put("MissingValues", "n/a");
     return JsonText.of(root);
   }

@@ -1,10 +1,14 @@
 package org.selectiverenderer.experiment.headlog;
 
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
 
 /**
@@ -25,8 +29,8 @@ enum Column {
           + " since the frame before",
       s -> s.moved() ? "moved" : "idle"),
   OBJECT(
-      "in the middle of the view, by the DEF of its Switch, of its Inline or the nearest DEF; empty"
-          + " for none",
+      "in the middle of the view, by the DEF of its Switch, else of its outermost Inline, else of"
+          + " its outermost group below the room, else the room's; empty for none",
       HeadSample::object),
   DISTANCE(
       "of the object's surface along the line of sight; empty for none",
@@ -40,7 +44,29 @@ enum Column {
       "objects in the cone about the middle, separated by spaces, the one that fills most first",
       s -> String.join(" ", s.cone())),
   SCHEMAS("active schemas, separated by spaces", s -> String.join(" ", s.schemas())),
-  FRAME_MS("from the frame before to this one", "ms", 3, HeadSample::frameMs);
+  FRAME_MS(
+      "from the step of the frame before to that of this one, pauses not counted",
+      "ms",
+      3,
+      HeadSample::frameMs),
+  VISIBLE(
+      "1 when the participant saw it; 0 while the picture is black or less than half as bright as"
+          + " it is, and in a window that is not drawn",
+      s -> s.visible() ? "1" : "0"),
+  WALL("date and time of the computer, UTC", s -> wall(s.moment().wall())),
+  MONO(
+      "the computer's monotonic clock, which goes on while a session is paused and t stands still",
+      "s",
+      6,
+      s -> s.moment().mono());
+
+  /** Those that a log has had from the beginning; older logs lack the others. */
+  static final List<Column> OLDEST =
+      Arrays.stream(values()).filter(column -> column.ordinal() <= FRAME_MS.ordinal()).toList();
+
+  private static final DateTimeFormatter WALL_CLOCK =
+      DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT)
+          .withZone(ZoneOffset.UTC);
 
   /** What stands in the description of a log. */
   final String meaning;
@@ -66,6 +92,11 @@ enum Column {
     this.value = value;
     units = "";
     decimals = -1;
+  }
+
+  /** A date and time as it stands in a log; empty for none. */
+  static String wall(@Nullable Instant time) {
+    return time == null ? "" : WALL_CLOCK.format(time);
   }
 
   private static String text(double number, int decimals) {

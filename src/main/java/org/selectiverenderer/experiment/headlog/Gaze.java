@@ -13,7 +13,6 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -40,6 +39,7 @@ public final class Gaze {
   private final List<Vector3dc> rays = new ArrayList<>();
   private @Nullable InstanceTree tree;
   private RayCaster caster;
+  private SceneObjects objects;
 
   /**
    * @param coneDegrees from side to side of the cone, from 0 to 90
@@ -48,6 +48,7 @@ public final class Gaze {
     this.world = world;
     tree = world.instances();
     caster = new RayCaster(tree, world.meshes());
+    objects = new SceneObjects(tree);
     rays.add(new Vector3d(0, 0, -1));
     double half = Math.toRadians(coneDegrees) / 2;
     for (int ring = 1; ring <= RINGS; ring++) {
@@ -66,6 +67,7 @@ public final class Gaze {
     if (tree != world.instances()) {
       tree = world.instances();
       caster = new RayCaster(tree, world.meshes());
+      objects = new SceneObjects(tree);
     }
     Viewer viewer = world.viewer();
     Optional<RayCaster.Hit> middle = cast(viewer, rays.get(0));
@@ -79,9 +81,7 @@ public final class Gaze {
             .sorted(Comparator.comparing((Map.Entry<String, Integer> entry) -> -entry.getValue()))
             .map(Map.Entry::getKey)
             .toList();
-    return middle
-        .map(hit -> new Found(ObjectNames.of(hit.shape()), hit.distance(), version(hit), cone))
-        .orElseGet(() -> new Found("", Double.NaN, -1, cone));
+    return middle.map(hit -> found(hit, cone)).orElseGet(() -> new Found("", Double.NaN, -1, cone));
   }
 
   private Optional<RayCaster.Hit> cast(Viewer viewer, Vector3dc ray) {
@@ -90,17 +90,16 @@ public final class Gaze {
         viewer.position(), turn.transform(ray, new Vector3d()), Double.POSITIVE_INFINITY);
   }
 
-  private static void count(Map<String, Integer> counts, RayCaster.Hit hit) {
-    String name = ObjectNames.of(hit.shape());
-    if (!name.isEmpty()) {
-      counts.merge(name, 1, Integer::sum);
-    }
+  private void count(Map<String, Integer> counts, RayCaster.Hit hit) {
+    objects.of(hit.shape()).ifPresent(object -> counts.merge(object.name(), 1, Integer::sum));
   }
 
-  private static int version(RayCaster.Hit hit) {
-    Node owner = ObjectNames.switchOf(hit.shape());
-    return owner != null && owner.value(owner.type().indexOf("whichChoice")) instanceof Integer at
-        ? at
-        : -1;
+  private Found found(RayCaster.Hit hit, List<String> cone) {
+    Optional<SceneObjects.Named> object = objects.of(hit.shape());
+    return new Found(
+        object.map(SceneObjects.Named::name).orElse(""),
+        hit.distance(),
+        object.map(SceneObjects.Named::version).orElse(-1),
+        cone);
   }
 }

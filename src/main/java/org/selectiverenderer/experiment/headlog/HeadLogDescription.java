@@ -81,6 +81,7 @@ public record HeadLogDescription(
     }
     boxes(drawn.putArray("rooms"), map.rooms());
     boxes(drawn.putArray("objects"), map.objects());
+    boxes(drawn.putArray("surroundings"), map.surroundings());
     return JsonText.of(root);
   }
 
@@ -120,7 +121,11 @@ public record HeadLogDescription(
         positive(field.path("half_tangent_y"), UNKNOWN.tanY),
         positive(root.path("metres_per_unit"), 1),
         root.path("cone_degrees").asDouble(0),
-        new SceneMap(areas, boxes(drawn.path("rooms")), boxes(drawn.path("objects"))));
+        new SceneMap(
+            areas,
+            boxes(drawn.path("rooms")),
+            boxes(drawn.path("objects")),
+            boxes(drawn.path("surroundings"))));
   }
 
   private static double positive(JsonNode node, double otherwise) {

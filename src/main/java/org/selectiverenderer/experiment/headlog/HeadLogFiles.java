@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.base.files.Disk;
 
@@ -61,12 +62,14 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
   }
 
   /**
-   * The files of a log.
+   * The files of a log, those of its tracker's records among them.
    *
    * @param csv ends in .csv; the description goes beside it, ending in .json
    */
   public static List<Path> of(Path csv) {
-    return List.of(csv, HeadLogDescription.beside(csv));
+    return Stream.concat(
+            Stream.of(csv, HeadLogDescription.beside(csv)), TrackerLog.beside(csv).stream())
+        .toList();
   }
 
   /**

@@ -27,6 +27,9 @@ public final class HeadLogPlot {
   private static final int ROWS = 24;
 
   private static final String INK = "#222222";
+  /** Of times without a picture. */
+  private static final String DARK = "#cccccc";
+
   private static final String FAINT = "#777777";
 
   /** Told apart by people of any colour vision (Okabe and Ito 2008). */
@@ -162,6 +165,9 @@ public final class HeadLogPlot {
     List<double[]> way = new ArrayList<>();
     double next = Double.NEGATIVE_INFINITY;
     for (HeadSample sample : analysis.log().samples()) {
+      if (!sample.visible()) {
+        continue;
+      }
       double[] at = scale.at(sample.x(), sample.z());
       double[] last = way.isEmpty() ? null : way.get(way.size() - 1);
       if (last == null || Math.hypot(at[0] - last[0], at[1] - last[1]) > 1) {
@@ -179,6 +185,9 @@ public final class HeadLogPlot {
         circle(svg, seen, 2.5, "fill", colour);
       }
     }
+    if (way.isEmpty()) {
+      return; // There never was a picture.
+    }
     path(svg, way, false, "fill", "none", "stroke", INK, "stroke-width", "1.5");
     double[] start = way.get(0);
     circle(svg, start, 5, "fill", "#ffffff", "stroke", INK, "stroke-width", 2);
@@ -188,13 +197,16 @@ public final class HeadLogPlot {
 
   private void timeline(SvgDrawing svg, List<ObjectView> rows, double top) {
     double begin = analysis.log().samples().get(0).t();
+    double whole = analysis.log().duration();
     double right = WIDTH - MARGIN - 60;
-    double perSecond = (right - LABELS) / Math.max(analysis.seconds(), 1e-3);
-    text(svg, "In the middle of the view", MARGIN, top + 14, 15, INK, "start");
+    double perSecond = (right - LABELS) / Math.max(whole, 1e-3);
+    String left = analysis.unshown().samples() > 0 ? " (grey: no picture)" : "";
+    text(svg, "In the middle of the view" + left, MARGIN, top + 14, 15, INK, "start");
     double first = top + 34;
     double bottom = first + (double) ROW * rows.size();
-    double step = step(analysis.seconds());
-    for (double t = 0; t <= analysis.seconds() + 1e-9; t += step) {
+    dark(svg, first - 6, bottom - first + 8, perSecond);
+    double step = step(whole);
+    for (double t = 0; t <= whole + 1e-9; t += step) {
       double x = LABELS + t * perSecond;
       svg.rectangle(x, first - 6, 1, bottom - first + 8, "#dddddd");
       text(
@@ -228,6 +240,27 @@ public final class HeadLogPlot {
           12,
           FAINT,
           "start");
+    }
+  }
+
+  /** The times without a picture, behind the looks. */
+  private void dark(SvgDrawing svg, double top, double height, double perSecond) {
+    HeadLog log = analysis.log();
+    double begin = log.samples().get(0).t();
+    int at = 0;
+    while (at < log.samples().size()) {
+      int from = at;
+      while (at < log.samples().size() && !log.samples().get(at).visible()) {
+        at++;
+      }
+      if (at > from) {
+        double start = log.samples().get(from).t() - begin;
+        double end =
+            Math.min(log.duration(), log.samples().get(at - 1).t() - begin + log.shown(at - 1));
+        svg.rectangle(
+            LABELS + start * perSecond, top, Math.max(1, (end - start) * perSecond), height, DARK);
+      }
+      at++;
     }
   }
 

@@ -5,12 +5,17 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.csv.CsvColumns;
 import org.selectiverenderer.base.csv.CsvFaults;
 import org.selectiverenderer.base.csv.CsvNumbers;
@@ -27,6 +32,9 @@ import org.selectiverenderer.base.problem.Problems;
 public final class HeadLogReader {
   private final String file;
   private final Problems problems;
+
+  /** The columns that the log has: an older one has not all. */
+  private final Set<Column> there = EnumSet.noneOf(Column.class);
 
   /** Names, each once. */
   private final Map<String, String> names = new HashMap<>();
@@ -99,9 +107,18 @@ public final class HeadLogReader {
     }
     List<HeadSample> samples = new ArrayList<>();
     byte[] whole = end < bytes.length ? Arrays.copyOf(bytes, end) : bytes;
-    CsvTable.parse(file, whole, new CsvColumns(Column.headers(), false, true), faults)
-        .filter(table -> table.require(Column.headers(), String.join(",", Column.headers())))
-        .ifPresent(table -> table.rows().forEach(row -> sample(row, samples)));
+    List<String> needed = Column.OLDEST.stream().map(Column::header).toList();
+    CsvTable.parse(file, whole, new CsvColumns(needed, false, true), faults)
+        .filter(table -> table.require(needed, String.join(",", needed)))
+        .ifPresent(
+            table -> {
+              for (Column column : Column.values()) {
+                if (table.has(column.header())) {
+                  there.add(column);
+                }
+              }
+              table.rows().forEach(row -> sample(row, samples));
+            });
     return samples;
   }
 
@@ -122,7 +139,8 @@ public final class HeadLogReader {
             cells.choice(Column.VERSION),
             cells.names(Column.CONE),
             cells.names(Column.SCHEMAS),
-            cells.number(Column.FRAME_MS));
+            cells.number(Column.FRAME_MS),
+            cells.moment());
     if (cells.whole) {
       samples.add(sample);
     }
@@ -138,7 +156,7 @@ public final class HeadLogReader {
     }
 
     String text(Column column) {
-      return row.cell(column.header());
+      return there.contains(column) ? row.cell(column.header()) : "";
     }
 
     String name(Column column) {
@@ -164,6 +182,28 @@ public final class HeadLogReader {
     List<String> names(Column column) {
       return lists.computeIfAbsent(
           text(column), text -> text.isEmpty() ? List.of() : List.of(text.split(" ")));
+    }
+
+    HeadSample.Moment moment() {
+      double visible = there.contains(Column.VISIBLE) ? number(Column.VISIBLE) : 1;
+      if (whole && visible != 0 && visible != 1) {
+        fault(
+            row.location(Column.VISIBLE.header()),
+            CsvNumbers.quoted(text(Column.VISIBLE)) + " is neither 0 nor 1");
+      }
+      return new HeadSample.Moment(visible != 0, wall(), number(Column.MONO, Double.NaN));
+    }
+
+    private @Nullable Instant wall() {
+      String text = text(Column.WALL);
+      try {
+        return text.isEmpty() ? null : Instant.parse(text);
+      } catch (DateTimeParseException e) {
+        fault(
+            row.location(Column.WALL.header()),
+            CsvNumbers.quoted(text) + " is no date and time like 2026-01-31T12:00:00.000Z");
+        return null;
+      }
     }
 
     private void fault(Location location, String message) {

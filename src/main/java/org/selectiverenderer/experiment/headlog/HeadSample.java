@@ -1,6 +1,8 @@
 package org.selectiverenderer.experiment.headlog;
 
+import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One frame of a session.
@@ -13,13 +15,15 @@ import java.util.List;
  * @param pitch degrees about X, positive up
  * @param roll degrees about Z, positive to the left shoulder
  * @param moved whether head or viewer moved since the frame before
- * @param object in the middle of the view: by the DEF of its Switch, else of its Inline, else the
- *     nearest; empty when there is none
+ * @param object in the middle of the view, by the name that {@link SceneObjects} gives it; empty
+ *     when there is none
  * @param distance of its surface, in the scene's unit; NaN when there is none
  * @param version the choice that its Switch shows, -1 when no Switch holds it
  * @param cone objects in a cone about the middle, the one that fills most of it first
  * @param schemas active ones
- * @param frameMs milliseconds from the frame before to this one
+ * @param frameMs milliseconds from the step of the frame before to that of this one, pauses not
+ *     counted
+ * @param moment when it was shown to the participant, and whether it was
  */
 public record HeadSample(
     double t,
@@ -35,7 +39,27 @@ public record HeadSample(
     int version,
     List<String> cone,
     List<String> schemas,
-    double frameMs) {
+    double frameMs,
+    Moment moment) {
+
+  /**
+   * A frame on the clocks of the machine, and whether the participant saw it.
+   *
+   * @param visible whether the picture was there: at least half as bright as it is, in a window
+   *     that was drawn
+   * @param wall date and time of the computer; null in logs that do not tell it
+   * @param mono seconds of the computer's monotonic clock, which nobody sets and which goes on in
+   *     pauses; NaN in logs that do not tell it
+   */
+  public record Moment(boolean visible, @Nullable Instant wall, double mono) {
+    /** Of a log that says nothing of it: what was recorded was shown. */
+    public static final Moment UNTOLD = new Moment(true, null, Double.NaN);
+  }
+
+  /** Whether the participant saw it. */
+  public boolean visible() {
+    return moment.visible;
+  }
 
   public HeadSample {
     cone = List.copyOf(cone);

@@ -10,7 +10,7 @@ import org.selectiverenderer.experiment.headlog.SceneMap.Box;
 /**
  * How much of a room a head log has seen: the room's box is lined with cells, floor, ceiling and
  * four walls, and a cell counts as seen when its middle was within the field of view of some sample
- * taken in the room. What stands in between is not considered, so that it is the most that can have
+ * that the participant saw, taken in the room. What stands in between is not considered, so that it is the most that can have
  * been seen; the thesis left out a participant who had not viewed the whole room (6.1.4).
  *
  * @param seconds spent in the room
@@ -35,7 +35,7 @@ record RoomView(String room, double seconds, double seen, List<String> unseen) {
     Quaterniond turn = new Quaterniond();
     for (int i = 0; i < log.samples().size(); i++) {
       HeadSample sample = log.samples().get(i);
-      if (!room.contains(sample.x(), sample.y(), sample.z())) {
+      if (!sample.visible() || !room.contains(sample.x(), sample.y(), sample.z())) {
         continue;
       }
       seconds += log.shown(i);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -18,6 +19,9 @@ import org.selectiverenderer.runtime.scene.Node;
 
 /** Draws up the {@link SceneMap} of a running scene. Belongs to the thread that steps the world. */
 public final class SceneSurvey {
+  /** So much of a room's edge is along it: skirting boards and corners are left of it. */
+  private static final double ALONG = 0.9;
+
   private SceneSurvey() {}
 
   /** The map of what the tree holds now, shown or not. */
@@ -30,9 +34,10 @@ public final class SceneSurvey {
         }
       }
     }
+    SceneObjects known = new SceneObjects(tree);
     List<Box> rooms = new ArrayList<>();
     for (Instance child : tree.root().children()) {
-      if (child instanceof GroupInstance group && named(group.node())) {
+      if (child instanceof GroupInstance group && named(group.node()) && known.isRoom(group)) {
         add(rooms, group.node(), bounds(group));
       }
     }
@@ -42,16 +47,42 @@ public final class SceneSurvey {
         rooms.add(new Box("scene", all));
       }
     }
-    Map<Node, double[]> switches = new LinkedHashMap<>();
+    Map<Node, double[]> extents = new LinkedHashMap<>();
     for (ShapeInstance shape : tree.shapes()) {
-      Node owner = ObjectNames.switchOf(shape);
-      if (owner != null) {
-        grow(switches.computeIfAbsent(owner, node -> nothing()), shape.bounds());
-      }
+      known
+          .of(shape)
+          .ifPresent(
+              object ->
+                  grow(extents.computeIfAbsent(object.node(), n -> nothing()), shape.bounds()));
     }
-    List<Box> objects = new ArrayList<>();
-    switches.forEach((node, box) -> add(objects, node, box));
-    return new SceneMap(areas, rooms, objects);
+    List<Box> all = new ArrayList<>();
+    extents.forEach((node, box) -> add(all, node, box));
+    Map<Boolean, List<Box>> apart =
+        all.stream()
+            .collect(Collectors.partitioningBy(box -> all.size() > 1 && surrounds(box, rooms)));
+    return new SceneMap(areas, rooms, apart.get(false), apart.get(true));
+  }
+
+  /**
+   * Whether something is what a room is made of, not an object in it: it has the room's own name,
+   * or reaches along two of its three edges, as floor, ceiling and walls do.
+   */
+  private static boolean surrounds(Box box, List<Box> rooms) {
+    return rooms.stream()
+        .anyMatch(room -> room.name().equals(box.name()) || edges(box.bounds(), room.bounds()) > 1);
+  }
+
+  /** Along how many edges of a room something reaches; none where it is elsewhere. */
+  private static int edges(double[] box, double[] room) {
+    int edges = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double common = Math.min(room[axis + 3], box[axis + 3]) - Math.max(room[axis], box[axis]);
+      if (common < 0) {
+        return 0;
+      }
+      edges += common >= ALONG * (room[axis + 3] - room[axis]) ? 1 : 0;
+    }
+    return edges;
   }
 
   private static boolean named(Node node) {

@@ -12,6 +12,8 @@ public final class OperatorControls {
   private volatile boolean paused;
   private volatile boolean aborted;
   private volatile boolean going;
+  private volatile boolean resetting;
+  private volatile boolean asking;
   private volatile String status = "";
   private volatile Optional<Runnable> question = Optional.empty();
 
@@ -23,6 +25,18 @@ public final class OperatorControls {
   public void goOn() {
     going = true;
     journal.tell("go-on", Map.of());
+  }
+
+  /** Where the head looks is straight ahead, as soon as whoever runs the step looks. */
+  public void resetHeading() {
+    resetting = true;
+  }
+
+  /** Whether the heading is to be reset; asked for since the last call. */
+  public boolean takeResetHeading() {
+    boolean asked = resetting;
+    resetting = false;
+    return asked;
   }
 
   /** Stops the clock and darkens the participant's picture, or goes on. */
@@ -48,6 +62,15 @@ public final class OperatorControls {
   public boolean askAbort() {
     question.ifPresent(Runnable::run);
     return question.isPresent();
+  }
+
+  /** The experimenter is being asked something, or no more: the pointer is needed for that. */
+  public void asking(boolean now) {
+    asking = now;
+  }
+
+  public boolean asking() {
+    return asking;
   }
 
   /** Ends the session. */

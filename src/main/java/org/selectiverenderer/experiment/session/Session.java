@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,7 @@ import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Screen;
 import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.experiment.study.Study;
 
 /**
  * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
@@ -202,7 +204,12 @@ public final class Session implements AutoCloseable {
     resumed.put("study_sha256", sum);
     resumed.putAll(options.recorded());
     journal.keep("resumed", resumed);
-    options.flags().forEach(flag -> journal.flag(flag, Map.of()));
+    boolean shows = remaining().stream().anyMatch(SessionStep::shows);
+    for (SessionFlag flag : options.flags()) {
+      if (flag != SessionFlag.TRACKER_ABSENT || shows) { // Questions need no tracker.
+        journal.flag(flag, Map.of());
+      }
+    }
     Files.createDirectories(folder.path().resolve("head"));
     if (!Files.exists(folder.path().resolve("settings.json"))) {
       writeSettings();
@@ -243,7 +250,22 @@ public final class Session implements AutoCloseable {
 
   /** The steps that are still to be done, in order. */
   public List<SessionStep> remaining() {
-    return material.steps().stream().filter(step -> !history.finished(step)).toList();
+    return steps().stream().filter(step -> !history.finished(step)).toList();
+  }
+
+  /**
+   * All steps, the areas in the participant's order; an area that the study has got since comes
+   * last.
+   */
+  private List<SessionStep> steps() {
+    List<String> order = history.areaOrder();
+    return material.steps(
+        material.study().areas().stream()
+            .sorted(
+                Comparator.comparing(
+                    area ->
+                        order.contains(area.name()) ? order.indexOf(area.name()) : order.size()))
+            .toList());
   }
 
   public SessionJournal journal() {
@@ -262,9 +284,9 @@ public final class Session implements AutoCloseable {
     return material;
   }
 
-  /** The head tracker: the study's, unless the session goes on without it. */
+  /** The head tracker: the study's, unless the session has another, or goes on without it. */
   public TrackerSpec tracker() {
-    return options.withoutTracker() ? new TrackerSpec.None() : material.study().tracker();
+    return options.tracker().orElse(material.study().tracker());
   }
 
   /** The participant's condition, once it is assigned. */
@@ -332,6 +354,25 @@ public final class Session implements AutoCloseable {
     assigned.insteadOf().ifPresent(turn -> event.put("instead_of", turn.spelling()));
     event.put("age", age);
     journal.keep("assigned", event);
+    order(assigned);
+  }
+
+  /** The order of the areas is said once and kept, whatever becomes of the study's file. */
+  private void order(Participants.Assigned assigned) throws IOException {
+    Study study = material.study();
+    if (study.areas().isEmpty()) {
+      return;
+    }
+    int turn = AreaSequence.turn(study, assigned.place());
+    journal.keep(
+        "area-order",
+        Map.of(
+            "order",
+            study.course().order().spelling(),
+            "areas",
+            AreaSequence.of(study, folder.participant(), turn).stream()
+                .map(Study.Area::name)
+                .toList()));
   }
 
   /** The participant does not take part. */

@@ -28,6 +28,7 @@ final class SessionHistory {
   private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
   private final List<String> headLogs = new ArrayList<>();
   private final Set<RaisedFlag> flags = new LinkedHashSet<>();
+  private final List<String> areaOrder = new ArrayList<>();
   private Optional<Condition> condition = Optional.empty();
   private String checksum = "";
   private boolean aborted;
@@ -78,6 +79,10 @@ final class SessionHistory {
         options(event);
       }
       case "assigned" -> condition = Condition.of(event.path("condition").asText());
+      case "area-order" -> {
+        areaOrder.clear();
+        event.path("areas").forEach(area -> areaOrder.add(area.asText()));
+      }
       case "step-began" -> {
         runs.merge(step, 1, Integer::sum);
         if (event.has("head_log")) {
@@ -166,6 +171,11 @@ final class SessionHistory {
   /** Names of all head logs that were begun. */
   public synchronized List<String> headLogs() {
     return List.copyOf(headLogs);
+  }
+
+  /** Names of the areas in the participant's order, once it is known. */
+  synchronized List<String> areaOrder() {
+    return List.copyOf(areaOrder);
   }
 
   /** The participant's condition, once it is assigned. */

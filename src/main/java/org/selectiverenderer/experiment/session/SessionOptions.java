@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.study.SessionFlag;
+import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
  * How a session is run. All of it is recorded.
@@ -15,20 +16,26 @@ import org.selectiverenderer.experiment.study.SessionFlag;
  * @param condition the experimenter's choice instead of the schedule's
  * @param exposure seconds of each exposure instead of the study's, for tests
  * @param unattended whether a simulated participant takes part, for tests
- * @param withoutTracker whether the session does without the tracker that the study has
+ * @param tracker instead of the study's: none where the session does without it, or the one that a
+ *     search has found
  * @param software name and version of the program
  */
 public record SessionOptions(
     Optional<Condition> condition,
     OptionalDouble exposure,
     boolean unattended,
-    boolean withoutTracker,
+    Optional<TrackerSpec> tracker,
     String software) {
 
   /** With the study's tracker. */
   public SessionOptions(
       Optional<Condition> condition, OptionalDouble exposure, boolean unattended, String software) {
-    this(condition, exposure, unattended, false, software);
+    this(condition, exposure, unattended, Optional.empty(), software);
+  }
+
+  /** Whether the session does without the tracker that the study has. */
+  public boolean withoutTracker() {
+    return tracker.filter(TrackerSpec.None.class::isInstance).isPresent();
   }
 
   /** What of it sets a session apart. */
@@ -40,7 +47,7 @@ public record SessionOptions(
     if (exposure.isPresent()) {
       flags.add(SessionFlag.SHORTENED);
     }
-    if (withoutTracker) {
+    if (withoutTracker()) {
       flags.add(SessionFlag.TRACKER_ABSENT);
     }
     return flags;

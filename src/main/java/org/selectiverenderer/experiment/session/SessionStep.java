@@ -8,6 +8,11 @@ public sealed interface SessionStep {
   /** By which the journal knows it: letters, digits, hyphens. */
   String id();
 
+  /** Whether it shows a scene, so that displays and trackers are needed. */
+  default boolean shows() {
+    return this instanceof Practice || this instanceof Exposure;
+  }
+
   /** Age and consent; then the condition is assigned. */
   record Form() implements SessionStep {
     @Override

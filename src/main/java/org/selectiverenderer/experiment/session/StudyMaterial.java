@@ -47,12 +47,21 @@ public record StudyMaterial(
         .map(words -> new StudyMaterial(study.get(), items, words));
   }
 
-  /** The steps of a session, in order. */
+  /** The steps of a session, in the order of the study's file. */
   public List<SessionStep> steps() {
+    return steps(study.areas());
+  }
+
+  /**
+   * The steps of a session, in order.
+   *
+   * @param areas all of the study's, in the order in which they are shown
+   */
+  List<SessionStep> steps(List<Study.Area> areas) {
     List<SessionStep> steps = new ArrayList<>();
     steps.add(new SessionStep.Form());
     study.practice().ifPresent(practice -> steps.add(new SessionStep.Practice(practice)));
-    study.areas().forEach(area -> steps.add(new SessionStep.Exposure(area)));
+    areas.forEach(area -> steps.add(new SessionStep.Exposure(area)));
     for (Study.Questionnaire questionnaire : study.questionnaires()) {
       QuestionKind kind = questionnaire.kind();
       for (String area : Screen.areas(items.getOrDefault(kind, List.of()))) {

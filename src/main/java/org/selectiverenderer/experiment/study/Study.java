@@ -21,6 +21,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param fade seconds in which the picture of an area comes and goes, beside its exposure
  * @param language of the questionnaires, a code such as {@code en}
  * @param quality what sessions must be like to count
+ * @param course how a session goes on
  */
 public record Study(
     Path file,
@@ -39,7 +40,8 @@ public record Study(
     MouseMapping mouse,
     String language,
     List<Questionnaire> questionnaires,
-    StudyQuality quality) {
+    StudyQuality quality,
+    StudyCourse course) {
 
   public Study {
     conditions = List.copyOf(conditions);
@@ -55,8 +57,21 @@ public record Study(
    *
    * @param viewpoint DEF name of the Viewpoint where the exposure begins
    * @param seconds of exposure
+   * @param stay where the participant may go; empty for where the study says
+   * @param within DEF of a ProximitySensor, whose box is the area, or of a room; empty for the room
+   *     around the viewpoint
    */
-  public record Area(String name, String viewpoint, double seconds) {}
+  public record Area(
+      String name,
+      String viewpoint,
+      double seconds,
+      Optional<Stay> stay,
+      Optional<String> within) {}
+
+  /** Where the participant may go while an area is shown. */
+  public Stay stay(Area area) {
+    return area.stay().orElse(course.stay());
+  }
 
   /**
    * On what it is shown.
@@ -65,8 +80,17 @@ public record Study(
    * @param ipd distance of the pupils in millimetres
    * @param width of the window in pixels, where the mode has one; 0 for what the display has
    * @param height likewise
+   * @param operator number or name of the operator's monitor; empty for one that no eye uses
+   * @param pointer where the mouse pointer is meanwhile
    */
-  public record Display(DisplayMode mode, String hmd, double ipd, int width, int height) {}
+  public record Display(
+      DisplayMode mode,
+      String hmd,
+      double ipd,
+      int width,
+      int height,
+      Optional<String> operator,
+      PointerPlace pointer) {}
 
   /** What is asked afterwards, area by area. */
   public record Questionnaire(QuestionKind kind, Path items) {}

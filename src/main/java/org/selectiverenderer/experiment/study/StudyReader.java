@@ -108,7 +108,8 @@ public final class StudyReader {
                 MouseMapping.EXPERIMENT),
             keys.text("language", false).orElse("en"),
             questionnaires(keys),
-            QualityReader.read(keys));
+            QualityReader.read(keys),
+            CourseReader.read(keys));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");
@@ -131,6 +132,19 @@ public final class StudyReader {
                                 "the scene has no Viewpoint with the DEF '%s', which the area %s"
                                         .formatted(area.viewpoint(), area.name())
                                     + " needs")));
+    study
+        .scene()
+        .ifPresent(
+            scene ->
+                study.areas().stream()
+                    .filter(area -> area.within().filter(def -> lacks(scene, def)).isPresent())
+                    .forEach(
+                        area ->
+                            keys.fault(
+                                "areas",
+                                ("the scene has no ProximitySensor and no group with the DEF '%s',"
+                                        + " within which the area %s lies")
+                                    .formatted(area.within().orElse(""), area.name()))));
     study
         .practice()
         .filter(practice -> !practice.viewpoint().isEmpty())
@@ -209,13 +223,22 @@ public final class StudyReader {
           }
           String viewpoint = area.text("viewpoint");
           double seconds = area.number("seconds", 0.1, LONGEST, Double.NaN);
-          return new Study.Area(name, viewpoint, seconds);
+          return new Study.Area(
+              name, viewpoint, seconds, CourseReader.stay(area), area.text("within", false));
         });
   }
 
   private Study.Display display(JsonMembers keys) {
     return keys.object("display", "the display", this::shown)
-        .orElse(new Study.Display(DisplayMode.WINDOW, "desk", EyeGeometry.MEAN_IPD, 0, 0));
+        .orElse(
+            new Study.Display(
+                DisplayMode.WINDOW,
+                "desk",
+                EyeGeometry.MEAN_IPD,
+                0,
+                0,
+                Optional.empty(),
+                PointerPlace.AUTO));
   }
 
   private Study.Display shown(JsonMembers display) {
@@ -237,7 +260,14 @@ public final class StudyReader {
     double ipd = display.number("ipd", 0, EyeGeometry.LARGEST_IPD, EyeGeometry.MEAN_IPD);
     int width = (int) display.whole("width", 64, 16384, 0);
     int height = (int) display.whole("height", 64, 16384, 0);
-    return new Study.Display(mode, hmd, ipd, width, height);
+    return new Study.Display(
+        mode,
+        hmd,
+        ipd,
+        width,
+        height,
+        CourseReader.operator(display),
+        CourseReader.pointer(display));
   }
 
   private TrackerSpec tracker(JsonMembers keys) {

@@ -4,12 +4,16 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
 import java.awt.Frame;
-import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.time.LocalTime;
 import java.time.temporal.ChronoUnit;
+import java.util.Optional;
+import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
@@ -18,22 +22,28 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.experiment.session.OperatorControls;
 
-/** The experimenter's controls: where the session is, go on, pause, abort, notes. */
+/**
+ * The experimenter's controls: where the session is, go on, pause, reset the heading, abort, notes.
+ * F4, F8 and F9 do in it what they do in the other windows of the operator.
+ */
 public final class ControlWindow implements AutoCloseable {
   private final OperatorControls controls;
-  private final JFrame frame = new JFrame("Session");
+  private final JFrame frame;
   private final JLabel status = new JLabel(" ");
   private final JTextArea notes = new JTextArea(8, 40);
   private final JTextField note = new JTextField();
+  private final JToggleButton pause = new JToggleButton("Pause (F8)");
   private final Timer refresh;
   private boolean asking;
 
-  private ControlWindow(OperatorControls controls) {
+  private ControlWindow(OperatorControls controls, Optional<DesktopPlace> place) {
     this.controls = controls;
+    frame = new JFrame("Session", place.orElse(DesktopPlace.USUAL).configuration());
     status.setName("status");
     status.setFont(status.getFont().deriveFont(18f));
     status.setBorder(BorderFactory.createEmptyBorder(12, 12, 4, 12));
@@ -50,11 +60,39 @@ public final class ControlWindow implements AutoCloseable {
     frame.add(below, BorderLayout.SOUTH);
     frame.pack();
     // In a corner, so that a single monitor shows it beside the participant's window.
-    Rectangle most = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    Rectangle most = place.orElse(DesktopPlace.USUAL).area();
     frame.setLocation(
         most.x + most.width - frame.getWidth(), most.y + most.height - frame.getHeight());
-    refresh = new Timer(200, event -> status.setText(controls.status() + " "));
+    key(KeyEvent.VK_F4, controls::resetHeading);
+    key(KeyEvent.VK_F8, () -> controls.pause(!controls.paused()));
+    key(KeyEvent.VK_F9, controls::goOn);
+    refresh = new Timer(200, event -> refresh());
     refresh.start();
+  }
+
+  /** Where the session is; it may also be paused by a key in another window. */
+  private void refresh() {
+    status.setText(controls.status() + " ");
+    if (pause.isSelected() != controls.paused()) {
+      pause.setSelected(controls.paused());
+    }
+    pause.setText((controls.paused() ? "Continue" : "Pause") + " (F8)");
+  }
+
+  private void key(int code, Runnable does) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(code, 0);
+    frame.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, stroke);
+    frame
+        .getRootPane()
+        .getActionMap()
+        .put(
+            stroke,
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                does.run();
+              }
+            });
   }
 
   private JPanel writing() {
@@ -73,11 +111,10 @@ public final class ControlWindow implements AutoCloseable {
 
   private JPanel buttons() {
     // No tool tips: in the corner of the screen they would lie over the buttons and take the click.
-    JButton go = new JButton("Go on");
+    JButton go = new JButton("Go on (F9)");
     go.setName("go");
     go.getAccessibleContext().setAccessibleDescription("ends the practice");
     go.addActionListener(event -> controls.goOn());
-    JToggleButton pause = new JToggleButton("Pause");
     pause.setName("pause");
     pause
         .getAccessibleContext()
@@ -85,23 +122,34 @@ public final class ControlWindow implements AutoCloseable {
     pause.addActionListener(
         event -> {
           controls.pause(pause.isSelected());
-          pause.setText(pause.isSelected() ? "Continue" : "Pause");
+          refresh();
         });
+    JButton heading = new JButton("Reset Heading (F4)");
+    heading.setName("heading");
+    heading
+        .getAccessibleContext()
+        .setAccessibleDescription("makes where the head looks now straight ahead");
+    heading.addActionListener(event -> controls.resetHeading());
     JButton abort = new JButton("Abort ...");
     abort.setName("abort");
     abort.addActionListener(event -> abort());
     JPanel line = new JPanel(new FlowLayout(FlowLayout.RIGHT));
     line.add(abort);
+    line.add(heading);
     line.add(pause);
     line.add(go);
     return line;
   }
 
-  /** Opens it and goes on. */
-  public static ControlWindow open(OperatorControls controls) {
+  /**
+   * Opens it and goes on.
+   *
+   * @param place the operator's monitor; empty for wherever the desktop puts windows
+   */
+  public static ControlWindow open(OperatorControls controls, Optional<DesktopPlace> place) {
     return Waiting.onSwing(
         () -> {
-          ControlWindow window = new ControlWindow(controls);
+          ControlWindow window = new ControlWindow(controls, place);
           window.frame.setVisible(true);
           return window;
         });
@@ -122,6 +170,7 @@ public final class ControlWindow implements AutoCloseable {
       return;
     }
     asking = true;
+    controls.asking(true);
     if (frame.getExtendedState() == Frame.ICONIFIED) {
       frame.setExtendedState(Frame.NORMAL);
     }
@@ -138,6 +187,7 @@ public final class ControlWindow implements AutoCloseable {
             answers,
             answers[1]);
     asking = false;
+    controls.asking(false);
     if (answer == 0) {
       controls.abort();
     }

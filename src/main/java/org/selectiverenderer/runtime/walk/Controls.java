@@ -72,7 +72,7 @@ public final class Controls implements MotionSource {
 
   public void keyDown(WalkKey key) {
     if (keys.add(key)) {
-      command(key).ifPresent(commands::add);
+      command(key);
     }
   }
 
@@ -80,7 +80,12 @@ public final class Controls implements MotionSource {
     keys.remove(key);
   }
 
-  private static Optional<NavigationCommand> command(WalkKey key) {
+  /** Does what a key commands, if it does, without anybody's holding it down. */
+  public void command(WalkKey key) {
+    commandOf(key).ifPresent(commands::add);
+  }
+
+  private static Optional<NavigationCommand> commandOf(WalkKey key) {
     return Optional.ofNullable(
         switch (key) {
           case HOME -> NavigationCommand.RESET_VIEWPOINT;

@@ -18,6 +18,7 @@ import org.selectiverenderer.tracker.replay.ReplayLog;
 import org.selectiverenderer.tracker.replay.ReplaySource;
 import org.selectiverenderer.tracker.serial.FastrakSource;
 import org.selectiverenderer.tracker.serial.InterTrax2Source;
+import org.selectiverenderer.tracker.serial.SerialPorts;
 
 /** Opens trackers of every kind. */
 public final class Trackers {
@@ -37,7 +38,27 @@ public final class Trackers {
     if (spec instanceof TrackerSpec.None) {
       return new NoTracker();
     }
+    if (spec instanceof TrackerSpec.InterTrax2 serial && serial.searched()) {
+      return open(searched(spec), options, listener);
+    }
     return LiveTracker.open(spec, source(spec, listener), options, listener);
+  }
+
+  private static TrackerSpec searched(TrackerSpec spec) throws TrackerException {
+    try {
+      return TrackerSearch.found(spec)
+          .orElseThrow(
+              () ->
+                  new TrackerException(
+                      "no InterTrax2 answers at a serial port (%s); plug one in, or name its port"
+                          .formatted(
+                              SerialPorts.names().isEmpty()
+                                  ? "there is none"
+                                  : String.join(", ", SerialPorts.names()))));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new TrackerException("interrupted while looking for an InterTrax2", e);
+    }
   }
 
   private static PoseSource source(TrackerSpec spec, TrackerListener listener)

@@ -6,8 +6,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.TrackerException;
 
 /**
- * An open serial port: 8 data bits, no parity, 1 stop bit, no flow control, DTR and RTS off. The
- * only class that knows jSerialComm.
+ * An open serial port: 8 data bits, no parity, 1 stop bit, no flow control, DTR and RTS off. But
+ * for {@link SerialPorts} the only class that knows jSerialComm.
  */
 final class SerialLine {
   /**

@@ -34,9 +34,11 @@ class ChainTrackerTest {
                   "tcp:" + server.getInetAddress().getHostAddress() + ":" + server.getLocalPort()),
               TrackerOptions.NONE,
               WhenLost.FREEZE);
+      List<PoseSample> early = new CopyOnWriteArrayList<>();
+      List<PoseSample> late = new CopyOnWriteArrayList<>();
       List<Problem> first = new CopyOnWriteArrayList<>();
       List<Problem> second = new CopyOnWriteArrayList<>();
-      HeadTracker practice = chain.lend(settings, first::add);
+      HeadTracker practice = chain.lend(settings, first::add, early::add);
       try (Socket device = server.accept()) {
         say(device, "30 5 0\n");
         watching.until("a pose", () -> practice.read(pose));
@@ -44,11 +46,13 @@ class ChainTrackerTest {
         watching.until("straight ahead", () -> practice.read(pose) && pose.yaw() == 0);
         practice.close();
 
-        HeadTracker kitchen = chain.lend(settings, second::add);
+        HeadTracker kitchen = chain.lend(settings, second::add, late::add);
         say(device, "40 5 0\n");
         watching.until("another pose", () -> kitchen.read(pose) && pose.yaw() != 0);
         assertThat(pose.yaw()).isCloseTo(10, within(1e-9));
         assertThat(pose.pitch()).isCloseTo(5, within(1e-9));
+        assertThat(early).hasSize(1);
+        assertThat(late).isNotEmpty();
       }
       watching.until("the loss to be heard", () -> !second.isEmpty());
       assertThat(first).isEmpty();

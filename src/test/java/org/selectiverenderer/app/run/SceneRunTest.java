@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
@@ -12,10 +14,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
 import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.runtime.render.Drawn;
 
 /** The time of a run, which what is recorded carries. */
@@ -39,6 +46,8 @@ class SceneRunTest {
       };
 
   @TempDir private Path folder;
+  private Path log = Path.of("");
+  private final DimGuide guide = new DimGuide();
   private final AtomicLong nanos = new AtomicLong(7_000_000_000L);
 
   @Test
@@ -70,20 +79,88 @@ class SceneRunTest {
     }
   }
 
+  @Test
+  void aRowSaysWhenItsFrameWasSteppedAndWhetherItWasSeen() throws IOException {
+    guide.darkness = 0.6;
+    try (SceneRun run = run(Pace.WATCHED)) {
+      stepped(run);
+      drawnAfterTwoSeconds(run);
+      guide.darkness = 0.4;
+      stepped(run);
+      drawnAfterTwoSeconds(run);
+      stepped(run);
+      nanos.addAndGet(250_000_000L); // The window is hidden: nothing is drawn.
+      stepped(run);
+      drawnAfterTwoSeconds(run);
+    }
+    List<HeadSample> rows = rows();
+    assertThat(rows).extracting(HeadSample::t).containsExactly(0.0, 2.0, 4.0, 4.25);
+    assertThat(rows).extracting(HeadSample::frameMs).containsExactly(0.0, 2000.0, 2000.0, 250.0);
+    assertThat(rows).extracting(HeadSample::visible).containsExactly(false, true, false, true);
+    assertThat(rows)
+        .extracting(row -> row.moment().mono())
+        .containsExactly(7.0, 9.0, 11.0, 11.25);
+    assertThat(rows).allMatch(row -> row.moment().wall() != null);
+  }
+
+  @Test
+  void inAPauseTheLogsTimeStandsStillAndTheMachinesGoesOn() throws IOException {
+    try (SceneRun run = run(Pace.WATCHED)) {
+      stepped(run);
+      drawnAfterTwoSeconds(run);
+      guide.paused = true;
+      stepped(run);
+      drawnAfterTwoSeconds(run);
+      stepped(run);
+      nanos.addAndGet(1_000_000_000L);
+      guide.paused = false;
+      stepped(run);
+      drawnAfterTwoSeconds(run);
+    }
+    List<HeadSample> rows = rows();
+    assertThat(rows).extracting(HeadSample::t).containsExactly(0.0, 1.0);
+    assertThat(rows).extracting(HeadSample::frameMs).containsExactly(0.0, 1000.0);
+    assertThat(rows).extracting(row -> row.moment().mono()).containsExactly(7.0, 12.0);
+  }
+
+  private List<HeadSample> rows() throws IOException {
+    Problems problems = new Problems();
+    List<HeadSample> rows = HeadLogReader.read(log, problems).orElseThrow().samples();
+    assertThat(problems.list()).isEmpty();
+    return rows;
+  }
+
+  private static final class DimGuide implements RunGuide {
+    private double darkness;
+    private boolean paused;
+
+    @Override
+    public double darkness(double seconds) {
+      return paused ? 1 : darkness;
+    }
+
+    @Override
+    public boolean paused() {
+      return paused;
+    }
+  }
+
   private SceneRun run(Pace pace) throws IOException {
+    log = folder.resolve("log.csv");
     Path scene =
         Files.writeString(
             folder.resolve("scene.x3d"),
             "<X3D version='4.0' profile='Immersive'><Scene><Shape><Box/></Shape></Scene></X3D>");
     RunSettings settings =
         new RunSettings(scene, SelectiveController.Settings.SELECTIVE)
-            .lasting(OptionalDouble.of(5));
+            .lasting(OptionalDouble.of(5))
+            .with(TrackerSettings.NONE, Optional.of(new HeadLogSettings(log)));
     SceneRun run =
         new SceneRun(
             settings,
             QUIET,
             HeadSession.open(settings, QUIET::problem),
-            RunGuide.USER,
+            guide,
             pace,
             new RunStop(),
             new Stopwatch(nanos::get));

@@ -100,9 +100,9 @@ class AttendedSessionTest {
     FutureTask<Boolean> picture = OpenWindow.asking(this::watch);
     fillInTheForm();
     status("practice: 1 s so far");
-    press("Go on", () -> shows("exposure-hall: "));
-    press("Pause", () -> shows("exposure-hall: PAUSED"));
-    press("Continue", () -> !shows("exposure-hall: PAUSED"));
+    press("Go on (F9)", () -> shows("exposure-hall: "));
+    press("Pause (F8)", () -> shows("exposure-hall: PAUSED"));
+    press("Continue (F8)", () -> !shows("exposure-hall: PAUSED"));
     JFrame questions = OpenWindow.named(hands, "questionnaire");
     watching.set(false);
     OpenWindow.answer(picture);
@@ -140,7 +140,7 @@ class AttendedSessionTest {
     FutureTask<SessionRunner.Outcome> second = OpenWindow.asking(() -> run(2));
     fillInTheForm();
     status("practice: 1 s so far");
-    press("Go on", () -> shows("exposure-hall: "));
+    press("Go on (F9)", () -> shows("exposure-hall: "));
     abort();
     assertThat(OpenWindow.answer(second)).isEqualTo(SessionRunner.Outcome.ABORTED);
     assertThat(events(2)).endsWith("step-began", "scene", "shown", "aborted");
@@ -155,7 +155,7 @@ class AttendedSessionTest {
                 new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
                 new Problems());
         ChainTracker tracker = new ChainTracker();
-        SessionDialogue dialogue = new WindowDialogue(material.wording())) {
+        SessionDialogue dialogue = new WindowDialogue(material.wording(), Optional.empty())) {
       return new SessionRunner(session, dialogue, show(), tracker, text -> {}).run();
     }
   }
@@ -166,6 +166,7 @@ class AttendedSessionTest {
             DisplayMode.WINDOW, new EyeGeometry(DisplayProfile.PROVIEW_50, 0.063), false),
         TrackerOptions.NONE,
         false,
+        SessionStage.DESK,
         new RunListener() {
           @Override
           public void problem(Problem problem) {
@@ -236,7 +237,7 @@ class AttendedSessionTest {
   private void press(String button, BooleanSupplier effect) {
     OpenWindow.click(
         hands,
-        button.equals("Go on")
+        button.startsWith("Go on")
             ? Hands.named(controls, button, JButton.class)
             : Hands.named(controls, button, JToggleButton.class),
         effect);

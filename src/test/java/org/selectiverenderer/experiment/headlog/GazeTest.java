@@ -3,12 +3,22 @@ package org.selectiverenderer.experiment.headlog;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Quaterniond;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.hmd.Scenes;
 import org.selectiverenderer.runtime.World;
 
 class GazeTest {
+  @TempDir private Path folder;
+
   /** Before the viewer a can in two versions, to its left a lamp, behind both a wall. */
   private static final String ROOM =
       """
@@ -64,6 +74,94 @@ class GazeTest {
   }
 
   @Test
+  void everyObjectHasItsOwnNameWhateverItIsMadeOf() throws IOException {
+    Files.writeString(
+        folder.resolve("kite.x3d"),
+        """
+        <X3D version='4.0' profile='Immersive'><Scene>
+        <Transform DEF='Tail'><Shape DEF='Knot'><Box size='0.2 0.2 0.2'/></Shape></Transform>
+        </Scene></X3D>
+        """);
+    Path file =
+        Files.writeString(
+            folder.resolve("scene.x3d"),
+            """
+            <X3D version='4.0' profile='Immersive'><Scene>
+            <Group DEF='Kitchen'>
+              <Transform translation='0 -1 0'><Shape><Box size='6 0.1 6'/></Shape></Transform>
+              <Transform DEF='Transform_Kite' translation='1 0 0'>
+                <Inline DEF='Inline_Kite' url='"kite.x3d"'/>
+              </Transform>
+              <Transform DEF='Chair' translation='-1 0 0'>
+                <Transform DEF='Leg'><Shape><Box size='0.1 0.5 0.1'/></Shape></Transform>
+                <Transform DEF='Seat'><Shape><Box size='0.5 0.1 0.5'/></Shape></Transform>
+              </Transform>
+              <Transform DEF='Shelf' translation='-1 0 2'>
+                <Shape><Box size='0.5 0.1 0.5'/></Shape>
+                <Switch DEF='Switch_Mug' whichChoice='0'>
+                  <Shape><Box size='0.1 0.1 0.1'/></Shape><Shape><Box size='0.1 0.1 0.1'/></Shape>
+                </Switch>
+              </Transform>
+            </Group>
+            <Transform DEF='Tree' translation='0 0 20'>
+              <Shape DEF='Bark'><Box size='1 1 1'/></Shape>
+            </Transform>
+            </Scene></X3D>
+            """);
+    try (Walkthrough walk = open(file)) {
+      named(walk.world());
+    }
+  }
+
+  private static void named(World world) {
+    SceneMap map = SceneSurvey.of(world.instances());
+    assertThat(map.rooms()).extracting(SceneMap.Box::name).containsExactly("Kitchen");
+    assertThat(map.objects())
+        .extracting(SceneMap.Box::name)
+        .containsExactly("Inline_Kite", "Chair", "Shelf", "Switch_Mug", "Tree");
+    assertThat(map.surroundings()).extracting(SceneMap.Box::name).containsExactly("Kitchen");
+    SceneObjects objects = new SceneObjects(world.instances());
+    assertThat(world.instances().shapes())
+        .extracting(shape -> objects.of(shape).orElseThrow().name())
+        .containsExactly(
+            "Kitchen",
+            "Inline_Kite",
+            "Chair",
+            "Chair",
+            "Shelf",
+            "Switch_Mug",
+            "Switch_Mug",
+            "Tree");
+  }
+
+  @Test
+  void theInconsistentObjectsOfTheApartmentAreOnItsMap() throws IOException {
+    try (Walkthrough walk = open(Path.of("scenes/apartment.x3d"))) {
+      SceneMap map = SceneSurvey.of(walk.world().instances());
+      assertThat(map.rooms())
+          .extracting(SceneMap.Box::name)
+          .containsExactly("Kitchen", "Lounge", "Office");
+      List<String> objects = map.objects().stream().map(SceneMap.Box::name).toList();
+      assertThat(objects)
+          .contains("Switch_Toaster", "Switch_Desk")
+          .containsAll(
+              Stream.of("Shovel", "Kite", "Violin", "BaseballBat", "HairDryer", "BicycleWheel")
+                  .map("Inline_%s_Definition"::formatted)
+                  .toList());
+      assertThat(map.surroundings())
+          .extracting(SceneMap.Box::name)
+          .contains("Inline_KitchenFrame_Definition", "Inline_OfficeFrame_Definition")
+          .doesNotContainAnyElementsOf(objects);
+      map.objects().forEach(object -> assertThat(map.roomOf(object)).isNotEmpty());
+    }
+  }
+
+  private static Walkthrough open(Path scene) throws IOException {
+    return Walkthrough.open(
+        scene, SelectiveController.Settings.SELECTIVE, problem -> {}, event -> {}, text -> {});
+  }
+
+  @Test
   void lookingIntoTheSkyFindsNothing() {
     World world = Scenes.world(ROOM);
     world.viewer().turnTo(new Quaterniond().rotationY(Math.PI));
@@ -78,7 +176,8 @@ class GazeTest {
     SceneMap map = SceneSurvey.of(Scenes.world(ROOM).instances());
     assertThat(map.rooms()).extracting(SceneMap.Box::name).containsExactly("Office");
     assertThat(map.rooms().get(0).bounds()).containsExactly(-10, -10, -9.5, 10, 10, -3.5);
-    assertThat(map.objects()).extracting(SceneMap.Box::name).containsExactly("Switch_Can");
+    assertThat(map.objects()).extracting(SceneMap.Box::name).containsExactly("Switch_Can", "Lamp");
+    assertThat(map.surroundings()).extracting(SceneMap.Box::name).containsExactly("Wall");
     // Both versions together.
     assertThat(map.objects().get(0).bounds()[2]).isEqualTo(-5.5);
     assertThat(map.objects().get(0).bounds()[5]).isEqualTo(-3.5);

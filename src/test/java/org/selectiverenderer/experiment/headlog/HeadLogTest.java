@@ -9,8 +9,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problems;
@@ -25,7 +27,8 @@ class HeadLogTest {
           List.of(new SceneMap.Box("Office", new double[] {-2, 0, -2, 2, 3, 2})),
           List.of(
               new SceneMap.Box("Switch_Desk", new double[] {-1, 0, -2, 1, 1, -1}),
-              new SceneMap.Box("Switch_Clock", new double[] {-1, 2, 1, 1, 3, 2})));
+              new SceneMap.Box("Switch_Clock", new double[] {-1, 2, 1, 1, 3, 2})),
+          List.of(new SceneMap.Box("Inline_Walls", new double[] {-2, 0, -2, 2, 3, 2})));
 
   private static final HeadLogDescription DESCRIPTION =
       new HeadLogDescription(
@@ -58,7 +61,35 @@ class HeadLogTest {
         1,
         List.of("a", "b"),
         List.of("OfficeSchema"),
-        16.6667);
+        16.6667,
+        HeadSample.Moment.UNTOLD);
+  }
+
+  /** A moment of a machine that was started with the year. */
+  private static HeadSample.Moment at(double mono, boolean visible) {
+    return new HeadSample.Moment(
+        visible, Instant.parse("2026-01-01T00:00:00Z").plusMillis((long) (mono * 1000)), mono);
+  }
+
+  /** What is looked at at a time, seen or not, with a clock that is ahead by some seconds. */
+  private static HeadSample look(double t, String object, boolean visible, double ahead) {
+    HeadSample like = sample(t, 1, 0, object);
+    return new HeadSample(
+        like.t(),
+        like.x(),
+        like.y(),
+        like.z(),
+        like.yaw(),
+        like.pitch(),
+        like.roll(),
+        like.moved(),
+        object,
+        like.distance(),
+        like.version(),
+        like.cone(),
+        like.schemas(),
+        100,
+        at(t + ahead, visible));
   }
 
   private Path write(List<HeadSample> samples) throws IOException {
@@ -83,7 +114,21 @@ class HeadLogTest {
         List.of(
             sample(0, 12.345678901234567, -3, "Switch_Desk"),
             new HeadSample(
-                0.1, 0, 0, 0, 0, 0, 0, false, "", Double.NaN, -1, List.of(), List.of(), 5),
+                0.1,
+                0,
+                0,
+                0,
+                0,
+                0,
+                0,
+                false,
+                "",
+                Double.NaN,
+                -1,
+                List.of(),
+                List.of(),
+                5,
+                at(12.5, true)),
             sample(0.2, 1e-7, 0, "a \"quoted\", one"));
     HeadLog log = read(write(samples));
     assertThat(log.samples().get(0).yaw()).isEqualTo(12.345679);
@@ -157,10 +202,12 @@ class HeadLogTest {
                     -1,
                     List.of(),
                     List.of(),
-                    16.6666)));
+                    16.6666,
+                    at(1234.5678901, false))));
     assertThat(Files.readAllLines(file).get(1))
         .isEqualTo(
-            "0.666667,0.000000,0.000000,12345678.500000,-90.000000,0.000000,180.000000,moved,,4.000,,,,16.667");
+            "0.666667,0.000000,0.000000,12345678.500000,-90.000000,0.000000,180.000000,moved,,4.000,,,,16.667,0,"
+                + "2026-01-01T00:20:34.567Z,1234.567890");
     JsonNode columns =
         new ObjectMapper().readTree(folder.resolve("session.json").toFile()).get("columns");
     assertThat(columns.get("yaw").get("decimals").asInt()).isEqualTo(6);
@@ -187,7 +234,73 @@ class HeadLogTest {
     assertThat(desk.looks()).isEqualTo(2);
     assertThat(desk.seconds()).isCloseTo(3, within(1e-9));
     assertThat(desk.first()).isZero();
-    assertThat(analysis.unseen()).containsExactly("Switch_Clock");
+    assertThat(analysis.unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
+  }
+
+  @Test
+  void whatTheParticipantDidNotSeeIsNotLookedAtAndIsSaidToBeLeftOut() throws IOException {
+    List<HeadSample> samples = new ArrayList<>();
+    for (int i = 0; i < 40; i++) {
+      // Black for a second, then the desk; it goes dark and comes again; black in the end.
+      boolean visible = i >= 10 && i < 20 || i >= 22 && i < 30;
+      samples.add(look(i * 0.1, i < 35 ? "Switch_Desk" : "Switch_Clock", visible, 5));
+    }
+    HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(samples)));
+    assertThat(analysis.seconds()).isCloseTo(1.8, within(1e-9));
+    assertThat(analysis.unshown().samples()).isEqualTo(22);
+    assertThat(analysis.unshown().seconds()).isCloseTo(2.2, within(1e-9));
+    assertThat(analysis.unshown().pauses()).isZero();
+    HeadLogAnalysis.ObjectView desk = analysis.objects().get(0);
+    assertThat(desk.seconds()).isCloseTo(1.8, within(1e-9));
+    assertThat(desk.first()).isCloseTo(1, within(1e-9));
+    assertThat(desk.looks()).isEqualTo(2);
+    assertThat(analysis.unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
+    assertThat(analysis.rooms().get(0).seconds()).isCloseTo(1.8, within(1e-9));
+    assertThat(AnalysisFormats.text(analysis))
+        .contains("1.8 s in view, 18 samples", "left out: 2.2 s, 22 samples without a picture");
+    assertThat(new ObjectMapper().readTree(AnalysisFormats.json(analysis)).at("/left_out/seconds"))
+        .hasToString("2.2");
+    assertThat(HeadLogPlot.svg(analysis)).contains("grey: no picture");
+  }
+
+  @Test
+  void aPauseIsWhereTheMachinesClockWentOnAndTheLogsDidNot() throws IOException {
+    List<HeadSample> samples = new ArrayList<>();
+    for (int i = 0; i < 20; i++) {
+      samples.add(look(i * 0.1, "Switch_Desk", true, i < 10 ? 5 : 65));
+    }
+    HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(samples)));
+    assertThat(analysis.seconds()).isCloseTo(2, within(1e-9));
+    assertThat(analysis.unshown().pauses()).isOne();
+    assertThat(analysis.unshown().paused()).isCloseTo(60, within(1e-6));
+    assertThat(analysis.objects().get(0).looks()).isEqualTo(2);
+    assertThat(AnalysisFormats.text(analysis)).contains("paused: 1 time, 60.0 s together");
+  }
+
+  @Test
+  void aLogFromBeforeThereWasAPictureColumnIsReadAsSeen() throws IOException {
+    Path file = write(List.of(look(0, "A", false, 1), look(0.1, "A", false, 1)));
+    Files.write(
+        file,
+        Files.readAllLines(file).stream()
+            .map(line -> line.replaceAll("(,[^,]*){3}$", ""))
+            .toList());
+    assertThat(Files.readAllLines(file).get(0)).endsWith(",frame_ms");
+    HeadLog log = read(file);
+    assertThat(log.samples()).extracting(HeadSample::moment).containsOnly(HeadSample.Moment.UNTOLD);
+    assertThat(AnalysisFormats.text(HeadLogAnalysis.of(log))).doesNotContain("left out", "paused");
+  }
+
+  @Test
+  void aMomentThatCannotBeIsSaidWithItsPlace() throws IOException {
+    Path file = write(List.of(look(0, "A", true, 1), look(0.1, "A", true, 1)));
+    List<String> lines = new ArrayList<>(Files.readAllLines(file));
+    lines.set(2, lines.get(2).replace(",1,2026-01-01T", ",1,2026-01-01 "));
+    Files.write(file, lines);
+    Problems problems = new Problems();
+    assertThat(HeadLogReader.read(file, problems).orElseThrow().samples()).hasSize(1);
+    assertThat(problems.list().get(0).toString())
+        .contains("session.csv:3:", "2026-01-01 00:00:01.100Z", "is no date and time like");
   }
 
   @Test
@@ -232,11 +345,11 @@ class HeadLogTest {
     assertThat(data.getFileName()).hasToString("sub-07_task-viewing_tracksys-head_motion.tsv");
     assertThat(Files.readAllLines(data))
         .containsExactly(
-            "0.050000\t0.800000\t-0.166667\t0.000000\t0.707107\t0.000000\t0.707107\t0.000000",
-            "0.050000\t0.800000\t-0.166667\t0.000000\t0.707107\t0.000000\t0.707107\t0.500000");
+            "0.050000\t0.800000\t-0.166667\t0.000000\t0.707107\t0.000000\t0.707107\t0.000000\t1.000000",
+            "0.050000\t0.800000\t-0.166667\t0.000000\t0.707107\t0.000000\t0.707107\t0.500000\t1.000000");
     List<String> channels =
         Files.readAllLines(data.resolveSibling("sub-07_task-viewing_tracksys-head_channels.tsv"));
-    assertThat(channels).hasSize(1 + 8);
+    assertThat(channels).hasSize(1 + 9);
     assertThat(channels.get(1)).isEqualTo("head_POS_x\tx\tPOS\thead\tm\t2.0\tscene");
     JsonNode sidecar =
         new ObjectMapper()

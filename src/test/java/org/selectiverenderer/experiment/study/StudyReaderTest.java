@@ -99,7 +99,7 @@ class StudyReaderTest {
         .anyMatch(line -> line.contains("an area needs \"seconds\""))
         .anyMatch(
             line ->
-                line.contains("an area has no \"secs\" (known keys: name, seconds, viewpoint)"));
+                line.contains("an area has no \"secs\" (known keys: name, seconds, stay, viewpoint, within)"));
   }
 
   @ParameterizedTest
@@ -116,12 +116,19 @@ class StudyReaderTest {
         "\"high-low\", | \"high\", | the condition high is named twice",
         "\"KitchenView\" | \"CellarView\" | no Viewpoint with the DEF 'CellarView'",
         "\"recognition.csv\" | \"memory.csv\" | there is no file 'memory.csv'",
-        "\"window\" | \"dome\" | 'dome' is not one of window, side-by-side, dual",
-        "\"tracker\": \"none\" | \"tracker\": \"replay:x.csv\" | a recording cannot be the tracker",
+        "\"side-by-side\" | \"dome\" | 'dome' is not one of window, side-by-side, dual",
+        "\"tracker\": \"intertrax2:auto\" | \"tracker\": \"replay:x.csv\" | a recording cannot be the tracker",
         "\"seconds\": 45 | \"seconds\": \"long\" | \"seconds\" must be a number from "
             + "0.1 to 36000",
         "\"seed\": 2009 | \"seed\": 0.5 | \"seed\" must be a whole number",
         "\"name\": \"lounge\" | \"name\": \"kitchen\" | the area kitchen is named twice",
+        "\"order\": \"fixed\" | \"order\": \"any\" | 'any' is not one of fixed, counterbalanced",
+        "\"stay\": \"turn\" | \"stay\": \"run\" | 'run' is not one of turn, walk, free",
+        "\"closed\": false | \"closed\": 0 | \"closed\" must be true or false",
+        "\"seconds\": 45} | \"seconds\": 45, \"within\": \"CellarProx\"} | no ProximitySensor and "
+            + "no group with the DEF 'CellarProx'",
+        "\"ipd\": 63 | \"operator\": -1 | \"operator\" must be the number of a monitor",
+        "\"ipd\": 63 | \"pointer\": \"lost\" | 'lost' is not one of auto, kept, free",
         "\"participants\": 54, | `` | a study needs \"participants\"",
       })
   void whatCannotBeIsAnErrorWithItsPlace(String old, String other, String message)

@@ -227,7 +227,7 @@ class SessionWindowsTest {
             new Problems())) {
       OperatorControls controls = new OperatorControls(session.journal());
       assertThat(controls.askAbort()).as("nobody there to ask").isFalse();
-      ControlWindow opened = ControlWindow.open(controls);
+      ControlWindow opened = ControlWindow.open(controls, Optional.empty());
       try {
         JFrame window = OpenWindow.named(hands, "controls");
         controls.status("exposure-kitchen: 12 s left");
@@ -236,7 +236,7 @@ class SessionWindowsTest {
         hands.type("7");
         hands.await("the note", () -> note.getText().equals("7"));
         hands.press(KeyEvent.VK_ENTER);
-        JToggleButton pause = Hands.named(window, "Pause", JToggleButton.class);
+        JToggleButton pause = Hands.named(window, "Pause (F8)", JToggleButton.class);
         OpenWindow.click(hands, pause, controls::paused);
         JLabel status =
             Hands.onEdt(
@@ -250,13 +250,28 @@ class SessionWindowsTest {
         AtomicBoolean went = new AtomicBoolean(); // Taken once.
         OpenWindow.click(
             hands,
-            Hands.named(window, "Go on", JButton.class),
+            Hands.named(window, "Go on (F9)", JButton.class),
             () -> {
               if (controls.takeGoOn()) {
                 went.set(true);
               }
               return went.get();
             });
+        AtomicBoolean reset = new AtomicBoolean(); // Taken once.
+        OpenWindow.click(
+            hands,
+            Hands.named(window, "Reset Heading (F4)", JButton.class),
+            () -> {
+              if (controls.takeResetHeading()) {
+                reset.set(true);
+              }
+              return reset.get();
+            });
+        hands.press(KeyEvent.VK_F8);
+        hands.await("the pause", controls::paused);
+        hands.await("the button", () -> pause.getText().equals("Continue (F8)"));
+        hands.press(KeyEvent.VK_F8);
+        hands.await("no pause", () -> !controls.paused());
         OpenWindow.click(
             hands, Hands.named(window, "Abort ...", JButton.class), OpenWindow::asking);
         OpenWindow.answerDialog(hands, "Continue the Session");
@@ -274,7 +289,15 @@ class SessionWindowsTest {
     }
     String events = Files.readString(folder.resolve("study/sub-001/ses-01/events.jsonl"));
     assertThat(events.lines().map(line -> line.replaceAll(".*\"event\":\"([^\"]*)\".*", "$1")))
-        .containsExactly("session-began", "note", "paused", "continued", "go-on", "aborted");
+        .containsExactly(
+            "session-began",
+            "note",
+            "paused",
+            "continued",
+            "go-on",
+            "paused",
+            "continued",
+            "aborted");
     assertThat(events).containsPattern("\"time\":\"\\d{4}-.*\"event\":\"note\",\"text\":\"7\"");
   }
 

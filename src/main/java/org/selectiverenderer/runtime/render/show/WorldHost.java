@@ -14,6 +14,17 @@ public interface WorldHost {
   /** The user did something. Comes before the next {@link #step()}. */
   void input(InputEvent event);
 
+  /**
+   * Somebody did something in the operator's window; the participant, who did not, must not move by
+   * it.
+   */
+  default void operatorInput(InputEvent event) {}
+
+  /** Whether the pointer is kept in the participant's window. */
+  default boolean pointerKept() {
+    return false;
+  }
+
   /** Steps the world for the next frame; empty while there is nothing to show yet. */
   Optional<World> step();
 

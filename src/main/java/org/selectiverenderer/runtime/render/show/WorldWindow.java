@@ -35,10 +35,13 @@ public final class WorldWindow {
     this.stage = stage;
     PictureCopy right = new PictureCopy();
     List<SideWindow> sides = new ArrayList<>();
-    stage.rightEye().ifPresent(options -> sides.add(new SideWindow(options, new EyeWindow(right))));
+    stage
+        .rightEye()
+        .ifPresent(
+            options -> sides.add(new SideWindow(options, new EyeWindow(right), Optional.empty())));
     operator = stage.operator().isPresent() ? new OperatorWindow(host) : null;
     if (operator != null) {
-      sides.add(new SideWindow(stage.operator().get(), operator));
+      sides.add(new SideWindow(stage.operator().get(), operator, Optional.of(host::operatorInput)));
     }
     Frames frames = new Frames(right);
     window = new RenderWindow(stage.main(), frames, frames::input, sides);
@@ -106,6 +109,11 @@ public final class WorldWindow {
     public boolean step() {
       world = host.step();
       return !host.finished();
+    }
+
+    @Override
+    public boolean pointerKept() {
+      return host.pointerKept();
     }
 
     @Override

@@ -23,6 +23,14 @@ public interface FrameSource {
     return true;
   }
 
+  /**
+   * Whether the pointer is to stay in the main window, unseen, so that nobody presses anything
+   * elsewhere. Asked in every frame; the window system lets go of it when the program is gone.
+   */
+  default boolean pointerKept() {
+    return false;
+  }
+
   /** Draws a frame into the frame buffer that is bound. */
   void draw(GL3 gl, FrameSize size);
 

@@ -4,6 +4,7 @@ import com.jogamp.newt.opengl.GLWindow;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLAutoDrawable;
 import com.jogamp.opengl.GLEventListener;
+import java.util.Optional;
 
 /** A side window that is open. Belongs to the render thread. */
 final class OpenSide {
@@ -11,10 +12,17 @@ final class OpenSide {
   private final GLWindow window;
   private boolean started;
   private boolean stopping;
+  private final Optional<InputListener> listener;
+  private final InputQueue queue;
   private boolean drawn;
 
-  OpenSide(SideWindow side, InputQueue queue, Runnable onClose) {
+  /**
+   * @param shared the main window's queue, for a side whose input is no other
+   */
+  OpenSide(SideWindow side, InputQueue shared, Runnable onClose) {
     source = side.source();
+    listener = side.input();
+    queue = listener.isPresent() ? new InputQueue() : shared;
     window =
         NativeWindows.open(
             side.options(),
@@ -22,6 +30,11 @@ final class OpenSide {
             queue,
             onClose,
             new Drawing());
+  }
+
+  /** Hands over what was done in it alone. */
+  void drain() {
+    listener.ifPresent(queue::drain);
   }
 
   /** Draws what is new, without showing it yet. */

@@ -159,8 +159,10 @@ public final class RenderWindow {
   }
 
   private void frames(GLWindow window, List<OpenSide> open) {
+    PointerKeeper keeper = new PointerKeeper(window);
     while (!closing.get() && failure == null) {
       queue.drain(listener);
+      open.forEach(OpenSide::drain);
       if (!source.step()) {
         return;
       }
@@ -172,6 +174,7 @@ public final class RenderWindow {
         fullScreenWanted.set(now);
         window.requestFocus(false);
       }
+      keeper.keep(source.pointerKept());
       long before = drawn;
       window.display();
       for (OpenSide side : open) {

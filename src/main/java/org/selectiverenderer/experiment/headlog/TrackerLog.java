@@ -1,0 +1,141 @@
+package org.selectiverenderer.experiment.headlog;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.function.Consumer;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problem;
+
+/**
+ * Writes the records of a head tracker at their own rate, beside the head log, whose rows are
+ * frames: {@code NAME_tracker.csv} beside {@code NAME.csv}, and its description {@code
+ * NAME_tracker.json}. A thread of its own, {@code tracker-log}, writes, as {@link RowWriter} says.
+ * What is written can be replayed as a tracker.
+ */
+public final class TrackerLog implements AutoCloseable {
+  /** Records that may wait: at 500 per second those of a minute. */
+  private static final int MOST_WAITING = 1 << 15;
+
+  private final RowWriter<TrackerRecord> rows;
+
+  private TrackerLog(RowWriter<TrackerRecord> rows) {
+    this.rows = rows;
+  }
+
+  /** The files beside a head log. */
+  static List<Path> beside(Path headLog) {
+    String name = String.valueOf(headLog.getFileName());
+    int dot = name.lastIndexOf('.');
+    String stem = (dot > 0 ? name.substring(0, dot) : name) + "_tracker";
+    return List.of(headLog.resolveSibling(stem + ".csv"), headLog.resolveSibling(stem + ".json"));
+  }
+
+  /**
+   * Begins the log of a tracker.
+   *
+   * @param headLog beside which it lies
+   * @param replace whether files that are there may be replaced
+   * @param tracker as the user named it
+   * @param begun when the log begins, by the monotonic clock in seconds
+   * @param problem hears when the log cannot go on, on the log's thread
+   * @throws IOException if it cannot be written, or is there and may not be replaced
+   */
+  public static TrackerLog open(
+      Path headLog, boolean replace, String tracker, double begun, Consumer<Problem> problem)
+      throws IOException {
+    Path csv = beside(headLog).get(0);
+    try (FileChannel description = channel(beside(headLog).get(1), replace)) {
+      Disk.write(description, description(headLog, tracker).getBytes(StandardCharsets.UTF_8));
+      description.force(true);
+    }
+    FileChannel channel = channel(csv, replace);
+    try {
+      Disk.write(
+          channel,
+          CsvText.bare().row(TrackerRecord.HEADERS).toString().getBytes(StandardCharsets.UTF_8));
+      channel.force(true);
+    } catch (IOException e) {
+      channel.close();
+      throw NotWritten.named(csv, e);
+    }
+    RowWriter.Form<TrackerRecord> form =
+        new RowWriter.Form<>(
+            "tracker-log", "the tracker's log", "records", record -> record.cells(begun));
+    return new TrackerLog(RowWriter.start(csv, lines(channel), form, MOST_WAITING, problem));
+  }
+
+  private static FileChannel channel(Path file, boolean replace) throws IOException {
+    return replace
+        ? FileChannel.open(
+            file,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE)
+        : FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+  }
+
+  private static HeadLogWriter.Lines lines(FileChannel channel) {
+    return new HeadLogWriter.Lines() {
+      @Override
+      public void write(String text) throws IOException {
+        Disk.write(channel, text.getBytes(StandardCharsets.UTF_8));
+      }
+
+      @Override
+      public void keep() throws IOException {
+        channel.force(false);
+      }
+
+      @Override
+      public void close() throws IOException {
+        channel.close();
+      }
+    };
+  }
+
+  private static String description(Path headLog, String tracker) {
+    ObjectNode root = JsonTree.object();
+    root.put("tracker", tracker);
+    root.put("head_log", String.valueOf(headLog.getFileName()));
+    ObjectNode columns = root.putObject("columns");
+    column(columns, "t", "seconds since this log began", "s");
+    column(columns, "yaw", "heading about Y, positive to the left, before it is reset", "degrees");
+    column(columns, "pitch", "about X, positive up", "degrees");
+    column(columns, "roll", "about Z, positive to the left shoulder", "degrees");
+    column(columns, "number", "of the record since the tracker was opened, from 1", "");
+    column(columns, "wall", "date and time of the computer when it arrived, UTC", "");
+    column(columns, "mono", "the computer's monotonic clock then, as in the head log", "s");
+    return JsonText.of(root);
+  }
+
+  private static void column(ObjectNode columns, String name, String meaning, String units) {
+    ObjectNode column = columns.putObject(name).put("description", meaning);
+    if (!units.isEmpty()) {
+      column.put("units", units);
+    }
+  }
+
+  /** Hands over a record; called by the tracker's thread; never waits. */
+  public void add(TrackerRecord record) {
+    rows.add(record);
+  }
+
+  /**
+   * Writes what is left and ends the log.
+   *
+   * @throws IOException if the file cannot be closed
+   */
+  @Override
+  public void close() throws IOException {
+    rows.close();
+  }
+}

@@ -1,0 +1,78 @@
+package org.selectiverenderer.experiment.session;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.selectiverenderer.experiment.study.Study;
+
+/**
+ * The order in which a participant sees the areas. The same study and participant have the same
+ * order always.
+ *
+ * <p>Counterbalanced orders are the rows of Williams's squares (E. J. Williams 1949, "Experimental
+ * designs balanced for the estimation of residual effects of treatments", Australian Journal of
+ * Scientific Research A 2): Latin squares in which each area also comes equally often right after
+ * each other one; for an odd number of areas that takes two squares, the second the mirror of the
+ * first.
+ */
+final class AreaSequence {
+  private AreaSequence() {}
+
+  /**
+   * A participant's order.
+   *
+   * @param turn of the participant among the places of the same condition, from 0
+   */
+  static List<Study.Area> of(Study study, String participant, int turn) {
+    List<Study.Area> areas = new ArrayList<>(study.areas());
+    switch (study.course().order()) {
+      case COUNTERBALANCED -> {
+        return areas.isEmpty()
+            ? areas
+            : row(areas.size(), turn).stream().map(study.areas()::get).toList();
+      }
+      case RANDOM ->
+          // The first draws of Random hardly differ for seeds close to each other.
+          Collections.shuffle(
+              areas,
+              new Random((study.seed() * 31 + participant.hashCode()) * 0x9E3779B97F4A7C15L));
+      case FIXED -> {
+        // As the file has it.
+      }
+    }
+    return areas;
+  }
+
+  /** A row of the squares for a number of things, by their numbers. */
+  static List<Integer> row(int size, int turn) {
+    int rows = size % 2 == 0 ? size : 2 * size;
+    int row = turn % rows;
+    // The first row goes 0, 1, n-1, 2, n-2 ...; each other is that one, counted on.
+    List<Integer> order =
+        new ArrayList<>(
+            IntStream.range(0, size)
+                .map(at -> at % 2 == 1 ? (at + 1) / 2 : (size - at / 2) % size)
+                .map(first -> (first + row) % size)
+                .boxed()
+                .toList());
+    if (row >= size) {
+      Collections.reverse(order);
+    }
+    return order;
+  }
+
+  /**
+   * How many places before one have its condition.
+   *
+   * @param place from 1
+   */
+  static int turn(Study study, int place) {
+    Schedule schedule = new Schedule(study);
+    return (int)
+        IntStream.range(1, place)
+            .filter(before -> schedule.condition(before) == schedule.condition(place))
+            .count();
+  }
+}
