@@ -1,10 +1,10 @@
 /**
  * The head during a run: its tracker and its log.
  *
- * <p>In: the settings of the head, a walk and its frames. Out: the motion of the viewer, the log's
- * files, the time from a record to its picture. Uses {@code app.settings}, {@code app.walk}, {@code
- * tracker}, {@code hmd}, {@code experiment.headlog}, {@code control}, {@code runtime} and {@code
- * base}.
+ * <p>In: the settings of the head, a walk and its frames. Out: the motion of the viewer, the files
+ * of the log and of the tracker's records, the time from a record to its picture. Uses {@code
+ * app.clock}, {@code app.settings}, {@code app.walk}, {@code tracker}, {@code hmd}, {@code
+ * experiment.headlog}, {@code control}, {@code runtime} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.app.head;
