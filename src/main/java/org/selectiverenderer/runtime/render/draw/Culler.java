@@ -5,6 +5,7 @@ import java.util.List;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.camera.Camera;
@@ -32,6 +33,7 @@ final class Culler {
   private List<Camera> eyes = List.of();
   private Frustum[] frusta = {};
   private Frustum[] local = {};
+  private Vector3dc[] worldEyes = {};
   private Vector3d[] localEyes = {};
   private long[] order = new long[16];
   private int[] next = new int[16];
@@ -135,6 +137,7 @@ final class Culler {
   private void look(List<Camera> seeing) {
     eyes = seeing;
     frusta = eyes.stream().map(Frustum::of).toArray(Frustum[]::new);
+    worldEyes = eyes.stream().map(Camera::eye).toArray(Vector3dc[]::new);
     if (local.length != frusta.length) {
       local = eyes.stream().map(eye -> new Frustum()).toArray(Frustum[]::new);
       localEyes = eyes.stream().map(eye -> new Vector3d()).toArray(Vector3d[]::new);
@@ -225,18 +228,24 @@ final class Culler {
     out.begin(item);
     Clusters clusters = item.clusters();
     int indexBytes = item.mesh().indexBytes();
-    if (clusters.size() < FEWEST_CLUSTERS || item.blended()) {
+    boolean few = clusters.size() < FEWEST_CLUSTERS || item.blended();
+    boolean twoSided = !item.mesh().solid() && item.surface().lit();
+    Matrix4dc place = item.place();
+    boolean known = (!few || twoSided) && place.invertAffine(inverse).isFinite();
+    for (int eye = 0; known && eye < frusta.length; eye++) {
+      inverse.transformPosition(worldEyes[eye], localEyes[eye]);
+    }
+    if (twoSided && !(known && fronts(clusters))) {
+      out.backs();
+    }
+    if (few) {
       out.range(clusters.firstIndex()[0], clusters.indexCount(), indexBytes);
       return;
     }
-    Matrix4dc place = item.place();
     boolean all = eyes.size() == 1 && side(item.shape().bounds()) == Frustum.Side.INSIDE;
-    boolean solid = item.mesh().solid() && place.invertAffine(inverse).isFinite();
+    boolean solid = item.mesh().solid() && known;
     for (int eye = 0; eye < frusta.length; eye++) {
       frusta[eye].local(place, local[eye]);
-      if (solid) {
-        inverse.transformPosition(eyes.get(eye).eye(), localEyes[eye]);
-      }
     }
     if (occlusion != null) {
       occlusion.ask(place, item.part().occluders());
@@ -248,6 +257,18 @@ final class Culler {
         out.range(first[c], first[c + 1] - first[c], indexBytes);
       }
     }
+  }
+
+  /** Whether all eyes see nothing but fronts of the clusters, whichever of them they see. */
+  private boolean fronts(Clusters clusters) {
+    for (int c = 0; c < clusters.size(); c++) {
+      for (Vector3d at : localEyes) {
+        if (!clusters.facesTowards(c, at.x, at.y, at.z)) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   private boolean seen(Clusters clusters, int cluster, boolean inside, boolean solid) {

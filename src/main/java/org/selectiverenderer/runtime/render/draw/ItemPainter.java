@@ -9,6 +9,7 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
+import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 
 /** Draws items for one eye, changing only the GL state that differs from the item before. */
 final class ItemPainter {
@@ -40,7 +41,7 @@ final class ItemPainter {
       if (visible.firstRange[i] == visible.firstRange[i + 1]) {
         continue;
       }
-      bind(item);
+      bind(item, visible.frontOnly(i));
       cull(item.mesh().solid() ? GL.GL_BACK : 0);
       elements(i);
     }
@@ -53,7 +54,7 @@ final class ItemPainter {
     mesh = null;
     for (int i = from; i < to; i++) {
       DrawItem item = visible.calls.get(i);
-      bind(item);
+      bind(item, false);
       if (!item.mesh().solid()) {
         cull(GL.GL_FRONT);
         elements(i);
@@ -72,9 +73,10 @@ final class ItemPainter {
     }
   }
 
-  private void bind(DrawItem item) {
+  private void bind(DrawItem item, boolean frontOnly) {
     EyeLights.Packed packed = lights.of(item.reaching());
-    ShapeProgram needed = item.programs().get(gl, packed.counts());
+    ShapePrograms.Family programs = item.programs();
+    ShapeProgram needed = (frontOnly ? programs.front() : programs).get(gl, packed.counts());
     if (needed != program) {
       program = needed;
       needed.use(gl, pointSize);
