@@ -18,6 +18,7 @@ final class ItemPainter {
   private final Camera camera;
   private final EyeLights lights;
   private final float pointSize;
+  private final Portions portions;
   private final Matrix4d toEye = new Matrix4d();
   private final Matrix4d toClip = new Matrix4d();
   private final Matrix4d normals = new Matrix4d();
@@ -26,8 +27,15 @@ final class ItemPainter {
   private @Nullable GpuTexture texture;
   private @Nullable GpuMesh mesh;
 
-  ItemPainter(GL3 gl, Visible visible, Camera camera, EyeLights lights, float pointSize) {
+  ItemPainter(
+      GL3 gl,
+      Visible visible,
+      Camera camera,
+      EyeLights lights,
+      float pointSize,
+      Portions portions) {
     this.pointSize = pointSize;
+    this.portions = portions;
     this.gl = gl;
     this.visible = visible;
     this.camera = camera;
@@ -125,5 +133,6 @@ final class ItemPainter {
       gl.glMultiDrawElements(
           drawn.mode(), visible.counts(from), drawn.indexType(), visible.offsets(from), count);
     }
+    portions.drawn(gl, visible.count(from, from + count));
   }
 }

@@ -125,6 +125,15 @@ public final class Visible {
     return counts.get(range);
   }
 
+  /** The indices of some stretches together. */
+  long count(int fromRange, int toRange) {
+    long sum = 0;
+    for (int range = fromRange; range < toRange; range++) {
+      sum += counts.get(range);
+    }
+    return sum;
+  }
+
   /** The number of shapes in it. */
   public int shapes() {
     return shapes;
