@@ -45,13 +45,26 @@ public final class SceneRenderer {
    * changes its choice uploads nothing.
    */
   public void prepare(GL3 gl, InstanceTree tree) {
+    follow(gl, tree, true);
+  }
+
+  /**
+   * Likewise, without waiting for what is not shown: shapes that are new and hidden are uploaded a
+   * few with each frame. Whatever is shown is uploaded now, so that a Switch shows its choice in
+   * the frame in which it changes, however early that is.
+   */
+  public void follow(GL3 gl, InstanceTree tree) {
+    follow(gl, tree, false);
+  }
+
+  private void follow(GL3 gl, InstanceTree tree, boolean all) {
     if (list == null) {
       GlInfo info = GlInfo.of(gl);
       assets = new GpuAssets(new LightPlanner(shading.byVertex(info)));
       portions = new Portions(info.software());
       list = new DrawList(assets);
     }
-    list.follow(gl, tree);
+    list.follow(gl, tree, all);
   }
 
   /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
