@@ -98,6 +98,7 @@ public final class SceneRenderer {
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
     ItemPainter painter =
         new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize, portions);
+    portions.begin(seen.count(0, seen.ranges));
     painter.paint(0, seen.opaque);
     backdropPainter.paint(gl, backdrop, camera);
     if (seen.opaque < seen.calls.size()) {

@@ -9,8 +9,6 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class PortionsTest {
-  private static final long PORTION = 36_000;
-
   private final List<String> calls = new ArrayList<>();
   private final GL3 gl =
       (GL3)
@@ -22,31 +20,45 @@ class PortionsTest {
                 return null;
               });
 
-  @Test
-  void aSoftwareRendererIsHandedEachPortion() {
-    Portions portions = new Portions(true);
-    for (int i = 0; i < 10; i++) {
-      portions.drawn(gl, PORTION / 4);
+  private void draw(Portions portions, long indices, int calls) {
+    portions.begin(indices);
+    for (int i = 0; i < calls; i++) {
+      portions.drawn(gl, indices / calls);
     }
+  }
+
+  @Test
+  void aSoftwareRendererIsHandedEachPortionOfALargeFrame() {
+    Portions portions = new Portions(true);
+    draw(portions, 5 * Portions.MOST / 2, 10);
     assertThat(calls).containsExactly("glFlush", "glFlush");
     portions.end(gl);
     assertThat(calls).as("and what is left at the end").hasSize(3).containsOnly("glFlush");
   }
 
   @Test
-  void nothingIsHandedOverTwice() {
+  void aSmallerFrameIsHandedOverInHalves() {
     Portions portions = new Portions(true);
-    portions.end(gl);
-    assertThat(calls).isEmpty();
-    portions.drawn(gl, PORTION);
-    portions.end(gl);
+    draw(portions, Portions.LEAST, 9);
     assertThat(calls).hasSize(1);
+    portions.end(gl);
+    assertThat(calls).hasSize(2);
+  }
+
+  @Test
+  void aSmallFrameIsHandedOverAtItsEnd() {
+    Portions portions = new Portions(true);
+    draw(portions, Portions.LEAST - 1, 3);
+    assertThat(calls).isEmpty();
+    portions.end(gl);
+    portions.end(gl);
+    assertThat(calls).as("once").hasSize(1);
   }
 
   @Test
   void aGraphicsCardIsLeftAlone() {
     Portions portions = new Portions(false);
-    portions.drawn(gl, 10 * PORTION);
+    draw(portions, 10 * Portions.MOST, 20);
     portions.end(gl);
     assertThat(calls).isEmpty();
   }
