@@ -102,20 +102,20 @@ final class Culler {
       }
       DrawBatch batch = item.part().batch();
       if (batch == null) {
-        order[count++] = key(item, distance(item), i);
-      } else if (string(batch, i, distance(item))) {
+        order[count++] = DrawOrder.key(item, DrawOrder.distance(item, eyes), i);
+      } else if (string(batch, i, DrawOrder.distance(item, eyes))) {
         order[count++] = i;
       }
     }
     for (int i = 0; i < count; i++) {
       // Of a batch the place in the order is known when all its items are.
-      DrawItem item = items.get((int) order[i] & INDEX_MASK);
+      DrawItem item = items.get((int) order[i] & DrawOrder.INDEX_MASK);
       DrawBatch batch = item.part().batch();
-      order[i] = batch == null ? order[i] : key(item, batch.nearest, batch.first);
+      order[i] = batch == null ? order[i] : DrawOrder.key(item, batch.nearest, batch.first);
     }
     Arrays.sort(order, 0, count);
     for (int i = 0; i < count; i++) {
-      add(items, (int) order[i] & INDEX_MASK);
+      add(items, (int) order[i] & DrawOrder.INDEX_MASK);
     }
     // Clusters may have emptied items; those stay in the list without stretches.
   }
@@ -169,44 +169,6 @@ final class Culler {
     }
     add(items.get(batch.last));
     batch.forget();
-  }
-
-  private static final int INDEX_BITS = 24;
-  private static final int INDEX_MASK = (1 << INDEX_BITS) - 1;
-
-  /**
-   * The order of drawing as a number: opaque before blended; opaque ones by program and texture,
-   * then front to back, which spares covered pixels; blended ones back to front. Sixteen bits of
-   * rank, 23 of distance, 24 of place in the list.
-   */
-  private static long key(DrawItem item, int distance, int index) {
-    long rank = item.blended() ? (1L << 15) : Math.min(item.rank(), (1 << 15) - 1);
-    long depth = item.blended() ? (1 << 23) - 1 - distance : distance;
-    return rank << (23 + INDEX_BITS) | depth << INDEX_BITS | index;
-  }
-
-  /**
-   * From the nearest eye along the line of sight: of a blended item to the middle of its box, of
-   * others to the far end. So walls, whose boxes reach from before all else to behind it, come last
-   * and fill only what is left.
-   */
-  private int distance(DrawItem item) {
-    double[] box = item.shape().bounds();
-    double nearest = Double.POSITIVE_INFINITY;
-    for (int eye = 0; eye < frusta.length; eye++) {
-      double x = (box[0] + box[3]) / 2;
-      double y = (box[1] + box[4]) / 2;
-      double z = (box[2] + box[5]) / 2;
-      Matrix4dc v = eyes.get(eye).view();
-      double middle = -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32());
-      double half =
-          Math.abs(v.m02()) * (box[3] - box[0])
-              + Math.abs(v.m12()) * (box[4] - box[1])
-              + Math.abs(v.m22()) * (box[5] - box[2]);
-      nearest = Math.min(nearest, item.blended() ? middle : middle + half / 2);
-    }
-    // The bits of a float that is not negative are in the order of its values.
-    return Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;
   }
 
   private Frustum.Side side(double[] box) {
