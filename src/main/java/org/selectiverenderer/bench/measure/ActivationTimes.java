@@ -15,7 +15,12 @@ import org.selectiverenderer.runtime.viewer.ViewerMotion;
  * frame in which that happens: sensor, cascade, controller, instance tree.
  */
 final class ActivationTimes {
-  private static final int ROUNDS = 400;
+  /**
+   * Java's compilers are done with this after some 4,000 changes: in the first 400 a change takes
+   * two to four times as long as later.
+   */
+  private static final int ROUNDS = 4000;
+
   private static final Vector3dc INSIDE = new Vector3d(0, 0, 0);
   private static final Vector3dc OUTSIDE = new Vector3d(0, 0, 6);
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.geometry.tessellate;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.geometry.mesh.ValueWelder;
 
 /** Meshes of vertices and triangles, as other programs' files and recipes give them. */
 public final class VertexMeshes {

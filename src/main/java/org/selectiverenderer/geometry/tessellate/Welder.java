@@ -3,6 +3,7 @@ package org.selectiverenderer.geometry.tessellate;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.ValueWelder;
 
 /**
  * Makes vertices of corners: corners that take the same point, normal, colour and texture

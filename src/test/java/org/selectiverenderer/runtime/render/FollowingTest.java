@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
@@ -29,8 +29,8 @@ class FollowingTest {
   private final Random random = new Random(5);
 
   @ParameterizedTest
-  @EnumSource(names = {"PIXEL", "VERTEX"})
-  void whateverChanges(Shading shading) {
+  @CsvSource({"PIXEL, false", "VERTEX, false", "VERTEX, true"})
+  void whateverChanges(Shading shading, boolean hiddenOnesWait) {
     TestScene scene = TestScene.of(nodes());
     Node group = scene.loaded().scene().find("G").orElseThrow();
     List<Node> children = group.nodes("children");
@@ -43,8 +43,8 @@ class FollowingTest {
         }
         List<Camera> eyes = eyes();
         SceneRenderer fresh = new SceneRenderer(2, shading);
-        List<byte[]> followed = shoot(gl, target, studio.renderer, scene, eyes);
-        List<byte[]> expected = shoot(gl, target, fresh, scene, eyes);
+        List<byte[]> followed = shoot(gl, target, studio.renderer, scene, eyes, hiddenOnesWait);
+        List<byte[]> expected = shoot(gl, target, fresh, scene, eyes, false);
         fresh.dispose(gl);
         for (int eye = 0; eye < 2; eye++) {
           assertThat(differing(followed.get(eye), expected.get(eye)))
@@ -65,9 +65,18 @@ class FollowingTest {
   }
 
   private static List<byte[]> shoot(
-      GL3 gl, OffscreenTarget target, SceneRenderer renderer, TestScene scene, List<Camera> eyes) {
+      GL3 gl,
+      OffscreenTarget target,
+      SceneRenderer renderer,
+      TestScene scene,
+      List<Camera> eyes,
+      boolean hiddenOnesWait) {
     target.bind(gl);
-    renderer.prepare(gl, scene.tree());
+    if (hiddenOnesWait) {
+      renderer.follow(gl, scene.tree());
+    } else {
+      renderer.prepare(gl, scene.tree());
+    }
     Visible seen = renderer.cull(eyes);
     List<byte[]> shots = new ArrayList<>();
     for (Camera eye : eyes) {

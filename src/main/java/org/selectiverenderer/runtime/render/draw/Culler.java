@@ -5,6 +5,7 @@ import java.util.List;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.camera.Camera;
@@ -32,6 +33,7 @@ final class Culler {
   private List<Camera> eyes = List.of();
   private Frustum[] frusta = {};
   private Frustum[] local = {};
+  private Vector3dc[] worldEyes = {};
   private Vector3d[] localEyes = {};
   private long[] order = new long[16];
   private int[] next = new int[16];
@@ -100,20 +102,20 @@ final class Culler {
       }
       DrawBatch batch = item.part().batch();
       if (batch == null) {
-        order[count++] = key(item, distance(item), i);
-      } else if (string(batch, i, distance(item))) {
+        order[count++] = DrawOrder.key(item, DrawOrder.distance(item, eyes), i);
+      } else if (string(batch, i, DrawOrder.distance(item, eyes))) {
         order[count++] = i;
       }
     }
     for (int i = 0; i < count; i++) {
       // Of a batch the place in the order is known when all its items are.
-      DrawItem item = items.get((int) order[i] & INDEX_MASK);
+      DrawItem item = items.get((int) order[i] & DrawOrder.INDEX_MASK);
       DrawBatch batch = item.part().batch();
-      order[i] = batch == null ? order[i] : key(item, batch.nearest, batch.first);
+      order[i] = batch == null ? order[i] : DrawOrder.key(item, batch.nearest, batch.first);
     }
     Arrays.sort(order, 0, count);
     for (int i = 0; i < count; i++) {
-      add(items, (int) order[i] & INDEX_MASK);
+      add(items, (int) order[i] & DrawOrder.INDEX_MASK);
     }
     // Clusters may have emptied items; those stay in the list without stretches.
   }
@@ -135,6 +137,7 @@ final class Culler {
   private void look(List<Camera> seeing) {
     eyes = seeing;
     frusta = eyes.stream().map(Frustum::of).toArray(Frustum[]::new);
+    worldEyes = eyes.stream().map(Camera::eye).toArray(Vector3dc[]::new);
     if (local.length != frusta.length) {
       local = eyes.stream().map(eye -> new Frustum()).toArray(Frustum[]::new);
       localEyes = eyes.stream().map(eye -> new Vector3d()).toArray(Vector3d[]::new);
@@ -168,44 +171,6 @@ final class Culler {
     batch.forget();
   }
 
-  private static final int INDEX_BITS = 24;
-  private static final int INDEX_MASK = (1 << INDEX_BITS) - 1;
-
-  /**
-   * The order of drawing as a number: opaque before blended; opaque ones by program and texture,
-   * then front to back, which spares covered pixels; blended ones back to front. Sixteen bits of
-   * rank, 23 of distance, 24 of place in the list.
-   */
-  private static long key(DrawItem item, int distance, int index) {
-    long rank = item.blended() ? (1L << 15) : Math.min(item.rank(), (1 << 15) - 1);
-    long depth = item.blended() ? (1 << 23) - 1 - distance : distance;
-    return rank << (23 + INDEX_BITS) | depth << INDEX_BITS | index;
-  }
-
-  /**
-   * From the nearest eye along the line of sight: of a blended item to the middle of its box, of
-   * others to the far end. So walls, whose boxes reach from before all else to behind it, come last
-   * and fill only what is left.
-   */
-  private int distance(DrawItem item) {
-    double[] box = item.shape().bounds();
-    double nearest = Double.POSITIVE_INFINITY;
-    for (int eye = 0; eye < frusta.length; eye++) {
-      double x = (box[0] + box[3]) / 2;
-      double y = (box[1] + box[4]) / 2;
-      double z = (box[2] + box[5]) / 2;
-      Matrix4dc v = eyes.get(eye).view();
-      double middle = -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32());
-      double half =
-          Math.abs(v.m02()) * (box[3] - box[0])
-              + Math.abs(v.m12()) * (box[4] - box[1])
-              + Math.abs(v.m22()) * (box[5] - box[2]);
-      nearest = Math.min(nearest, item.blended() ? middle : middle + half / 2);
-    }
-    // The bits of a float that is not negative are in the order of its values.
-    return Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;
-  }
-
   private Frustum.Side side(double[] box) {
     if (box[0] > box[3]) {
       return Frustum.Side.OUTSIDE;
@@ -225,18 +190,24 @@ final class Culler {
     out.begin(item);
     Clusters clusters = item.clusters();
     int indexBytes = item.mesh().indexBytes();
-    if (clusters.size() < FEWEST_CLUSTERS || item.blended()) {
+    boolean few = clusters.size() < FEWEST_CLUSTERS || item.blended();
+    boolean twoSided = !item.mesh().solid() && item.surface().lit();
+    Matrix4dc place = item.place();
+    boolean known = (!few || twoSided) && place.invertAffine(inverse).isFinite();
+    for (int eye = 0; known && eye < frusta.length; eye++) {
+      inverse.transformPosition(worldEyes[eye], localEyes[eye]);
+    }
+    if (twoSided && !(known && fronts(clusters))) {
+      out.backs();
+    }
+    if (few) {
       out.range(clusters.firstIndex()[0], clusters.indexCount(), indexBytes);
       return;
     }
-    Matrix4dc place = item.place();
     boolean all = eyes.size() == 1 && side(item.shape().bounds()) == Frustum.Side.INSIDE;
-    boolean solid = item.mesh().solid() && place.invertAffine(inverse).isFinite();
+    boolean solid = item.mesh().solid() && known;
     for (int eye = 0; eye < frusta.length; eye++) {
       frusta[eye].local(place, local[eye]);
-      if (solid) {
-        inverse.transformPosition(eyes.get(eye).eye(), localEyes[eye]);
-      }
     }
     if (occlusion != null) {
       occlusion.ask(place, item.part().occluders());
@@ -248,6 +219,18 @@ final class Culler {
         out.range(first[c], first[c + 1] - first[c], indexBytes);
       }
     }
+  }
+
+  /** Whether all eyes see nothing but fronts of the clusters, whichever of them they see. */
+  private boolean fronts(Clusters clusters) {
+    for (int c = 0; c < clusters.size(); c++) {
+      for (Vector3d at : localEyes) {
+        if (!clusters.facesTowards(c, at.x, at.y, at.z)) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   private boolean seen(Clusters clusters, int cluster, boolean inside, boolean solid) {

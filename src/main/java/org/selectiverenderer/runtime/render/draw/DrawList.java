@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.draw;
 import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,9 @@ import org.selectiverenderer.runtime.render.light.LightWatch;
 /**
  * The draw items of all shapes of a tree, shown or not, kept between frames. Made anew when the
  * tree's structure changes; otherwise only where a shape has another mesh or surface.
+ *
+ * <p>Shapes that are new and not shown may wait: then a few of them are made ready with each frame,
+ * those that are shown meanwhile in that very frame.
  */
 final class DrawList {
   /**
@@ -24,11 +28,20 @@ final class DrawList {
    */
   private static final int MOST_MOVES = 3;
 
+  /**
+   * Triangles of waiting shapes that are made ready with a frame, a shape counting for at least
+   * {@link #LEAST_OF_ONE}: about 5 ms.
+   */
+  private static final int PORTION = 20_000;
+
+  private static final int LEAST_OF_ONE = 40;
+
   private final GpuAssets assets;
   private @Nullable InstanceTree tree;
   private long structureVersion;
   private List<ShapeInstance> shapes = List.of();
   private @Nullable DrawItem[] slots = {};
+  private final BitSet waiting = new BitSet();
   private List<DrawItem> items = List.of();
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
   private LightWatch watch = new LightWatch(List.of());
@@ -42,30 +55,72 @@ final class DrawList {
     return items;
   }
 
-  /** Follows the tree; what is not on the graphics card yet is uploaded. */
-  void follow(GL3 gl, InstanceTree newTree) {
+  /**
+   * Follows the tree; what is not on the graphics card yet is uploaded.
+   *
+   * @param all whether new shapes that are not shown are uploaded now too, else they may wait
+   */
+  void follow(GL3 gl, InstanceTree newTree, boolean all) {
     boolean changed = newTree != tree || newTree.structureVersion() != structureVersion;
+    boolean waited = !waiting.isEmpty();
     if (changed) {
-      restructure(newTree);
+      restructure(newTree, all);
     }
+    boolean made = waited && !changed && arrive(gl, all ? Long.MAX_VALUE : PORTION);
     boolean otherLight = watch.changed();
-    if (!changed && !otherLight && newTree.placementVersion() == placementVersion) {
-      return; // Nothing moved, and nothing has another mesh, surface or light.
+    if (changed || otherLight || newTree.placementVersion() != placementVersion) {
+      placementVersion = newTree.placementVersion();
+      made |= update(gl, changed, otherLight);
+    } // Else nothing moved, and nothing has another mesh, surface or light.
+    if (changed || made) {
+      publish(gl);
     }
-    placementVersion = newTree.placementVersion();
+  }
+
+  /**
+   * Makes waiting shapes ready: all that are shown, and of the others so many.
+   *
+   * @param portion triangles
+   */
+  private boolean arrive(GL3 gl, long portion) {
+    List<Integer> places = new ArrayList<>();
+    List<LightPlanner.Request> requests = new ArrayList<>();
+    long left = portion;
+    for (int i = waiting.nextSetBit(0); i >= 0; i = waiting.nextSetBit(i + 1)) {
+      ShapeInstance shape = shapes.get(i);
+      if (left > 0 || shape.shown()) {
+        waiting.clear(i);
+        Mesh mesh = mesh(shape);
+        if (mesh != null) {
+          left -= Math.max(LEAST_OF_ONE, mesh.polygons());
+          places.add(i);
+          requests.add(new LightPlanner.Request(shape, mesh, shape.lights(), true));
+        }
+      }
+    }
+    fill(places, assets.prepare(gl, requests, true));
+    return !places.isEmpty();
+  }
+
+  /** Makes anew what is no longer as its shape is; whether anything was. */
+  private boolean update(GL3 gl, boolean changed, boolean otherLight) {
     boolean together = changed || otherLight;
     List<Integer> places = new ArrayList<>();
     List<LightPlanner.Request> requests = new ArrayList<>();
+    boolean any = false;
     for (int i = 0; i < slots.length; i++) {
+      if (waiting.get(i)) {
+        continue;
+      }
       DrawItem slot = slots[i];
       ShapeInstance shape = shapes.get(i);
-      Mesh mesh = shape.mesh().filter(m -> !m.isEmpty()).orElse(null);
+      Mesh mesh = mesh(shape);
       boolean current = slot == null ? mesh == null : slot.current();
       boolean lit = slot == null || slot.lighting().current(shape);
       if (current && lit) {
         continue;
       }
-      changed = true;
+      any = true;
       // A lamp that moves concerns many, which are to stay together.
       together |= current && slot != null && slot.lighting().stands(shape);
       slots[i] = null;
@@ -75,22 +130,28 @@ final class DrawList {
         requests.add(new LightPlanner.Request(shape, mesh, shape.lights(), times <= MOST_MOVES));
       }
     }
-    List<DrawItem> made = assets.prepare(gl, requests, together);
+    fill(places, assets.prepare(gl, requests, together));
+    return any;
+  }
+
+  private void fill(List<Integer> places, List<DrawItem> made) {
     for (int i = 0; i < made.size(); i++) {
       slots[places.get(i)] = made.get(i);
     }
-    if (changed) {
-      publish(gl);
-    }
   }
 
-  private void restructure(InstanceTree newTree) {
+  private static @Nullable Mesh mesh(ShapeInstance shape) {
+    return shape.mesh().filter(mesh -> !mesh.isEmpty()).orElse(null);
+  }
+
+  private void restructure(InstanceTree newTree, boolean all) {
     Map<ShapeInstance, DrawItem> known = new IdentityHashMap<>();
     items.forEach(item -> known.put(item.shape(), item));
     tree = newTree;
     structureVersion = newTree.structureVersion();
     shapes = newTree.shapes();
     slots = new DrawItem[shapes.size()];
+    waiting.clear();
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
       // Another light may have come into scope: such items are made anew, their assets are kept.
@@ -100,6 +161,7 @@ final class DrawList {
                   && before.lighting().scope().equals(before.shape().lights())
               ? before
               : null;
+      waiting.set(i, !all && before == null && !shapes.get(i).shown());
     }
     watch = new LightWatch(newTree.lights());
     moves.keySet().retainAll(known.keySet());

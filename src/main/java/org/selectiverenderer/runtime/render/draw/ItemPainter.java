@@ -9,6 +9,7 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
+import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 
 /** Draws items for one eye, changing only the GL state that differs from the item before. */
 final class ItemPainter {
@@ -17,6 +18,7 @@ final class ItemPainter {
   private final Camera camera;
   private final EyeLights lights;
   private final float pointSize;
+  private final Portions portions;
   private final Matrix4d toEye = new Matrix4d();
   private final Matrix4d toClip = new Matrix4d();
   private final Matrix4d normals = new Matrix4d();
@@ -25,8 +27,15 @@ final class ItemPainter {
   private @Nullable GpuTexture texture;
   private @Nullable GpuMesh mesh;
 
-  ItemPainter(GL3 gl, Visible visible, Camera camera, EyeLights lights, float pointSize) {
+  ItemPainter(
+      GL3 gl,
+      Visible visible,
+      Camera camera,
+      EyeLights lights,
+      float pointSize,
+      Portions portions) {
     this.pointSize = pointSize;
+    this.portions = portions;
     this.gl = gl;
     this.visible = visible;
     this.camera = camera;
@@ -40,7 +49,7 @@ final class ItemPainter {
       if (visible.firstRange[i] == visible.firstRange[i + 1]) {
         continue;
       }
-      bind(item);
+      bind(item, visible.frontOnly(i));
       cull(item.mesh().solid() ? GL.GL_BACK : 0);
       elements(i);
     }
@@ -53,7 +62,7 @@ final class ItemPainter {
     mesh = null;
     for (int i = from; i < to; i++) {
       DrawItem item = visible.calls.get(i);
-      bind(item);
+      bind(item, false);
       if (!item.mesh().solid()) {
         cull(GL.GL_FRONT);
         elements(i);
@@ -72,9 +81,10 @@ final class ItemPainter {
     }
   }
 
-  private void bind(DrawItem item) {
+  private void bind(DrawItem item, boolean frontOnly) {
     EyeLights.Packed packed = lights.of(item.reaching());
-    ShapeProgram needed = item.programs().get(gl, packed.counts());
+    ShapePrograms.Family programs = item.programs();
+    ShapeProgram needed = (frontOnly ? programs.front() : programs).get(gl, packed.counts());
     if (needed != program) {
       program = needed;
       needed.use(gl, pointSize);
@@ -123,5 +133,6 @@ final class ItemPainter {
       gl.glMultiDrawElements(
           drawn.mode(), visible.counts(from), drawn.indexType(), visible.offsets(from), count);
     }
+    portions.drawn(gl, visible.count(from, from + count));
   }
 }

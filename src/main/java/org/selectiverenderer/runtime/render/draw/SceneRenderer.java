@@ -16,15 +16,14 @@ import org.selectiverenderer.runtime.render.occlude.Occlusion;
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
  * #draw} once per eye. Belongs to the thread that owns the context.
  *
- * <p>What was measured, in CPU time per frame of the heavy scene (784,000 triangles, 1024 x 768,
- * llvmpipe): 14 ms on the render thread, of which culling takes 0.3 ms, and 45 ms spread over the
- * rasteriser's threads. It was 69 ms before the fragment shader wrote lights out one by one (see
- * {@link org.selectiverenderer.runtime.render.gpu.ShapeVariant}). Clusters of triangles do nothing
- * for that scene's objects of 11,200 triangles; they are for larger ones (see {@code MeshPacker}).
+ * <p>What was measured: docs/performance.md has where a frame's time goes. Our own part is under a
+ * hundredth of it; on a software renderer the rest is vertices, triangles and pixels, of which
+ * {@link Portions} lets the first overlap with the others.
  */
 public final class SceneRenderer {
   private final Shading shading;
   private @Nullable GpuAssets assets;
+  private Portions portions = new Portions(false);
   private @Nullable DrawList list;
   private final BackdropPainter backdropPainter = new BackdropPainter();
   private final Visible visible = new Visible();
@@ -46,11 +45,26 @@ public final class SceneRenderer {
    * changes its choice uploads nothing.
    */
   public void prepare(GL3 gl, InstanceTree tree) {
+    follow(gl, tree, true);
+  }
+
+  /**
+   * Likewise, without waiting for what is not shown: shapes that are new and hidden are uploaded a
+   * few with each frame. Whatever is shown is uploaded now, so that a Switch shows its choice in
+   * the frame in which it changes, however early that is.
+   */
+  public void follow(GL3 gl, InstanceTree tree) {
+    follow(gl, tree, false);
+  }
+
+  private void follow(GL3 gl, InstanceTree tree, boolean all) {
     if (list == null) {
-      assets = new GpuAssets(new LightPlanner(shading.byVertex(GlInfo.of(gl))));
+      GlInfo info = GlInfo.of(gl);
+      assets = new GpuAssets(new LightPlanner(shading.byVertex(info)));
+      portions = new Portions(info.software());
       list = new DrawList(assets);
     }
-    list.follow(gl, tree);
+    list.follow(gl, tree, all);
   }
 
   /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
@@ -83,7 +97,8 @@ public final class SceneRenderer {
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
     ItemPainter painter =
-        new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize);
+        new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize, portions);
+    portions.begin(seen.count(0, seen.ranges));
     painter.paint(0, seen.opaque);
     backdropPainter.paint(gl, backdrop, camera);
     if (seen.opaque < seen.calls.size()) {
@@ -94,6 +109,7 @@ public final class SceneRenderer {
       gl.glDepthMask(true);
       gl.glDisable(GL.GL_BLEND);
     }
+    portions.end(gl);
     gl.glBindVertexArray(0);
     gl.glDisable(GL.GL_SCISSOR_TEST);
     gl.glDisable(GL.GL_CULL_FACE);

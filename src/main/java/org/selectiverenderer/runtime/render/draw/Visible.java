@@ -25,6 +25,10 @@ public final class Visible {
   int[] firstRange = new int[16];
 
   int ranges;
+
+  /** Of each call whether all eyes see nothing of it but fronts. */
+  private boolean[] fronts = new boolean[15];
+
   private int shapes;
   private IntBuffer counts = Buffers.newDirectIntBuffer(1024);
   private PointerBuffer offsets = PointerBuffer.allocateDirect(1024);
@@ -57,7 +61,9 @@ public final class Visible {
     }
     if (firstRange.length < calls.size() + 2) {
       firstRange = Arrays.copyOf(firstRange, 2 * firstRange.length);
+      fronts = Arrays.copyOf(fronts, firstRange.length - 1);
     }
+    fronts[calls.size()] = true;
     calls.add(item);
     opaque += item.blended() ? 0 : 1;
     firstRange[calls.size() - 1] = ranges;
@@ -79,6 +85,16 @@ public final class Visible {
       firstRange[calls.size()] = ranges;
     }
     rangeEnd = byteOffset + (long) count * indexBytes;
+  }
+
+  /** Of the item begun last some eye may see backs. */
+  void backs() {
+    fronts[calls.size() - 1] = false;
+  }
+
+  /** Whether every eye sees nothing but fronts of what a call draws. */
+  boolean frontOnly(int call) {
+    return fronts[call];
   }
 
   private void grow() {
@@ -107,6 +123,15 @@ public final class Visible {
 
   int count(int range) {
     return counts.get(range);
+  }
+
+  /** The indices of some stretches together. */
+  long count(int fromRange, int toRange) {
+    long sum = 0;
+    for (int range = fromRange; range < toRange; range++) {
+      sum += counts.get(range);
+    }
+    return sum;
   }
 
   /** The number of shapes in it. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.gpu;
 import com.jogamp.opengl.GL3;
 import java.util.HashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** The shape programs made so far: one per variant and kinds of lights. */
 public final class ShapePrograms {
@@ -11,10 +12,17 @@ public final class ShapePrograms {
   /** The programs of one variant, which differ in their lights. */
   public static final class Family {
     private final ShapeVariant variant;
+    private final @Nullable Family front;
     private final Map<LightCounts, ShapeProgram> byLights = new HashMap<>();
 
-    private Family(ShapeVariant variant) {
+    private Family(ShapeVariant variant, @Nullable Family front) {
       this.variant = variant;
+      this.front = front;
+    }
+
+    /** The programs for where nothing but front sides is seen, which light no back. */
+    public Family front() {
+      return front == null ? this : front;
     }
 
     /** The program for such lights, made when first asked for. */
@@ -25,7 +33,13 @@ public final class ShapePrograms {
   }
 
   public Family get(ShapeVariant variant) {
-    return families.computeIfAbsent(variant, Family::new);
+    Family known = families.get(variant);
+    if (known == null) {
+      ShapeVariant front = variant.front();
+      known = new Family(variant, front.equals(variant) ? null : get(front));
+      families.put(variant, known);
+    }
+    return known;
   }
 
   public void dispose(GL3 gl) {

@@ -64,6 +64,21 @@ public record ShapeVariant(
         blended);
   }
 
+  /** The same for where nothing but front sides is seen; differs only in its light. */
+  ShapeVariant front() {
+    return new ShapeVariant(
+        lit,
+        specular,
+        byVertex,
+        colors,
+        texture,
+        tint,
+        alphaTest,
+        twoSided && !lit,
+        points,
+        blended);
+  }
+
   private static void add(List<String> defines, boolean wanted, String name) {
     if (wanted) {
       defines.add(name);

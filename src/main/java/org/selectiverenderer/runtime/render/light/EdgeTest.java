@@ -34,6 +34,10 @@ final class EdgeTest {
   private final double shortest;
   private final int sides;
   private final double[] sample;
+  private final double[] straight;
+  private final double[] at = new double[6];
+  private final int[] corner = new int[3];
+  private final double[] shares = new double[3];
   private final Vector3d[] corners = {new Vector3d(), new Vector3d(), new Vector3d()};
   private final Vector3d spot = new Vector3d();
   private double[] light = {};
@@ -57,6 +61,7 @@ final class EdgeTest {
     shortest = longest * LEAST_SHARE;
     sides = twoSided ? 2 : 1;
     sample = new double[3 * sides];
+    straight = new double[3 * sides];
   }
 
   /** Whether it met an edge of light that no mesh can follow. */
@@ -130,11 +135,10 @@ final class EdgeTest {
     }
     double longest = Math.max(length(a, b), Math.max(length(b, c), length(c, a)));
     double[] p = vertices.placed();
-    int[] corner = {a, b, c};
     spot.zero();
     for (int i = 0; i < 3; i++) {
-      int at = 6 * corner[i];
-      corners[i].set(p[at], p[at + 1], p[at + 2]);
+      int v = 6 * (i == 0 ? a : i == 1 ? b : c);
+      corners[i].set(p[v], p[v + 1], p[v + 2]);
       spot.fma(1.0 / 3, corners[i]);
     }
     // Every place of the triangle lies within two thirds of its longest edge from the middle.
@@ -182,25 +186,38 @@ final class EdgeTest {
     }
     double ofB = w.cross(v, new Vector3d()).dot(normal) / area;
     double ofC = u.cross(w, new Vector3d()).dot(normal) / area;
-    return departure(new int[] {a, b, c}, new double[] {1 - ofB - ofC, ofB, ofC});
+    corner[0] = a;
+    corner[1] = b;
+    corner[2] = c;
+    shares[0] = 1 - ofB - ofC;
+    shares[1] = ofB;
+    shares[2] = ofC;
+    return departure(3);
   }
 
   private double departure(int a, int b, double share) {
-    return departure(new int[] {a, b}, new double[] {1 - share, share});
+    corner[0] = a;
+    corner[1] = b;
+    shares[0] = 1 - share;
+    shares[1] = share;
+    return departure(2);
   }
 
-  /** The largest difference of a channel between the light at a place and that of its corners. */
-  private double departure(int[] corner, double[] share) {
+  /**
+   * The largest difference of a channel between the light at a place, which is given by its corners
+   * and their shares, and that of the corners.
+   */
+  private double departure(int corners) {
     double[] p = vertices.placed();
-    double[] at = new double[6];
-    double[] straight = new double[sample.length];
-    for (int k = 0; k < corner.length; k++) {
+    Arrays.fill(at, 0);
+    Arrays.fill(straight, 0);
+    for (int k = 0; k < corners; k++) {
       for (int i = 0; i < 6; i++) {
-        at[i] += share[k] * p[6 * corner[k] + i];
+        at[i] += shares[k] * p[6 * corner[k] + i];
       }
       int known = light(corner[k]);
       for (int i = 0; i < straight.length; i++) {
-        straight[i] += share[k] * light[known + i];
+        straight[i] += shares[k] * light[known + i];
       }
     }
     double length = Math.sqrt(at[3] * at[3] + at[4] * at[4] + at[5] * at[5]);

@@ -15,6 +15,8 @@ final class FineVertices {
   private final Mesh source;
   private final Matrix4dc world;
   private final Matrix3d normals;
+  private final Vector3d p = new Vector3d();
+  private final Vector3d n = new Vector3d();
   private float[] positions;
   private float[] normal;
   private float @Nullable [] colors;
@@ -28,10 +30,11 @@ final class FineVertices {
     this.source = source;
     this.world = world;
     normals = world.normal(new Matrix3d());
-    positions = source.positions().clone();
-    normal = sourceNormals.clone();
-    colors = source.colors() == null ? null : source.colors().clone();
-    texCoords = source.texCoords() == null ? null : source.texCoords().clone();
+    // Copied when there is more to add: most meshes turn out to be fine enough.
+    positions = source.positions();
+    normal = sourceNormals;
+    colors = source.colors();
+    texCoords = source.texCoords();
     placed = new double[6 * source.vertexCount()];
     for (int i = 0; i < source.vertexCount(); i++) {
       place(i);
@@ -53,8 +56,8 @@ final class FineVertices {
   }
 
   private void place(int v) {
-    Vector3d p = new Vector3d(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
-    Vector3d n = new Vector3d(normal[3 * v], normal[3 * v + 1], normal[3 * v + 2]);
+    p.set(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+    n.set(normal[3 * v], normal[3 * v + 1], normal[3 * v + 2]);
     world.transformPosition(p);
     normals.transform(n);
     if (n.lengthSquared() > 0) {
@@ -68,7 +71,7 @@ final class FineVertices {
     placed[6 * v + 5] = n.z;
   }
 
-  /** Makes room for so many more. */
+  /** Makes room for so many more, in arrays of its own. */
   void reserve(int more) {
     int all = count + more;
     positions = Arrays.copyOf(positions, 3 * all);

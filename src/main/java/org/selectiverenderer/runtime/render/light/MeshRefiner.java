@@ -1,10 +1,9 @@
 package org.selectiverenderer.runtime.render.light;
 
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.ValueWelder;
 
 /**
  * Splits the edges of a mesh in their middles, pass by pass, until light at its vertices is as good
@@ -29,8 +28,8 @@ final class MeshRefiner {
   private final EdgeTest test;
   private int[] indices;
   private boolean[] fine;
-  private int[] points;
-  private final int most;
+  private int[] points = {};
+  private int most;
   private boolean lightSplit;
   private boolean full;
 
@@ -49,7 +48,16 @@ final class MeshRefiner {
     this.test = test;
     indices = source.indices();
     fine = new boolean[indices.length / 3];
-    points = weld(source.positions());
+  }
+
+  /**
+   * What only meshes take that are split: the numbers of their points, and how far they may grow.
+   */
+  private void begin() {
+    ValueWelder welder =
+        new ValueWelder(source.vertexCount(), source.positions(), null, null, null);
+    welder.weld();
+    points = welder.numbers();
     most = indices.length / 3 + (int) Math.min(MOST_ADDED, ADDED + ADDED_BY_AREA * area());
   }
 
@@ -95,21 +103,6 @@ final class MeshRefiner {
     return new Result(mesh, lightSplit, complete);
   }
 
-  /** Numbers the points at which vertices lie. */
-  private static int[] weld(float[] positions) {
-    record Point(float x, float y, float z) {}
-    int[] points = new int[positions.length / 3];
-    Map<Point, Integer> known = new HashMap<>(2 * points.length);
-    for (int v = 0; v < points.length; v++) {
-      // Minus zero counts as zero.
-      Point at =
-          new Point(positions[3 * v] + 0f, positions[3 * v + 1] + 0f, positions[3 * v + 2] + 0f);
-      Integer first = known.putIfAbsent(at, v);
-      points[v] = first == null ? v : first;
-    }
-    return points;
-  }
-
   /** Splits what is too coarse once; false when nothing is, or when there is no room. */
   private boolean pass() {
     EdgeMarks marked = marks();
@@ -149,14 +142,14 @@ final class MeshRefiner {
         int b = indices[3 * t + (k + 1) % 3];
         EdgeTest.Reason reason = test.edge(a, b, size);
         if (reason != EdgeTest.Reason.NONE) {
-          marked.add(points[a], points[b]);
+          mark(marked, a, b);
           lightSplit |= reason == EdgeTest.Reason.LIGHT;
           any = true;
         }
       }
       if (!any && test.inside(indices[3 * t], indices[3 * t + 1], indices[3 * t + 2])) {
         int k = longest(t);
-        marked.add(points[indices[3 * t + k]], points[indices[3 * t + (k + 1) % 3]]);
+        mark(marked, indices[3 * t + k], indices[3 * t + (k + 1) % 3]);
         lightSplit = true;
         any = true;
       }
@@ -164,6 +157,13 @@ final class MeshRefiner {
     }
     marked.close();
     return marked;
+  }
+
+  private void mark(EdgeMarks marked, int a, int b) {
+    if (points.length == 0) {
+      begin();
+    }
+    marked.add(points[a], points[b]);
   }
 
   private int longest(int t) {

@@ -10,6 +10,11 @@ final class ClusterBounds {
   private final float[] positions;
   private final int[] indices;
 
+  /** Unit normals of the triangles of a cluster, x, y, z each; zero for one without area. */
+  private double[] normals = {};
+
+  private final double[] normal = new double[3];
+
   /**
    * @param indices of triangles, ordered by cluster
    */
@@ -41,8 +46,8 @@ final class ClusterBounds {
       float max = Float.NEGATIVE_INFINITY;
       for (int i = from; i < to; i++) {
         float value = positions[3 * indices[i] + axis];
-        min = Math.min(min, value);
-        max = Math.max(max, value);
+        min = value < min ? value : min;
+        max = value > max ? value : max;
       }
       out[at + axis] = (min + max) / 2;
     }
@@ -57,39 +62,40 @@ final class ClusterBounds {
   }
 
   private void cone(int from, int to, float[] out, int at) {
-    double[] axis = new double[3];
-    double[] n = new double[3];
-    for (int i = from; i < to; i += 3) {
-      if (normal(i, n)) {
-        for (int a = 0; a < 3; a++) {
-          axis[a] += n[a];
-        }
-      }
+    normals(from, to);
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    for (int i = 0; i < to - from; i += 3) {
+      x += normals[i];
+      y += normals[i + 1];
+      z += normals[i + 2];
     }
-    double length = TriangleMath.length(axis);
+    double length = Math.sqrt(x * x + y * y + z * z);
     double least = length > 0 ? 1 : -1;
-    for (int i = from; i < to && length > 0; i += 3) {
-      if (normal(i, n)) {
-        least = Math.min(least, (axis[0] * n[0] + axis[1] * n[1] + axis[2] * n[2]) / length);
-      }
+    for (int i = 0; i < to - from && length > 0; i += 3) {
+      boolean area = normals[i] != 0 || normals[i + 1] != 0 || normals[i + 2] != 0;
+      double dot = (x * normals[i] + y * normals[i + 1] + z * normals[i + 2]) / length;
+      least = area && dot < least ? dot : least;
     }
-    for (int a = 0; a < 3; a++) {
-      out[at + a] = length > 0 ? (float) (axis[a] / length) : 0;
-    }
+    out[at] = length > 0 ? (float) (x / length) : 0;
+    out[at + 1] = length > 0 ? (float) (y / length) : 0;
+    out[at + 2] = length > 0 ? (float) (z / length) : 0;
     out[at + 3] =
         least <= NARROWEST_DOT ? 1 : (float) Math.min(1, Math.sqrt(1 - least * least) + 1e-4);
   }
 
-  /** The unit normal of the triangle that begins at an index; false for one without area. */
-  private boolean normal(int i, double[] out) {
-    int a = 3 * indices[i];
-    int b = 3 * indices[i + 1];
-    int c = 3 * indices[i + 2];
-    TriangleMath.normal(positions, a, b, c, out);
-    double length = TriangleMath.length(out);
-    for (int axis = 0; axis < 3; axis++) {
-      out[axis] /= length;
+  private void normals(int from, int to) {
+    if (normals.length < to - from) {
+      normals = new double[to - from];
     }
-    return length > 0;
+    for (int i = from; i < to; i += 3) {
+      TriangleMath.normal(
+          positions, 3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2], normal);
+      TriangleMath.normalize(normal);
+      normals[i - from] = normal[0];
+      normals[i - from + 1] = normal[1];
+      normals[i - from + 2] = normal[2];
+    }
   }
 }

@@ -36,6 +36,16 @@ public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
   }
 
   /**
+   * Whether every triangle of a cluster turns its front to the eye; as {@link #facesAway}, from the
+   * other side.
+   *
+   * @param x the eye in local coordinates
+   */
+  public boolean facesTowards(int cluster, double x, double y, double z) {
+    return turned(cluster, x, y, z, -1);
+  }
+
+  /**
    * Whether every triangle of a cluster turns its back to the eye: the eye lies behind all the
    * planes that touch a cone of normals around the bounding sphere. (The test of the direction to
    * the centre, widened by the radius, is the one that Shirman and Abi-Ezzi 1993 call a cone of
@@ -44,11 +54,15 @@ public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
    * @param x the eye in local coordinates
    */
   public boolean facesAway(int cluster, double x, double y, double z) {
+    return turned(cluster, x, y, z, 1);
+  }
+
+  private boolean turned(int cluster, double x, double y, double z, int sign) {
     int i = 4 * cluster;
     double dx = spheres[i] - x;
     double dy = spheres[i + 1] - y;
     double dz = spheres[i + 2] - z;
-    double along = dx * cones[i] + dy * cones[i + 1] + dz * cones[i + 2];
+    double along = sign * (dx * cones[i] + dy * cones[i + 1] + dz * cones[i + 2]);
     return along - spheres[i + 3] > 0
         && along - spheres[i + 3] >= cones[i + 3] * Math.sqrt(dx * dx + dy * dy + dz * dz);
   }

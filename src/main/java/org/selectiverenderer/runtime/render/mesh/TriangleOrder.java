@@ -32,20 +32,27 @@ final class TriangleOrder {
    */
   static Result of(float[] positions, int[] indices, int most) {
     int count = indices.length / 3;
-    float[] centres = new float[3 * count];
-    for (int t = 0; t < count; t++) {
-      for (int corner = 0; corner < 3; corner++) {
-        int v = 3 * indices[3 * t + corner];
-        centres[3 * t] += positions[v] / 3;
-        centres[3 * t + 1] += positions[v + 1] / 3;
-        centres[3 * t + 2] += positions[v + 2] / 3;
-      }
-    }
+    // One cluster keeps the file's order.
+    float[] centres = count <= most ? new float[0] : centres(positions, indices);
     TriangleOrder work = new TriangleOrder(centres, count, most);
     if (count > 0) {
       work.split(0, count);
     }
     return new Result(work.order, work.ends.stream().mapToInt(Integer::intValue).toArray());
+  }
+
+  private static float[] centres(float[] positions, int[] indices) {
+    float[] centres = new float[indices.length];
+    for (int i = 0; i < indices.length; i += 3) {
+      int a = 3 * indices[i];
+      int b = 3 * indices[i + 1];
+      int c = 3 * indices[i + 2];
+      for (int axis = 0; axis < 3; axis++) {
+        centres[i + axis] =
+            positions[a + axis] / 3 + positions[b + axis] / 3 + positions[c + axis] / 3;
+      }
+    }
+    return centres;
   }
 
   private void split(int from, int to) {
@@ -65,22 +72,27 @@ final class TriangleOrder {
   }
 
   private int longestAxis(int from, int to) {
-    int longest = 0;
-    float length = -1;
-    for (int axis = 0; axis < 3; axis++) {
-      float min = Float.POSITIVE_INFINITY;
-      float max = Float.NEGATIVE_INFINITY;
-      for (int i = from; i < to; i++) {
-        float value = centres[3 * order[i] + axis];
-        min = Math.min(min, value);
-        max = Math.max(max, value);
-      }
-      if (max - min > length) {
-        length = max - min;
-        longest = axis;
-      }
+    int first = 3 * order[from];
+    float minX = centres[first];
+    float minY = centres[first + 1];
+    float minZ = centres[first + 2];
+    float maxX = minX;
+    float maxY = minY;
+    float maxZ = minZ;
+    for (int i = from + 1; i < to; i++) {
+      int at = 3 * order[i];
+      float x = centres[at];
+      float y = centres[at + 1];
+      float z = centres[at + 2];
+      minX = x < minX ? x : minX;
+      maxX = x > maxX ? x : maxX;
+      minY = y < minY ? y : minY;
+      maxY = y > maxY ? y : maxY;
+      minZ = z < minZ ? z : minZ;
+      maxZ = z > maxZ ? z : maxZ;
     }
-    return longest;
+    int longest = maxY - minY > maxX - minX ? 1 : 0;
+    return maxZ - minZ > (longest == 1 ? maxY - minY : maxX - minX) ? 2 : longest;
   }
 
   /** Hoare's selection: what stands before {@code wanted} is not above it on that axis. */

@@ -46,7 +46,7 @@ final class WorldPainter {
   }
 
   private Drawn paintHeld(GL3 gl, World world, int width, int height) {
-    renderer.prepare(gl, world.instances());
+    renderer.follow(gl, world.instances());
     VisibleRange sight = VisibleRange.of(world);
     List<EyeView> views = layout.views(world, width, height, sight.range());
     Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());

@@ -149,6 +149,26 @@ class MeshPackerTest {
     assertThat(culled).isGreaterThan(200 * clusters.size() / 4);
   }
 
+  @Test
+  void aClusterFacesTheEyeOnlyIfEachOfItsTrianglesDoes() {
+    PackedMesh packed = MeshPacker.pack(ball(80, 120));
+    Clusters clusters = packed.clusters();
+    Random random = new Random(2);
+    int facing = 0;
+    for (int trial = 0; trial < 200; trial++) {
+      double[] eye = random.doubles(3, -8, 8).toArray();
+      for (int c = 0; c < clusters.size(); c++) {
+        if (clusters.facesTowards(c, eye[0], eye[1], eye[2])) {
+          facing++;
+          for (int i = clusters.firstIndex()[c]; i < clusters.firstIndex()[c + 1]; i += 3) {
+            assertThat(front(packed, i, eye)).isGreaterThanOrEqualTo(-1e-6);
+          }
+        }
+      }
+    }
+    assertThat(facing).isGreaterThan(200 * clusters.size() / 8);
+  }
+
   /** Above 0 if the eye is on the front side of the triangle that begins at an index. */
   private static double front(PackedMesh packed, int i, double[] eye) {
     float[] a = position(packed, i);

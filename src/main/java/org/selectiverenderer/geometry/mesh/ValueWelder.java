@@ -1,9 +1,9 @@
-package org.selectiverenderer.geometry.tessellate;
+package org.selectiverenderer.geometry.mesh;
 
 import org.jspecify.annotations.Nullable;
 
 /** Finds vertices whose values are all equal; minus zero counts as zero. */
-final class ValueWelder {
+public final class ValueWelder {
   private final int count;
   private final float[][] arrays;
   private final int[] components;
@@ -11,7 +11,7 @@ final class ValueWelder {
   private int unique;
 
   /** Each array holds {@code count} tuples: x, y, z; x, y, z; r, g, b, a; s, t. */
-  ValueWelder(
+  public ValueWelder(
       int count,
       float[] positions,
       float @Nullable [] normals,
@@ -36,7 +36,7 @@ final class ValueWelder {
   }
 
   /** Numbers the vertices anew, in order of first appearance; returns how many differ. */
-  int weld() {
+  public int weld() {
     int[] hashes = hashes();
     int[] table = new int[Integer.highestOneBit(Math.max(8, count)) * 4];
     int mask = table.length - 1;
@@ -87,15 +87,20 @@ final class ValueWelder {
     return true;
   }
 
+  /** The new number of each vertex. Not a copy. */
+  public int[] numbers() {
+    return renamed;
+  }
+
   /** Replaces vertex numbers by the new ones. */
-  void rename(int[] indices) {
+  public void rename(int[] indices) {
     for (int i = 0; i < indices.length; i++) {
       indices[i] = renamed[indices[i]];
     }
   }
 
   /** The tuples of the vertices that are left. */
-  float[] compact(float[] values, int size) {
+  public float[] compact(float[] values, int size) {
     float[] kept = new float[unique * size];
     int next = 0;
     for (int vertex = 0; vertex < count; vertex++) {
