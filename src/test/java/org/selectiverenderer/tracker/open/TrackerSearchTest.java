@@ -31,8 +31,9 @@ class TrackerSearchTest {
         EmulatedInterTrax2 tracker =
             EmulatedInterTrax2.start(
                 device, new InterTrax2Emulator.Settings(120, (t, into) -> into.turn(1, 2, 3)))) {
+      assertThat(nobody.output()).as("a port at which nothing answers").isNotNull();
       List<String> ports =
-          List.of(folder.resolve("none").toString(), silent.toString(), device.toString());
+          List.of(folder.resolve("none").toString(), silent.toString(), tracker.link().toString());
       TrackerSpec found = new TrackerSpec.InterTrax2(device.toString());
       assertThat(TrackerSearch.among(ports, 30_000)).contains(found);
       assertThat(TrackerSearch.among(ports, 30_000)).as("open again").contains(found);
