@@ -37,12 +37,11 @@ public record Study(
     TrackerSpec tracker,
     MouseMapping mouse,
     String language,
-    List<Questionnaire> questionnaires) {
+    StudyQuestionnaires questionnaires) {
 
   public Study {
     conditions = List.copyOf(conditions);
     areas = List.copyOf(areas);
-    questionnaires = List.copyOf(questionnaires);
   }
 
   /** Where the participants get to know display and mouse, until the experimenter goes on. */
@@ -65,9 +64,6 @@ public record Study(
    * @param height likewise
    */
   public record Display(DisplayMode mode, String hmd, double ipd, int width, int height) {}
-
-  /** What is asked afterwards, area by area. */
-  public record Questionnaire(QuestionKind kind, Path items) {}
 
   /** The folder that the study file lies in; sessions go there. */
   public Path folder() {
