@@ -111,10 +111,11 @@ public record CollectedAnswers(
     void onPaper(String participant) {
       int before = answers;
       for (SessionStep step : material.steps()) {
+        Optional<PaperAnswers.Sheet> typed = paper.sheet(participant, step.id());
         if (step instanceof SessionStep.Questions questions) {
-          paper
-              .sheet(participant, step.id())
-              .ifPresent(sheet -> sheet(questions, participant, sheet));
+          typed.ifPresent(sheet -> sheet(questions, participant, sheet));
+        } else if (step instanceof SessionStep.Form form) {
+          typed.ifPresent(sheet -> form(form, participant, sheet));
         }
       }
       unasked(participant);
@@ -139,12 +140,34 @@ public record CollectedAnswers(
 
     /** What is known of the person; on paper where the program was not asked to keep it. */
     private void form(SessionFolder folder, SessionHistory history, SessionStep.Form form) {
+      Optional<PaperAnswers.Sheet> sheet = paper.sheet(folder.participant(), form.id());
       if (history.finished(form)) {
+        sheet.ifPresent(
+            typed ->
+                problems.error(
+                    typed.place(),
+                    ("participant %s has answered %s in the program; the answers from paper are "
+                            + "left out")
+                        .formatted(folder.participant(), form.id())));
         tables.add(
             by(folder.participant(), session(folder), condition(history), form),
             material.form(),
             history.given(form));
       }
+    }
+
+    private void form(SessionStep.Form form, String participant, PaperAnswers.Sheet sheet) {
+      tables.add(by(participant, "", condition(participant), form), material.form(), given(sheet));
+    }
+
+    private String condition(String participant) {
+      return paper.condition(participant).map(Condition::spelling).orElse("");
+    }
+
+    private static Map<String, GivenAnswer> given(PaperAnswers.Sheet sheet) {
+      Map<String, GivenAnswer> given = new LinkedHashMap<>();
+      sheet.answers().forEach((question, answer) -> given.put(question, GivenAnswer.of(answer)));
+      return given;
     }
 
     private static String session(SessionFolder folder) {
@@ -191,10 +214,7 @@ public record CollectedAnswers(
     }
 
     private void sheet(SessionStep.Questions step, String participant, PaperAnswers.Sheet sheet) {
-      String condition = paper.condition(participant).map(Condition::spelling).orElse("");
-      Map<String, GivenAnswer> given = new LinkedHashMap<>();
-      sheet.answers().forEach((question, answer) -> given.put(question, GivenAnswer.of(answer)));
-      take(step, by(participant, "", condition, step), given, sheet.place());
+      take(step, by(participant, "", condition(participant), step), given(sheet), sheet.place());
     }
 
     /** Takes the answers to a questionnaire into the tables. */

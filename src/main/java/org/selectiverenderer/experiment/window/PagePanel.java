@@ -35,8 +35,7 @@ final class PagePanel implements QuestionRow.Listener {
      * @param milliseconds since it came into view
      * @param place on the page, from 1
      */
-    void answered(
-        Question question, Answer answer, boolean settled, long milliseconds, int place);
+    void answered(Question question, Answer answer, boolean settled, long milliseconds, int place);
   }
 
   private final Page page;
@@ -52,8 +51,7 @@ final class PagePanel implements QuestionRow.Listener {
    * @param answers to the whole questionnaire so far; kept up to date here
    * @param width in pixels that there is for rows
    */
-  PagePanel(
-      Page page, Map<String, Answer> answers, Wording wording, int width, Listener listener) {
+  PagePanel(Page page, Map<String, Answer> answers, Wording wording, int width, Listener listener) {
     this.page = page;
     this.answers = answers;
     this.listener = listener;
@@ -159,7 +157,7 @@ final class PagePanel implements QuestionRow.Listener {
         row.question(), answer, settled, Math.max(0, (at - since) / 1_000_000), place);
     if (settled && !row.takesText()) {
       int number = rows.indexOf(row);
-      mark(row.answered() ? firstOpen(number) : number);
+      mark(row.answered() && row.settlesAtOnce() ? firstOpen(number) : number);
     }
   }
 
@@ -204,7 +202,8 @@ final class PagePanel implements QuestionRow.Listener {
       return false;
     }
     if (event.getID() == KeyEvent.KEY_TYPED) {
-      return !writing && rows.get(current).panel().isVisible()
+      return !writing
+          && rows.get(current).panel().isVisible()
           && rows.get(current).key(event.getKeyChar());
     }
     boolean lines = writing && !(event.getSource() instanceof javax.swing.JTextField);

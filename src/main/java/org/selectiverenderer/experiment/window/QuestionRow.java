@@ -45,7 +45,12 @@ final class QuestionRow {
    * @param known the answer so far
    */
   QuestionRow(
-      Question question, Answer known, Wording wording, RowShape shape, int width, Listener listener) {
+      Question question,
+      Answer known,
+      Wording wording,
+      RowShape shape,
+      int width,
+      Listener listener) {
     this.question = question;
     this.wording = wording;
     this.listener = listener;
@@ -170,6 +175,12 @@ final class QuestionRow {
   /** Whether keys are typed into it. */
   boolean takesText() {
     return views.stream().anyMatch(FieldView::takesText);
+  }
+
+  /** Whether an answer is all there is to it, so that the next row may follow at once. */
+  boolean settlesAtOnce() {
+    return question.kind().fields(wording).stream()
+        .allMatch(field -> field instanceof AnswerField.Choice choice && !choice.several());
   }
 
   /** Tells of what was typed and not yet told. */
