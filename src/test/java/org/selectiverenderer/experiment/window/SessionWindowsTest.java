@@ -312,11 +312,13 @@ class SessionWindowsTest {
     hands.press(KeyEvent.VK_UP);
     hands.press(KeyEvent.VK_Y);
     hands.await("yes", () -> heard.contains("changes yes"));
-    hands.await("the words' field", () -> named(window, "What?").isFocusOwner());
+    JTextComponent words = named(window, "What?");
+    hands.await("the words' field", words::isFocusOwner);
     hands.type("12");
     hands.press(KeyEvent.VK_TAB);
     hands.await("the words", () -> heard.contains("which 12"));
-    hands.await("the number's field", () -> named(window, "How tall are you?").isFocusOwner());
+    JTextComponent number = named(window, "How tall are you?");
+    hands.await("the number's field", number::isFocusOwner);
     hands.type("17");
     hands.press(KeyEvent.VK_TAB);
     hands.press(KeyEvent.VK_2);
@@ -327,7 +329,7 @@ class SessionWindowsTest {
     hands.await("both", () -> heard.contains("seen hmd|cave"));
     hands.press(KeyEvent.VK_UP);
     hands.press(KeyEvent.VK_UP);
-    hands.await("the number's field", () -> named(window, "How tall are you?").isFocusOwner());
+    hands.await("the number's field again", number::isFocusOwner);
     hands.press(KeyEvent.VK_END);
     hands.type("1");
     hands.await("171 cm", () -> heard.contains("height 171"));
