@@ -11,6 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
+import javax.swing.border.Border;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /** What is below a page: how far one is, what is still open, the way back and on. */
@@ -52,10 +53,15 @@ final class PageFoot {
     right.add(buttons, BorderLayout.SOUTH);
     panel.setBorder(
         BorderFactory.createCompoundBorder(
-            BorderFactory.createMatteBorder(1, 0, 0, 0, new Color(0xd5d5d5)),
+            rule(),
             BorderFactory.createEmptyBorder(10, 16, 14, 10)));
     panel.add(told, BorderLayout.CENTER);
     panel.add(right, BorderLayout.EAST);
+  }
+
+  /** The line above it. */
+  static Border rule() {
+    return BorderFactory.createMatteBorder(1, 0, 0, 0, new Color(0xd5d5d5));
   }
 
   JComponent component() {

@@ -104,7 +104,7 @@ final class QuestionRow {
       name.setText(
           fits
               ? question.text()
-              : RowShape.wrapped(question.text(), (shape.name() - 8) * 3 / 4, JLabel.LEFT));
+              : RowShape.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
       Dimension size =
           new Dimension(
               shape.name(), Math.max(RowShape.BUTTON_HEIGHT, name.getPreferredSize().height));

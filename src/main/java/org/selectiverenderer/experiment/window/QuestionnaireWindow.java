@@ -115,6 +115,7 @@ public final class QuestionnaireWindow {
     refuse.setFocusable(false);
     refuse.addActionListener(event -> end(false));
     JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 16, 14));
+    line.setBorder(PageFoot.rule());
     line.add(refuse);
     return line;
   }
@@ -212,8 +213,11 @@ public final class QuestionnaireWindow {
     Wording wording = asking.wording();
     List<String> kinds =
         page.questions().stream().map(question -> question.kind().spelling()).distinct().toList();
-    return wording.filled(
-        "keys", kinds.size() == 1 ? wording.of("keys." + kinds.get(0)) : wording.of("keys.mixed"));
+    String keysOf =
+        wording.filled(
+            "keys",
+            kinds.size() == 1 ? wording.of("keys." + kinds.get(0)) : wording.of("keys.mixed"));
+    return shown().size() > 1 ? keysOf + " " + wording.of("keys.back") : keysOf;
   }
 
   private boolean key(KeyEvent event) {

@@ -110,7 +110,12 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
     return fits
         ? text
         : "<html><div style='width:%dpx;text-align:%s'>%s</div>"
-            .formatted(width, align, Markup.text(text));
+            .formatted(htmlPixels(width), align, Markup.text(text));
+  }
+
+  /** Swing's HTML takes a pixel for 4/3 of one: it counts 72 to the inch as 96. */
+  private static int htmlPixels(int pixels) {
+    return pixels * 3 / 4;
   }
 
   /** What an option means, in small letters. */
@@ -120,7 +125,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
     label.setFont(small);
     label.setText(
         "<html><div style='width:%dpx;text-align:center'>%s</div>"
-            .formatted(width - 6, Markup.text(text)));
+            .formatted(htmlPixels(width - 4), Markup.text(text)));
     label.setHorizontalAlignment(SwingConstants.CENTER);
     label.setVerticalAlignment(SwingConstants.BOTTOM);
     label.setPreferredSize(new Dimension(width, label.getPreferredSize().height));
@@ -163,12 +168,17 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
             .sum();
     int whole = buttons + GAP + (least > 0 ? least + GAP : 0) + (most > 0 ? most + GAP : 0);
     if (!title.isEmpty()) {
-      JLabel label = new JLabel(title);
+      JLabel label = new JLabel();
       label.setFont(label.getFont().deriveFont(Font.BOLD));
+      boolean fits = label.getFontMetrics(label.getFont()).stringWidth(title) <= whole - GAP;
+      label.setText(
+          fits
+              ? title
+              : "<html><div style='width:%dpx'>%s</div>"
+                  .formatted(htmlPixels(whole - GAP), Markup.text(title)));
       label.setAlignmentX(0);
       label.setBorder(BorderFactory.createEmptyBorder(0, GAP, 3, 0));
       column.add(label);
-      whole = Math.max(whole, label.getPreferredSize().width);
     }
     if (choice.options().stream().anyMatch(option -> !option.note().isEmpty())) {
       JPanel notes = new JPanel(new java.awt.FlowLayout(java.awt.FlowLayout.LEFT, GAP, 0));

@@ -71,7 +71,7 @@ public final class PaperTable {
               "",
               "",
               fields.get(0).allowed()
-                  + (fields.size() > 1 ? "; confidence " + fields.get(1).allowed() : ""));
+                  + (fields.size() > 1 ? " and confidence " + fields.get(1).allowed() : ""));
         }
       }
     }
