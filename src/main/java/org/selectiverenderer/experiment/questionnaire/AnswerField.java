@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -74,7 +75,7 @@ public sealed interface AnswerField {
     }
 
     /** An answer of some values, in the options' order. */
-    public String joined(java.util.Collection<String> chosen) {
+    public String joined(Collection<String> chosen) {
       return options.stream()
           .map(Option::value)
           .filter(chosen::contains)
@@ -145,6 +146,11 @@ public sealed interface AnswerField {
      * @param whole whether only whole numbers are wanted
      */
     public record Range(double least, double most, boolean whole) {
+      /** Both ends, in no language. */
+      public String dashed() {
+        return tidy(least) + " \u2013 " + tidy(most);
+      }
+
       @Override
       public String toString() {
         return tidy(least) + " to " + tidy(most);
@@ -177,9 +183,7 @@ public sealed interface AnswerField {
 
     @Override
     public String allowed() {
-      return range
-          .map(wanted -> wanted + (unit.isEmpty() ? "" : " " + unit))
-          .orElse("any text");
+      return range.map(wanted -> wanted + (unit.isEmpty() ? "" : " " + unit)).orElse("any text");
     }
 
     @Override

@@ -37,8 +37,7 @@ final class ChoiceView implements FieldView {
    * @param id of the question, for the names of the buttons
    * @param asked what is asked, for people who hear the buttons' names
    */
-  ChoiceView(
-      AnswerField.Choice field, String id, String asked, RowShape shape, Listener listener) {
+  ChoiceView(AnswerField.Choice field, String id, String asked, RowShape shape, Listener listener) {
     this.field = field;
     this.listener = listener;
     panel.setOpaque(false);
@@ -47,9 +46,10 @@ final class ChoiceView implements FieldView {
       field.options().forEach(option -> panel.add(named(listed(option), option, id, asked)));
     } else {
       panel.setLayout(new FlowLayout(FlowLayout.LEFT, RowShape.GAP, 0));
-      end(field.least(), shape.least(), SwingConstants.RIGHT);
+      boolean ends = shape.beside() || !field.least().isEmpty() || !field.most().isEmpty();
+      end(field.least(), ends ? shape.least() : 0, SwingConstants.RIGHT);
       field.options().forEach(option -> panel.add(inLine(option, id, asked, shape)));
-      end(field.most(), shape.most(), SwingConstants.LEFT);
+      end(field.most(), ends ? shape.most() : 0, SwingConstants.LEFT);
     }
     panel.setAlignmentX(0);
   }
@@ -148,8 +148,8 @@ final class ChoiceView implements FieldView {
   }
 
   @Override
-  public void current(boolean on) {
-    // The row says so.
+  public void focus() {
+    // The window has the keys.
   }
 
   @Override

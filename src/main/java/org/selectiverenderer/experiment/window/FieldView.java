@@ -27,8 +27,8 @@ interface FieldView {
    */
   boolean key(char typed);
 
-  /** The row is marked, or no longer. */
-  void current(boolean on);
+  /** Takes the keys that are typed, where it takes any. */
+  void focus();
 
   /** Whether keys are to be typed into it. */
   boolean takesText();

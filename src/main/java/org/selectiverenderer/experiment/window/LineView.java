@@ -39,8 +39,7 @@ final class LineView implements FieldView {
   /**
    * @param touched somebody begins to type here
    */
-  LineView(
-      AnswerField.Line field, String id, String asked, Listener listener, Runnable touched) {
+  LineView(AnswerField.Line field, String id, String asked, Listener listener, Runnable touched) {
     this.field = field;
     this.listener = listener;
     this.touched = touched;
@@ -63,13 +62,19 @@ final class LineView implements FieldView {
     text.setName(id);
     text.getAccessibleContext().setAccessibleName(asked);
     unit.setText(
-        field.range().isPresent() ? field.unit() + "  (" + field.range().get() + ")" : field.unit());
+        field
+            .range()
+            .map(range -> field.unit() + "  (" + range.dashed() + ")")
+            .orElse(field.unit()));
     panel.add(unit);
     text.addFocusListener(
         new FocusAdapter() {
           @Override
           public void focusGained(FocusEvent event) {
-            touched();
+            // A window that opens gives its first text field the focus: nobody has turned to it.
+            if (event.getCause() == FocusEvent.Cause.MOUSE_EVENT) {
+              touched.run();
+            }
           }
 
           @Override
@@ -95,10 +100,6 @@ final class LineView implements FieldView {
                 // Of styles, which there are none of.
               }
             });
-  }
-
-  private void touched() {
-    touched.run();
   }
 
   private Optional<String> value() {
@@ -149,10 +150,8 @@ final class LineView implements FieldView {
   }
 
   @Override
-  public void current(boolean on) {
-    if (on) {
-      text.requestFocusInWindow();
-    }
+  public void focus() {
+    text.requestFocusInWindow();
   }
 
   @Override

@@ -19,7 +19,7 @@ final class PageHead {
   private static final float TEXT = 15f;
 
   /** Letters of a page that is only read. */
-  private static final float READ = 17f;
+  private static final float READ = 16f;
 
   private PageHead() {}
 

@@ -184,11 +184,18 @@ final class PagePanel implements QuestionRow.Listener {
     current = number;
     QuestionRow row = rows.get(current);
     row.current(true);
-    if (!row.takesText()) {
-      scroll.requestFocusInWindow();
-    }
+    focus();
     row.panel()
         .scrollRectToVisible(new Rectangle(0, 0, row.panel().getWidth(), row.panel().getHeight()));
+  }
+
+  /** Has the keys go where the marked row wants them. */
+  void focus() {
+    if (!rows.isEmpty() && rows.get(current).takesText()) {
+      rows.get(current).focus();
+    } else {
+      scroll.requestFocusInWindow();
+    }
   }
 
   /**

@@ -94,6 +94,7 @@ final class QuestionRow {
   private void layBeside(RowShape shape) {
     panel.setLayout(new BoxLayout(panel, BoxLayout.X_AXIS));
     panel.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+    panel.add(Box.createRigidArea(new Dimension(0, RowShape.BUTTON_HEIGHT)));
     if (shape.name() == 0) {
       panel.add(Box.createHorizontalGlue()); // Nothing to read but the ends: in the middle.
     } else {
@@ -167,9 +168,11 @@ final class QuestionRow {
   /** Marks the row that keys answer. */
   void current(boolean on) {
     panel.setBackground(on ? CURRENT : PLAIN);
-    if (on) {
-      views.get(0).current(true);
-    }
+  }
+
+  /** Takes the keys that are typed, where it takes any. */
+  void focus() {
+    views.forEach(FieldView::focus);
   }
 
   /** Whether keys are typed into it. */

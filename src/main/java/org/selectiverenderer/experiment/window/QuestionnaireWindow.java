@@ -2,6 +2,7 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.FlowLayout;
 import java.awt.GraphicsEnvironment;
 import java.awt.KeyEventDispatcher;
@@ -9,6 +10,8 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -106,6 +109,13 @@ public final class QuestionnaireWindow {
     size();
     lay();
     sessionEnd.watch(frame, () -> end(false));
+    frame.addWindowFocusListener(
+        new WindowAdapter() {
+          @Override
+          public void windowGainedFocus(WindowEvent event) {
+            EventQueue.invokeLater(() -> panel.focus());
+          }
+        });
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
   }
 
@@ -154,7 +164,12 @@ public final class QuestionnaireWindow {
         asking.questionnaire().pages().stream()
             .mapToInt(
                 each ->
-                    PageHead.of(each, asking.wording(), asking.participant(), asking.mayRefuse(), width)
+                    PageHead.of(
+                                each,
+                                asking.wording(),
+                                asking.participant(),
+                                asking.mayRefuse(),
+                                width)
                             .getPreferredSize()
                             .height
                         + make(each).component().getPreferredSize().height)
@@ -180,8 +195,7 @@ public final class QuestionnaireWindow {
     if (!page.questions().isEmpty()) {
       middle.add(panel.component(), BorderLayout.CENTER);
     }
-    frame.setTitle(
-        page.title().isEmpty() ? asking.wording().of("form.title") : page.title());
+    frame.setTitle(page.title().isEmpty() ? asking.wording().of("form.title") : page.title());
     middle.revalidate();
     middle.repaint();
     count();

@@ -193,6 +193,22 @@ class QuestionnairesOfAStudyTest {
   }
 
   @Test
+  void aPictureThatIsNoneIsFoundBeforeASession() throws IOException {
+    Path own = folder.resolve("own.json");
+    Files.writeString(
+        own, Files.readString(own).replace("\"name\": \"p\"", "\"picture\": \"p.png\""));
+    Problems problems = new Problems();
+    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    Files.writeString(folder.resolve("p.png"), "GIF89a");
+    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .satisfiesExactly(
+            first -> assertThat(first).contains("own.json:1:", "there is no file 'p.png'"),
+            second -> assertThat(second).contains("neither a PNG nor a JPEG"));
+  }
+
+  @Test
   void twoStepsOfOneNameAreAnError() throws IOException {
     Files.writeString(
         file, Files.readString(file).replace("\"sus\"", "\"sus\", \"name\": \"own\""));

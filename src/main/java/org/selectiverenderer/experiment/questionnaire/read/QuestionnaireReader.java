@@ -1,6 +1,8 @@
 package org.selectiverenderer.experiment.questionnaire.read;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,7 +51,11 @@ public final class QuestionnaireReader {
   public static Optional<Questionnaire> read(Path file, String language, Problems problems)
       throws IOException {
     Optional<Path> folder = Optional.ofNullable(file.toAbsolutePath().getParent());
-    return JSON.read(file, problems, new QuestionnaireReader(folder, language)::questionnaire);
+    try {
+      return JSON.read(file, problems, new QuestionnaireReader(folder, language)::questionnaire);
+    } catch (UncheckedIOException e) {
+      throw e.getCause(); // A picture that cannot be read.
+    }
   }
 
   /**
@@ -71,12 +77,7 @@ public final class QuestionnaireReader {
     if (read.isEmpty()) {
       keys.fault("pages", "a questionnaire needs \"pages\"");
     }
-    return new Questionnaire(
-        name,
-        name,
-        "",
-        read,
-        new ScoresReader(questions).scores(keys));
+    return new Questionnaire(name, name, "", read, new ScoresReader(questions).scores(keys));
   }
 
   private static String name(JsonMembers keys, String key, String what) {
@@ -99,7 +100,8 @@ public final class QuestionnaireReader {
     String text = texts.optional(keys, "text");
     Optional<Path> picture = keys.text("picture", false).flatMap(file -> picture(keys, file));
     Optional<AskedIf> when = when(keys);
-    boolean shuffled = keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
+    boolean shuffled =
+        keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
     List<Optional<Question>> read = keys.objects("questions", "a question", this::question);
     if (read.isEmpty() && text.isEmpty() && picture.isEmpty()) {
       keys.fault("a page needs a \"text\", a \"picture\" or \"questions\"");
@@ -124,8 +126,23 @@ public final class QuestionnaireReader {
       keys.fault("picture", "a picture must be a PNG or JPEG file");
     } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
       keys.fault("picture", "there is no file '" + name + "' as seen from the questionnaire");
+    } else if (!isPicture(file.get())) {
+      keys.fault(
+          "picture", "the file '" + name + "' is neither a PNG nor a JPEG, whatever its name");
     }
     return file;
+  }
+
+  /** Whether a file begins as a PNG (RFC 2083, 3.1) or a JPEG does. */
+  private static boolean isPicture(Path file) {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] begin = in.readNBytes(4);
+      return begin.length == 4
+          && ((begin[0] & 0xff) == 0x89 && begin[1] == 'P' && begin[2] == 'N' && begin[3] == 'G'
+              || (begin[0] & 0xff) == 0xff && (begin[1] & 0xff) == 0xd8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private Optional<Question> question(JsonMembers keys) {
@@ -153,7 +170,9 @@ public final class QuestionnaireReader {
     return read;
   }
 
-  /** A condition on an earlier question: what is asked later cannot decide what was asked before. */
+  /**
+   * A condition on an earlier question: what is asked later cannot decide what was asked before.
+   */
   private Optional<AskedIf> when(JsonMembers keys) {
     Set<String> earlier = Set.copyOf(questions.keySet());
     return keys.object(
