@@ -31,16 +31,13 @@ public final class AnswersCsv {
               question
                   .kind()
                   .row(
-                      by,
-                      page.id(),
-                      question,
-                      given.getOrDefault(question.id(), GivenAnswer.NONE));
+                      by, page.id(), question, given.getOrDefault(question.id(), GivenAnswer.NONE));
           rows.computeIfAbsent(question.kind().table(), table -> new StringBuilder())
               .append(CsvText.line(cells.toArray()));
         }
       }
     }
-    for (Score score : questionnaire.scores()) {
+    for (ScaleScore score : questionnaire.scores()) {
       score
           .of(questionnaire, counting)
           .ifPresent(

@@ -4,11 +4,11 @@ import java.util.List;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /** Any of some options; none only where the question may be left out. */
-public record MultipleQuestion(List<Option> options) implements QuestionKind {
+record MultipleQuestion(List<Option> options) implements QuestionKind {
   /** As files spell it. */
   static final String SPELLING = "multiple";
 
-  public MultipleQuestion {
+  MultipleQuestion {
     options = List.copyOf(options);
   }
 

@@ -9,7 +9,7 @@ import org.selectiverenderer.base.json.JsonMembers;
  *
  * @param unit what stands behind it, such as {@code mm}; may be empty
  */
-public record NumberQuestion(AnswerField.Line.Range range, String unit) implements QuestionKind {
+record NumberQuestion(AnswerField.Line.Range range, String unit) implements QuestionKind {
   /** As files spell it. */
   static final String SPELLING = "number";
 

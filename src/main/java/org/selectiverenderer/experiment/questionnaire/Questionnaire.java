@@ -17,7 +17,7 @@ import java.util.Optional;
  * @param scores computed from the answers; may be none
  */
 public record Questionnaire(
-    String id, String name, String area, List<Page> pages, List<Score> scores) {
+    String id, String name, String area, List<Page> pages, List<ScaleScore> scores) {
   public Questionnaire {
     pages = List.copyOf(pages);
     scores = List.copyOf(scores);
@@ -109,7 +109,6 @@ public record Questionnaire(
   public boolean refused(Map<String, Answer> answers) {
     Map<String, Answer> counting = counting(answers);
     return questions().stream()
-        .anyMatch(
-            question -> question.refuses(counting.getOrDefault(question.id(), Answer.NONE)));
+        .anyMatch(question -> question.refuses(counting.getOrDefault(question.id(), Answer.NONE)));
   }
 }

@@ -5,9 +5,9 @@ import java.util.Random;
 import java.util.stream.IntStream;
 
 /** Was the object there? Yes or no, and how sure, 1 to 5 (thesis Appendix D, Fig 86). */
-public record Recognition(QuestionItem item) implements QuestionKind {
+record Recognition(QuestionItem item) implements QuestionKind {
   /** As files spell it. */
-  public static final String SPELLING = "recognition";
+  static final String SPELLING = "recognition";
 
   /** Chance of a simulated yes to an object that was there; d' is about 1.35. */
   private static final double HIT = 0.75;
@@ -25,8 +25,7 @@ public record Recognition(QuestionItem item) implements QuestionKind {
         IntStream.rangeClosed(1, 5)
             .mapToObj(level -> wording.of("recognition.confidence." + level))
             .toList();
-    return List.of(
-        YesNoQuestion.field(wording), AnswerField.Choice.numbers(1, 5, "", "", levels));
+    return List.of(YesNoQuestion.field(wording), AnswerField.Choice.numbers(1, 5, "", "", levels));
   }
 
   @Override

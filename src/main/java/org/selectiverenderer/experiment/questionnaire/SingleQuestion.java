@@ -7,14 +7,14 @@ import java.util.Set;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /** One of some options. */
-public record SingleQuestion(List<Option> options) implements QuestionKind {
+record SingleQuestion(List<Option> options) implements QuestionKind {
   /** As files spell it. */
   static final String SPELLING = "single";
 
   /** What values consist of, which tables and keys of other programs can have. */
   private static final String VALUE = "[0-9A-Za-z_.+-]+";
 
-  public SingleQuestion {
+  SingleQuestion {
     options = List.copyOf(options);
   }
 
@@ -40,8 +40,7 @@ public record SingleQuestion(List<Option> options) implements QuestionKind {
             option.fault("value", "the value " + value + " is there twice");
           }
           int number = options.size() + 1;
-          return options.add(
-              Option.of(value, label, number <= 9 ? Integer.toString(number) : ""));
+          return options.add(Option.of(value, label, number <= 9 ? Integer.toString(number) : ""));
         });
     if (options.size() < 2) {
       keys.fault("options", "a question to choose from needs at least two \"options\"");

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /** Words of the participant's own, on one line or more. */
-public record TextQuestion(int lines) implements QuestionKind {
+record TextQuestion(int lines) implements QuestionKind {
   /** As files spell it. */
   static final String SPELLING = "text";
 

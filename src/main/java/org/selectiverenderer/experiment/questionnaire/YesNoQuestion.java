@@ -3,7 +3,7 @@ package org.selectiverenderer.experiment.questionnaire;
 import java.util.List;
 
 /** Yes or no. */
-public record YesNoQuestion() implements QuestionKind {
+record YesNoQuestion() implements QuestionKind {
   /** As files spell it. */
   static final String SPELLING = "yes-no";
 

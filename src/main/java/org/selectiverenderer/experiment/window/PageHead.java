@@ -62,7 +62,7 @@ final class PageHead {
         .ifPresent(
             file -> {
               head.add(Box.createVerticalStrut(6));
-              head.add(new PictureView(file, room));
+              head.add(new PagePicture(file, room));
             });
     if (!read) {
       return head;

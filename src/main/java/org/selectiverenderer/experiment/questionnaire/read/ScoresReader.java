@@ -11,7 +11,7 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.experiment.questionnaire.BipolarQuestion;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.ScaleQuestion;
-import org.selectiverenderer.experiment.questionnaire.Score;
+import org.selectiverenderer.experiment.questionnaire.ScaleScore;
 
 /** Reads the scores of a questionnaire, whose questions are read before. */
 final class ScoresReader {
@@ -22,17 +22,18 @@ final class ScoresReader {
     this.questions = questions;
   }
 
-  List<Score> scores(JsonMembers keys) {
+  List<ScaleScore> scores(JsonMembers keys) {
     return keys.objects("scores", "a score", this::score);
   }
 
-  private Score score(JsonMembers keys) {
+  private ScaleScore score(JsonMembers keys) {
     String name = keys.text("name");
     List<String> of = keys.texts("questions");
     List<String> scores = keys.texts("scores");
     List<String> reversed = keys.texts("reversed");
-    Score.By by =
-        keys.choice("by", List.of(Score.By.values()), Score.By::spelling, Score.By.SUM);
+    ScaleScore.By by =
+        keys.choice(
+            "by", List.of(ScaleScore.By.values()), ScaleScore.By::spelling, ScaleScore.By.SUM);
     double least = keys.number("least", -1e9, 1e9, 0);
     double weight = keys.number("weight", -1e6, 1e6, 1);
     of.forEach(question -> known(keys, "questions", question, questions.keySet()));
@@ -44,7 +45,7 @@ final class ScoresReader {
         .forEach(
             question ->
                 keys.fault("reversed", "the question " + question + " has no scale to reverse"));
-    if (by == Score.By.COUNT && !keys.has("least")) {
+    if (by == ScaleScore.By.COUNT && !keys.has("least")) {
       keys.fault("a score that counts needs \"least\", the lowest value that is counted");
     }
     if (of.isEmpty() && scores.isEmpty()) {
@@ -53,7 +54,8 @@ final class ScoresReader {
     if (!earlier.add(name)) {
       keys.fault("name", "the score " + name + " is there twice");
     }
-    return new Score(name, by, of, scores, Set.copyOf(new ArrayList<>(reversed)), least, weight);
+    return new ScaleScore(
+        name, by, of, scores, Set.copyOf(new ArrayList<>(reversed)), least, weight);
   }
 
   private static boolean turns(Question question) {

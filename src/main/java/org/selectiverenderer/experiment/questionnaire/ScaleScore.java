@@ -14,7 +14,7 @@ import java.util.Set;
  * @param reversed questions of a scale whose value is taken as {@code from + to - value}
  * @param least for {@link By#COUNT}: values from this one on are counted
  */
-public record Score(
+public record ScaleScore(
     String name,
     By by,
     List<String> questions,
@@ -22,7 +22,7 @@ public record Score(
     Set<String> reversed,
     double least,
     double weight) {
-  public Score {
+  public ScaleScore {
     questions = List.copyOf(questions);
     scores = List.copyOf(scores);
     reversed = Set.copyOf(reversed);

@@ -12,7 +12,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 
 /** A picture as large as there is room, never larger than it is. */
-final class PictureView extends JComponent {
+final class PagePicture extends JComponent {
   private static final long serialVersionUID = 1L;
   private static final int TALLEST = 420;
 
@@ -22,7 +22,7 @@ final class PictureView extends JComponent {
    * @param width in pixels that it may have
    * @throws UncheckedIOException if there is no such picture
    */
-  PictureView(Path file, int width) {
+  PagePicture(Path file, int width) {
     try {
       BufferedImage read = ImageIO.read(file.toFile());
       if (read == null) {
