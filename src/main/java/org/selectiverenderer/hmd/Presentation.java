@@ -20,6 +20,15 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
     return new Presentation(other, geometry, check);
   }
 
+  /**
+   * The same to eyes at another distance.
+   *
+   * @param metres between the pupils
+   */
+  public Presentation withIpd(double metres) {
+    return new Presentation(mode, new EyeGeometry(geometry.profile(), metres), check);
+  }
+
   /** Width in pixels of a picture in which nothing is scaled. */
   public int width() {
     return geometry.profile().width() * (sideBySide() ? 2 : 1);

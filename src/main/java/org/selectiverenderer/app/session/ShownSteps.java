@@ -30,6 +30,7 @@ import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.hmd.Presentation;
 
 /** The steps of a session that show a scene, as runs of one chain of windows. */
 final class ShownSteps implements WindowChain.Runs {
@@ -107,12 +108,13 @@ final class ShownSteps implements WindowChain.Runs {
     Study.Display display = study.display();
     int width = display.width() > 0 ? display.width() : show.presentation().width();
     int height = display.height() > 0 ? display.height() : show.presentation().height();
+    Presentation presentation = show.presentation().withIpd(session.ipd() / 1000);
     return new RunSettings(
             scene,
             new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
         .with(MotionSettings.walking(study.mouse()))
         .with(
-            DisplaySettings.of(show.presentation())
+            DisplaySettings.of(presentation)
                 .filling(width, height)
                 .operator(show.operator())
                 .operatorOn(show.stage().monitor()))

@@ -3,9 +3,10 @@ package org.selectiverenderer.app.session;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
@@ -19,27 +20,38 @@ public final class SimulatedDialogue implements SessionDialogue {
   }
 
   @Override
-  public Optional<String> form(Session session, OperatorControls controls) {
+  public Optional<String> form(Session session, OperatorControls controls) throws IOException {
+    answer(session, new SessionStep.Form());
     return Optional.of("simulated");
   }
 
   @Override
   public boolean questions(Session session, SessionStep.Questions step, OperatorControls controls)
       throws IOException {
-    Screen screen = session.screen(step);
-    SimulatedParticipant participant =
-        new SimulatedParticipant(
-            session.material().study().seed() + step.id().hashCode(),
-            session.folder().participant());
-    Map<String, Answer> known = session.answers(step);
-    for (QuestionItem item : screen.items()) {
-      Answer answer = participant.answer(step.kind(), item);
-      // Whoever sat there before may have given half an answer.
-      if (!known.getOrDefault(item.object(), Answer.NONE).complete(screen.withConfidence())) {
-        session.answer(step, item, answer);
-      }
-    }
+    answer(session, step);
     return true;
+  }
+
+  private static void answer(Session session, SessionStep step) throws IOException {
+    new SimulatedParticipant(
+            session.material().study().seed() + step.id().hashCode(),
+            session.folder().participant(),
+            session.material().wording())
+        .answer(
+            session.questionnaire(step),
+            session.answers(step),
+            new SimulatedParticipant.Listener() {
+              @Override
+              public void page(Page page, Map<String, Answer> answers) {
+                session.shown(step, page, page.asked(answers));
+              }
+
+              @Override
+              public void answer(Question question, Answer answer, long milliseconds, int place)
+                  throws IOException {
+                session.answer(step, question, answer, OptionalLong.of(milliseconds), place);
+              }
+            });
   }
 
   @Override

@@ -3,15 +3,14 @@ package org.selectiverenderer.app.session;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.io.IOException;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.window.ControlWindow;
 import org.selectiverenderer.experiment.window.DesktopPlace;
-import org.selectiverenderer.experiment.window.FormWindow;
 import org.selectiverenderer.experiment.window.QuestionnaireWindow;
 import org.selectiverenderer.experiment.window.SessionEnd;
 import org.selectiverenderer.experiment.window.ThanksWindow;
@@ -39,34 +38,46 @@ public final class WindowDialogue implements SessionDialogue {
   }
 
   @Override
-  public Optional<String> form(Session session, OperatorControls controls) {
-    return FormWindow.ask(
-        session.folder().participant(),
-        wording,
-        new SessionEnd(controls::aborted, controls::askAbort));
+  public Optional<String> form(Session session, OperatorControls controls) throws IOException {
+    SessionStep step = new SessionStep.Form();
+    AnswersOfWindow answers = new AnswersOfWindow(session, step);
+    return ask(session, step, controls, answers, true)
+        ? Optional.of(
+            session.questionnaire(step).set(Question.Sets.AGE, answers.all()).orElse(""))
+        : Optional.empty();
   }
 
   @Override
   public boolean questions(Session session, SessionStep.Questions step, OperatorControls controls)
       throws IOException {
-    AtomicReference<@Nullable IOException> failure = new AtomicReference<>();
+    return ask(session, step, controls, new AnswersOfWindow(session, step), false);
+  }
+
+  /**
+   * Asks page by page.
+   *
+   * @return whether all is answered; else the session has ended, or the participant does not take
+   *     part
+   */
+  private boolean ask(
+      Session session,
+      SessionStep step,
+      OperatorControls controls,
+      AnswersOfWindow answers,
+      boolean mayRefuse)
+      throws IOException {
     boolean through =
         QuestionnaireWindow.ask(
-            session.screen(step),
-            wording,
-            session.answers(step),
-            (item, answer) -> {
-              try {
-                session.answer(step, item, answer);
-              } catch (IOException e) {
-                failure.set(e);
-              }
-            },
-            new SessionEnd(() -> controls.aborted() || failure.get() != null, controls::askAbort));
-    IOException failed = failure.get();
-    if (failed != null) {
-      throw failed;
-    }
+            new QuestionnaireWindow.Asking(
+                session.questionnaire(step),
+                wording,
+                session.folder().participant(),
+                session.answers(step),
+                session.lastPage(step),
+                mayRefuse),
+            answers,
+            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort));
+    answers.check();
     return through;
   }
 

@@ -22,6 +22,11 @@ public final class CsvRow {
     return cells[table.index(column)];
   }
 
+  /** The cell in that column; empty where there is no such column. */
+  public String cellIfAny(String column) {
+    return table.has(column) ? cell(column) : "";
+  }
+
   /** That cell with a decimal point, should it be a number with the table's decimal comma. */
   public String decimal(String column) {
     return withPoint(cell(column));

@@ -178,6 +178,11 @@ public final class JsonMembers {
     return found.flatMap(JsonValue::truth).orElse(otherwise);
   }
 
+  /** Whether a member is there and is an object. */
+  public boolean hasObject(String key) {
+    return find(key).flatMap(JsonValue::members).isPresent();
+  }
+
   /** One of some spellings. */
   public <T> T choice(String key, List<T> known, Function<T, String> spelling, T otherwise) {
     Optional<String> text = text(key, false);

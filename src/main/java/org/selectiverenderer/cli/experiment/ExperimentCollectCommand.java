@@ -3,8 +3,10 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.problem.Problems;
@@ -24,13 +26,14 @@ import picocli.CommandLine.Option;
 @Command(
     name = "collect",
     description = {
-      "Collects the answers of a study into one table, from one session of each "
+      "Collects the answers of a study into tables, from one session of each "
           + "participant: recognition answers for experiment analyse, ratings for enrich "
-          + "--ratings. Reports what it leaves out.",
+          + "--ratings, answers to all other questions, scores. Reports what it leaves out.",
       "Without an option it prints the recognition answers."
     },
     footer = {
-      "  ./selective-renderer experiment collect mystudy --responses responses.csv",
+      "  ./selective-renderer experiment collect mystudy --responses responses.csv"
+          + " --answers answers.csv --scores scores.csv",
       "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv --responses"
           + " responses.csv",
       "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv --bands"
@@ -50,6 +53,19 @@ final class ExperimentCollectCommand extends CliCommand {
       paramLabel = "F.csv",
       description = "writes the ratings to a file, one per row")
   private @Nullable Path ratings;
+
+  @Option(
+      names = "--answers",
+      paramLabel = "F.csv",
+      description =
+          "writes the answers to all other questions, and to the form, to a file, one per row")
+  private @Nullable Path others;
+
+  @Option(
+      names = "--scores",
+      paramLabel = "F.csv",
+      description = "writes the scores of scales to a file, such as the total of ssq")
+  private @Nullable Path scores;
 
   @Option(
       names = "--bands",
@@ -87,11 +103,15 @@ final class ExperimentCollectCommand extends CliCommand {
     }
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
+    OutputFile.check("--answers", others, ".csv");
+    OutputFile.check("--scores", scores, ".csv");
     OutputFile.check("--bands", bands, ".csv");
     CommandFiles files =
         new CommandFiles()
             .writes("--responses", responses)
             .writes("--ratings", ratings)
+            .writes("--answers", others)
+            .writes("--scores", scores)
             .writes("--bands", bands);
     paper.forEach(table -> files.reads("--paper", table));
     files.check();
@@ -106,11 +126,13 @@ final class ExperimentCollectCommand extends CliCommand {
             number == null ? OptionalInt.empty() : OptionalInt.of(number),
             PaperAnswers.read(material.get(), paper, problems),
             problems);
-    if (responses == null && ratings == null && bands == null) {
+    if (Stream.of(responses, ratings, others, scores, bands).allMatch(Objects::isNull)) {
       console().out().print(answers.responses());
     }
     write(responses, answers.responses());
     write(ratings, answers.ratings());
+    write(others, answers.others());
+    write(scores, answers.scores());
     write(bands, answers.bands());
     console()
         .message(

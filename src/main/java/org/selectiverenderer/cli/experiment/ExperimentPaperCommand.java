@@ -2,8 +2,8 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
@@ -14,9 +14,9 @@ import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.control.Condition;
-import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
-import org.selectiverenderer.experiment.questionnaire.PaperPage;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.paper.PaperPage;
+import org.selectiverenderer.experiment.questionnaire.paper.PaperTable;
 import org.selectiverenderer.experiment.session.Participants;
 import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.StudyMaterial;
@@ -81,15 +81,23 @@ final class ExperimentPaperCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    List<Screen> screens = material.get().screens(participant);
-    String page = PaperPage.html(screens, material.get().wording(), participant);
+    List<Questionnaire> asked = new ArrayList<>();
+    if (material.get().study().questionnaires().form().isPresent()) {
+      asked.add(material.get().form());
+    }
+    asked.addAll(material.get().questionnaires(participant));
+    String page = PaperPage.html(asked, material.get().wording(), participant);
     if (output != null) {
       OutputFile.write(output, page);
     } else {
       console().out().print(page);
     }
     if (csv != null) {
-      OutputFile.writeOnce("--csv", csv, table(screens, group(material.get())));
+      OutputFile.writeOnce(
+          "--csv",
+          csv,
+          PaperTable.text(
+              asked, material.get().wording(), participant, group(material.get())));
     }
     return ExitStatus.of(problems);
   }
@@ -102,17 +110,5 @@ final class ExperimentPaperCommand extends CliCommand {
         .of(participant)
         .map(assigned -> assigned.condition().spelling())
         .orElse("");
-  }
-
-  private String table(List<Screen> screens, String group) {
-    boolean recognition = screens.stream().anyMatch(Screen::withConfidence);
-    StringBuilder text =
-        new StringBuilder(recognition ? AnswersCsv.responsesHeader() : AnswersCsv.RATINGS);
-    for (Screen screen : screens) {
-      if (screen.withConfidence() == recognition) {
-        text.append(AnswersCsv.lines(screen, participant, group, Map.of()));
-      }
-    }
-    return text.toString();
   }
 }

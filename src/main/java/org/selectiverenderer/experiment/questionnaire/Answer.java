@@ -1,15 +1,20 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 /**
- * What a participant says of an object.
+ * What a participant says to a question.
  *
- * @param value {@code yes} or {@code no}, or a rating from {@code 1} to {@code 6}; empty when not
- *     yet given
+ * @param value as tables have it: {@code yes}, {@code 4}, words; of several choices the values with
+ *     {@link AnswerField#SEPARATOR} between them; empty when not given, or taken back
  * @param confidence from 1 to 5; 0 when not yet given, or not asked for
  */
 public record Answer(String value, int confidence) {
   /** Nothing said yet. */
   public static final Answer NONE = new Answer("", 0);
+
+  /** A value without confidence. */
+  public static Answer of(String value) {
+    return new Answer(value, 0);
+  }
 
   /** Whether nothing is wanting. */
   public boolean complete(boolean withConfidence) {

@@ -1,68 +1,81 @@
 package org.selectiverenderer.experiment.questionnaire;
 
+import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
-import java.util.function.Function;
-import java.util.stream.Collectors;
 import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.statistics.data.ResponsesCsv;
 
-/** Answers as CSV: those about memory as the statistics read them, ratings as the enricher does. */
+/**
+ * Answers and scores as CSV, gathered questionnaire by questionnaire: a row for each question that
+ * was asked, in the order of the pages; without an answer, its cell is empty. Not safe for use by
+ * several threads.
+ */
 public final class AnswersCsv {
-  private AnswersCsv() {}
+  private static final String SCORES =
+      CsvText.line("participant", "session", "condition", "questionnaire", "score", "value");
 
-  /** The header of a file of ratings. */
-  public static final String RATINGS = "participant,area,object,schema,rating\n";
+  private final Map<AnswerTable, StringBuilder> rows = new EnumMap<>(AnswerTable.class);
+  private final StringBuilder scores = new StringBuilder();
 
-  /** The header of a file of answers about memory. */
-  public static String responsesHeader() {
-    return ResponsesCsv.of(List.of());
+  /** Adds the answers to a questionnaire as the participant met it. */
+  public void add(AskedBy by, Questionnaire questionnaire, Map<String, GivenAnswer> given) {
+    Map<String, Answer> answers = new HashMap<>();
+    given.forEach((question, one) -> answers.put(question, one.answer()));
+    Map<String, Answer> counting = questionnaire.counting(answers);
+    for (Page page : questionnaire.shown(counting)) {
+      for (Question question : page.asked(counting)) {
+        if (!question.personal()) {
+          List<Object> cells =
+              question
+                  .kind()
+                  .row(
+                      by, page.id(), question, given.getOrDefault(question.id(), GivenAnswer.NONE));
+          rows.computeIfAbsent(question.kind().table(), table -> new StringBuilder())
+              .append(CsvText.line(cells.toArray()));
+        }
+      }
+    }
+    for (ScaleScore score : questionnaire.scores()) {
+      score
+          .of(questionnaire, counting)
+          .ifPresent(
+              value ->
+                  scores.append(
+                      CsvText.line(
+                          by.participant(),
+                          by.session(),
+                          by.condition(),
+                          by.questionnaire(),
+                          score.name(),
+                          tidy(value))));
+    }
   }
 
-  /**
-   * Answers about memory, a line for each item, without a header; without an answer, that is empty.
-   */
-  public static String responses(
-      Screen screen, String participant, String condition, Function<QuestionItem, Answer> answers) {
-    return screen.items().stream()
-        .map(
-            item -> {
-              Answer answer = answers.apply(item);
-              return CsvText.line(
-                  participant,
-                  condition,
-                  item.area(),
-                  item.object(),
-                  item.type(),
-                  item.present() ? "yes" : "no",
-                  answer.value(),
-                  answer.confidence() == 0 ? "" : Integer.toString(answer.confidence()));
-            })
-        .collect(Collectors.joining());
+  /** At most four decimals, none that are zero. */
+  private static String tidy(double value) {
+    String text = String.format(Locale.ROOT, "%.4f", value);
+    return text.replaceFirst("\\.?0+$", "");
   }
 
-  /** Ratings, a line for each item, without a header. */
-  public static String ratings(
-      Screen screen, String participant, Function<QuestionItem, Answer> answers) {
-    return screen.items().stream()
-        .map(
-            item ->
-                CsvText.line(
-                    participant,
-                    item.area(),
-                    item.object(),
-                    item.schema(),
-                    answers.apply(item).value()))
-        .collect(Collectors.joining());
+  /** Whether a table has rows. */
+  public boolean has(AnswerTable table) {
+    return rows.containsKey(table);
   }
 
-  /** All of a screen's answers. */
-  public static String lines(
-      Screen screen, String participant, String condition, Map<String, Answer> byObject) {
-    Function<QuestionItem, Answer> answers =
-        item -> byObject.getOrDefault(item.object(), Answer.NONE);
-    return screen.withConfidence()
-        ? responses(screen, participant, condition, answers)
-        : ratings(screen, participant, answers);
+  /** A table with its header. */
+  public String text(AnswerTable table) {
+    return table.header() + rows.getOrDefault(table, new StringBuilder());
+  }
+
+  /** Whether there are scores. */
+  public boolean hasScores() {
+    return !scores.isEmpty();
+  }
+
+  /** The scores with their header. */
+  public String scores() {
+    return SCORES + scores;
   }
 }

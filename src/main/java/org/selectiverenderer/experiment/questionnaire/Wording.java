@@ -8,6 +8,8 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.text.MessageFormat;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Properties;
 import org.selectiverenderer.base.problem.Location;
@@ -97,8 +99,8 @@ public final class Wording {
     return words.getProperty("area." + area, area);
   }
 
-  /** An item's name. */
-  public String name(QuestionItem item) {
-    return item.names().getOrDefault(language, item.object());
+  /** The words for a key, with what their braces stand for. */
+  public String filled(String key, Object... values) {
+    return new MessageFormat(of(key).replace("'", "''"), Locale.ROOT).format(values);
   }
 }

@@ -1,13 +1,29 @@
 /**
- * Questionnaires without a window: what is asked, in what order and words, what an answer is; also
- * on paper, and what was typed in from it.
+ * What is asked of a participant, without a window: questionnaires, the kinds of their questions,
+ * answers, tables of answers and scores.
  *
- * <p>In: the items of a study, a CSV per questionnaire; the words, a file of messages per language.
- * Out: {@link org.selectiverenderer.experiment.questionnaire.Screen}s to be answered in a window or
- * on paper, answers as rows for the statistics, ratings as rows for the enricher.
+ * <p>A {@link org.selectiverenderer.experiment.questionnaire.Questionnaire} is answered in one step
+ * of a session, page by page. A page has questions, or only something to read; pages and questions
+ * may depend on earlier answers. Form and consent are a questionnaire, too.
  *
- * <p>Uses {@code experiment.study}, {@code statistics.data} and {@code statistics.detection} for
- * the columns of answers, and {@code base}. No GL, no AWT.
+ * <p>What a question is like is its {@link
+ * org.selectiverenderer.experiment.questionnaire.QuestionKind}, a sealed type with one class for
+ * each kind: how a file names it and which keys it has there, what there is to fill in, how a
+ * simulated participant answers, in which table its answers go. What there is to fill in is told
+ * as {@link org.selectiverenderer.experiment.questionnaire.AnswerField}s, of which there are two
+ * sorts: options to choose from, and a line to write on. Windows, paper and what was typed in from
+ * it know the fields and no kinds; so a new kind changes none of them.
+ *
+ * <p>{@code questionnaire.read} makes questionnaires of files; {@code questionnaire.paper} prints
+ * them and reads what was typed in.
+ *
+ * <p>In: texts in the study's language, the words of the program itself ({@link
+ * org.selectiverenderer.experiment.questionnaire.Wording}), answers. Out: what is to be asked next,
+ * and {@code responses.csv}, {@code ratings.csv}, {@code answers.csv} and {@code scores.csv} as
+ * rows. All values are immutable.
+ *
+ * <p>Uses {@code statistics.data} and {@code statistics.detection} for the columns of answers about
+ * memory, and {@code base}. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.questionnaire;

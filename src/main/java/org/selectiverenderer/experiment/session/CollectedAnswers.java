@@ -15,9 +15,14 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.AnswerTable;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
+import org.selectiverenderer.experiment.questionnaire.AskedBy;
+import org.selectiverenderer.experiment.questionnaire.Expectancy;
+import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
+import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.QuestionItem;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.schema.Band;
 
 /**
@@ -27,12 +32,20 @@ import org.selectiverenderer.schema.Band;
  *
  * @param responses as {@code experiment analyse} reads them
  * @param ratings as {@code enrich --ratings} reads them
+ * @param others all other answers, the form's too
+ * @param scores computed from them
  * @param bands means of the ratings with their bands, for people
  * @param participants of whom there are answers
  * @param answers that are in the tables
  */
 public record CollectedAnswers(
-    String responses, String ratings, String bands, int participants, int answers) {
+    String responses,
+    String ratings,
+    String others,
+    String scores,
+    String bands,
+    int participants,
+    int answers) {
 
   private record Rated(String area, String schema, String object) {}
 
@@ -41,8 +54,7 @@ public record CollectedAnswers(
     private final StudyMaterial material;
     private final PaperAnswers paper;
     private final Problems problems;
-    private final StringBuilder responses = new StringBuilder(AnswersCsv.responsesHeader());
-    private final StringBuilder ratings = new StringBuilder(AnswersCsv.RATINGS);
+    private final AnswersCsv tables = new AnswersCsv();
     private final Map<Rated, List<Integer>> all = new LinkedHashMap<>();
     private int participants;
     private int answers;
@@ -77,6 +89,8 @@ public record CollectedAnswers(
         known.add(step.id());
         if (step instanceof SessionStep.Questions questions) {
           screen(folder, history, questions, place);
+        } else if (step instanceof SessionStep.Form form) {
+          form(folder, history, form);
         }
       }
       for (String step : history.answeredSteps()) {
@@ -93,10 +107,11 @@ public record CollectedAnswers(
     void onPaper(String participant) {
       int before = answers;
       for (SessionStep step : material.steps()) {
+        Optional<PaperAnswers.Sheet> typed = paper.sheet(participant, step.id());
         if (step instanceof SessionStep.Questions questions) {
-          paper
-              .sheet(participant, step.id())
-              .ifPresent(sheet -> sheet(questions, participant, sheet));
+          typed.ifPresent(sheet -> sheet(questions, participant, sheet));
+        } else if (step instanceof SessionStep.Form form) {
+          typed.ifPresent(sheet -> form(form, participant, sheet));
         }
       }
       unasked(participant);
@@ -119,6 +134,51 @@ public record CollectedAnswers(
               });
     }
 
+    /** What is known of the person; on paper where the program was not asked to keep it. */
+    private void form(SessionFolder folder, SessionHistory history, SessionStep.Form form) {
+      Optional<PaperAnswers.Sheet> sheet = paper.sheet(folder.participant(), form.id());
+      if (history.finished(form)) {
+        sheet.ifPresent(
+            typed ->
+                problems.error(
+                    typed.place(),
+                    ("participant %s has answered %s in the program; the answers from paper are "
+                            + "left out")
+                        .formatted(folder.participant(), form.id())));
+        tables.add(
+            by(folder.participant(), session(folder), condition(history), form),
+            material.form(),
+            history.given(form));
+      }
+    }
+
+    private void form(SessionStep.Form form, String participant, PaperAnswers.Sheet sheet) {
+      tables.add(by(participant, "", condition(participant), form), material.form(), given(sheet));
+    }
+
+    private String condition(String participant) {
+      return paper.condition(participant).map(Condition::spelling).orElse("");
+    }
+
+    private static Map<String, GivenAnswer> given(PaperAnswers.Sheet sheet) {
+      Map<String, GivenAnswer> given = new LinkedHashMap<>();
+      sheet.answers().forEach((question, answer) -> given.put(question, GivenAnswer.of(answer)));
+      return given;
+    }
+
+    private static String session(SessionFolder folder) {
+      return Integer.toString(folder.number());
+    }
+
+    private static String condition(SessionHistory history) {
+      return history.condition().map(Condition::spelling).orElse("");
+    }
+
+    private static AskedBy by(
+        String participant, String session, String condition, SessionStep step) {
+      return new AskedBy(participant, session, condition, step.id());
+    }
+
     private void screen(
         SessionFolder folder, SessionHistory history, SessionStep.Questions step, Location place) {
       Map<String, Answer> given = history.answers(step);
@@ -131,8 +191,11 @@ public record CollectedAnswers(
                     ("participant %s has answered %s in the program; the answers from "
                             + "paper are left out")
                         .formatted(folder.participant(), step.id())));
-        String condition = history.condition().map(Condition::spelling).orElse("");
-        take(step, folder.participant(), condition, given, place);
+        take(
+            step,
+            by(folder.participant(), session(folder), condition(history), step),
+            history.given(step),
+            place);
         return;
       }
       if (sheet.isEmpty() || !given.isEmpty()) {
@@ -147,25 +210,23 @@ public record CollectedAnswers(
     }
 
     private void sheet(SessionStep.Questions step, String participant, PaperAnswers.Sheet sheet) {
-      String condition = paper.condition(participant).map(Condition::spelling).orElse("");
-      take(step, participant, condition, sheet.answers(), sheet.place());
+      take(step, by(participant, "", condition(participant), step), given(sheet), sheet.place());
     }
 
-    /** Takes the answers to a screen into the tables. */
+    /** Takes the answers to a questionnaire into the tables. */
     private void take(
-        SessionStep.Questions step,
-        String participant,
-        String condition,
-        Map<String, Answer> given,
-        Location place) {
-      Screen screen = material.screen(step, participant);
-      (screen.withConfidence() ? responses : ratings)
-          .append(AnswersCsv.lines(screen, participant, condition, given));
-      Map<String, Answer> left = new LinkedHashMap<>(given);
-      for (QuestionItem item : screen.items()) {
-        Optional<Answer> answer = Optional.ofNullable(left.remove(item.object()));
+        SessionStep.Questions step, AskedBy by, Map<String, GivenAnswer> given, Location place) {
+      Questionnaire questionnaire = material.questionnaire(step, by.participant());
+      tables.add(by, questionnaire, given);
+      Map<String, GivenAnswer> left = new LinkedHashMap<>(given);
+      for (Question question : questionnaire.questions()) {
+        Optional<Answer> answer =
+            Optional.ofNullable(left.remove(question.id()))
+                .map(GivenAnswer::answer)
+                .filter(one -> !one.equals(Answer.NONE));
         answers += answer.isPresent() ? 1 : 0;
-        if (!screen.withConfidence()) {
+        if (question.kind() instanceof Expectancy expectancy) {
+          QuestionItem item = expectancy.item();
           answer.ifPresent(
               rating ->
                   all.computeIfAbsent(
@@ -212,8 +273,10 @@ public record CollectedAnswers(
     }
     onPaper.forEach(gathering::onPaper);
     return new CollectedAnswers(
-        gathering.responses.toString(),
-        gathering.ratings.toString(),
+        gathering.tables.text(AnswerTable.RESPONSES),
+        gathering.tables.text(AnswerTable.RATINGS),
+        gathering.tables.text(AnswerTable.ANSWERS),
+        gathering.tables.scores(),
         bands(gathering.all),
         gathering.participants,
         gathering.answers);

@@ -13,8 +13,9 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.PaperTable;
-import org.selectiverenderer.experiment.questionnaire.PaperTable.Filled;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.paper.TypedTable;
+import org.selectiverenderer.experiment.questionnaire.paper.TypedTable.Filled;
 
 /**
  * Answers that were given on paper, by participant and screen. A participant's condition is the one
@@ -52,7 +53,12 @@ public final class PaperAnswers {
     }
     paper.known.addAll(paper.conditions.keySet());
     for (Path file : files) {
-      Optional<PaperTable> table = PaperTable.read(file, problems);
+      Optional<TypedTable> table =
+          TypedTable.read(
+              file,
+              (participant, step) -> asked(material, participant, step),
+              material.wording(),
+              problems);
       if (table.isPresent()) {
         paper.add(material, table.get(), problems);
       }
@@ -60,12 +66,20 @@ public final class PaperAnswers {
     return paper;
   }
 
-  private void add(StudyMaterial material, PaperTable table, Problems problems) {
+  private static Optional<Questionnaire> asked(
+      StudyMaterial material, String participant, String step) {
+    return material.steps().stream()
+        .filter(one -> StudyMaterial.asks(one) && one.id().equals(step))
+        .findFirst()
+        .map(one -> material.questionnaire(one, participant));
+  }
+
+  private void add(StudyMaterial material, TypedTable table, Problems problems) {
     Set<Key> others = Set.copyOf(sheets.keySet());
     Set<Key> told = new HashSet<>();
     for (Filled row : table.rows()) {
       Key key =
-          new Key(row.participant(), new SessionStep.Questions(table.kind(), row.area()).id());
+          new Key(row.participant(), row.step());
       if (!belongs(material, row, problems)) {
         continue;
       }
@@ -75,14 +89,14 @@ public final class PaperAnswers {
               row.location(),
               ("the answers of participant %s about %s are also in another file; "
                       + "these are left out")
-                  .formatted(row.participant(), row.area()));
+                  .formatted(row.participant(), row.step()));
         }
         continue;
       }
       sheets
           .computeIfAbsent(key, first -> new Sheet(new LinkedHashMap<>(), row.location()))
           .answers()
-          .put(row.object(), row.answer());
+          .put(row.question(), row.answer());
     }
   }
 

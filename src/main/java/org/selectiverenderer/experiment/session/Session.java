@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.selectiverenderer.base.files.Disk;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
@@ -16,12 +17,15 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.AnswerTable;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.AskedBy;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.study.SessionFlag;
-import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
  * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
@@ -137,9 +141,8 @@ public final class Session implements AutoCloseable {
     if (material.study().practice().isPresent()) {
       sums.putAll(Checksums.ofScene(material.study().practice().get().scene()));
     }
-    for (var questionnaire : material.study().questionnaires()) {
-      sums.put(
-          String.valueOf(questionnaire.items().getFileName()), Checksums.of(questionnaire.items()));
+    for (Map.Entry<String, Path> file : material.study().questionnaires().files().entrySet()) {
+      sums.put(file.getKey(), Checksums.of(file.getValue()));
     }
     return sums;
   }
@@ -390,50 +393,93 @@ public final class Session implements AutoCloseable {
     journal.keep("aborted", Map.of("step", step));
   }
 
-  /** What a step asks. */
-  public Screen screen(SessionStep.Questions step) {
-    return material.screen(step, folder.participant());
+  /** What a step asks: the form, or questions. */
+  public Questionnaire questionnaire(SessionStep step) {
+    return material.questionnaire(step, folder.participant());
   }
 
-  /** The answers that a step has so far, by object. */
-  public Map<String, Answer> answers(SessionStep.Questions step) {
+  /** The answers that a step has so far, by the questions' ids. */
+  public Map<String, Answer> answers(SessionStep step) {
     return history.answers(step);
   }
 
-  /** The participant answers, or answers otherwise; on the disk when it returns. */
-  public void answer(SessionStep.Questions step, QuestionItem item, Answer answer)
+  /** The page of a step that was shown last, where a session that was cut off goes on. */
+  public Optional<String> lastPage(SessionStep step) {
+    return history.page(step);
+  }
+
+  /**
+   * A page of a step is shown.
+   *
+   * @param questions that are on it, in order
+   */
+  public void shown(SessionStep step, Page page, List<Question> questions) {
+    Map<String, Object> event = new LinkedHashMap<>();
+    event.put("step", step.id());
+    event.put("page", page.id());
+    event.put("questions", questions.stream().map(Question::id).toList());
+    journal.tell("page", event);
+  }
+
+  /**
+   * The participant answers, or answers otherwise; on the disk when it returns.
+   *
+   * @param milliseconds from when the question came into view
+   * @param place of the question on its page, from 1
+   */
+  public void answer(
+      SessionStep step, Question question, Answer answer, OptionalLong milliseconds, int place)
       throws IOException {
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("step", step.id());
-    event.put("object", item.object());
+    event.put("object", question.id());
     event.put("value", answer.value());
     if (answer.confidence() > 0) {
       event.put("confidence", answer.confidence());
     }
+    milliseconds.ifPresent(ms -> event.put("ms", ms));
+    event.put("place", place);
     journal.keep("answer", event);
+  }
+
+  /**
+   * The distance of this participant's pupils in millimetres, where the form asks for it; else the
+   * study's.
+   */
+  public double ipd() {
+    return material
+        .form()
+        .set(Question.Sets.IPD, history.answers(new SessionStep.Form()))
+        .map(Double::parseDouble)
+        .orElse(material.study().display().ipd());
   }
 
   /** All steps are done: writes the answers as tables, and waits for the motion data. */
   public void end() throws IOException {
     motion.close();
-    String condition = condition().map(Condition::spelling).orElse("");
-    StringBuilder responses = new StringBuilder();
-    StringBuilder ratings = new StringBuilder();
+    AnswersCsv tables = new AnswersCsv();
     for (SessionStep step : material.steps()) {
-      if (step instanceof SessionStep.Questions questions) {
-        Screen screen = screen(questions);
-        (screen.withConfidence() ? responses : ratings)
-            .append(
-                AnswersCsv.lines(screen, folder.participant(), condition, history.answers(step)));
+      if (StudyMaterial.asks(step)) {
+        tables.add(by(step), questionnaire(step), history.given(step));
       }
     }
-    if (!responses.isEmpty()) {
-      folder.writeOnce("responses.csv", AnswersCsv.responsesHeader() + responses);
+    for (AnswerTable table : AnswerTable.values()) {
+      if (tables.has(table)) {
+        folder.writeOnce(table.file(), tables.text(table));
+      }
     }
-    if (!ratings.isEmpty()) {
-      folder.writeOnce("ratings.csv", AnswersCsv.RATINGS + ratings);
+    if (tables.hasScores()) {
+      folder.writeOnce("scores.csv", tables.scores());
     }
     journal.keep("session-finished", Map.of());
+  }
+
+  private AskedBy by(SessionStep step) {
+    return new AskedBy(
+        folder.participant(),
+        Integer.toString(folder.number()),
+        condition().map(Condition::spelling).orElse(""),
+        step.id());
   }
 
   /**

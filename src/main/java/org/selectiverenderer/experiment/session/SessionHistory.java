@@ -10,11 +10,14 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
 import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.StudyQuality;
 
@@ -23,9 +26,12 @@ import org.selectiverenderer.experiment.study.StudyQuality;
  * events; {@link #tellDamage} says them. May be asked by any thread while a journal adds to it.
  */
 final class SessionHistory {
+  private static final String FORM = new SessionStep.Form().id();
+
   private final Set<String> finished = new LinkedHashSet<>();
   private final Map<String, Integer> runs = new HashMap<>();
-  private final Map<String, Map<String, Answer>> answers = new LinkedHashMap<>();
+  private final Map<String, Map<String, GivenAnswer>> answers = new LinkedHashMap<>();
+  private final Map<String, String> pages = new HashMap<>();
   private final List<String> headLogs = new ArrayList<>();
   private final Set<RaisedFlag> flags = new LinkedHashSet<>();
   private final List<String> areaOrder = new ArrayList<>();
@@ -98,9 +104,8 @@ final class SessionHistory {
       case "answer" ->
           answers
               .computeIfAbsent(step, key -> new LinkedHashMap<>())
-              .put(
-                  event.path("object").asText(),
-                  new Answer(event.path("value").asText(), event.path("confidence").asInt()));
+              .compute(event.path("object").asText(), (question, earlier) -> given(event, earlier));
+      case "page" -> pages.put(step, event.path("page").asText());
       case "flag" ->
           SessionFlag.of(event.path("flag").asText()).ifPresent(flag -> raise(flag, step));
       case "refused" -> refused = true;
@@ -110,6 +115,14 @@ final class SessionHistory {
         // The rest is for people to read.
       }
     }
+  }
+
+  private static GivenAnswer given(JsonNode event, @Nullable GivenAnswer earlier) {
+    return (earlier == null ? GivenAnswer.NONE : earlier)
+        .then(
+            new Answer(event.path("value").asText(), event.path("confidence").asInt()),
+            event.has("ms") ? OptionalLong.of(event.path("ms").asLong()) : OptionalLong.empty(),
+            event.path("place").asInt());
   }
 
   /** Journals of before there were flags say these in their own way. */
@@ -153,19 +166,36 @@ final class SessionHistory {
     return runs.getOrDefault(step.id(), 0);
   }
 
-  /** The answers of a step so far, by object. */
-  public synchronized Map<String, Answer> answers(SessionStep step) {
+  /** The answers of a step so far, by the questions' ids. */
+  public Map<String, Answer> answers(SessionStep step) {
+    Map<String, Answer> last = new HashMap<>();
+    given(step).forEach((question, given) -> last.put(question, given.answer()));
+    return Map.copyOf(last);
+  }
+
+  /** The same, and how they came about. */
+  public synchronized Map<String, GivenAnswer> given(SessionStep step) {
     return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
   }
 
-  /** Steps with answers, by their ids. */
-  synchronized Set<String> answeredSteps() {
-    return Set.copyOf(answers.keySet());
+  /** The page of a step that was shown last. */
+  public synchronized Optional<String> page(SessionStep step) {
+    return Optional.ofNullable(pages.get(step.id()));
   }
 
-  /** Answers in all, each object's last. */
+  /** Steps with answers but for the form, by their ids. */
+  synchronized Set<String> answeredSteps() {
+    Set<String> steps = new LinkedHashSet<>(answers.keySet());
+    steps.remove(FORM); // Whoever filled it in has answered nothing of what is studied yet.
+    return Set.copyOf(steps);
+  }
+
+  /** Answers in all to questionnaires, each question's last. */
   synchronized int answerCount() {
-    return answers.values().stream().mapToInt(Map::size).sum();
+    return answers.entrySet().stream()
+        .filter(step -> !step.getKey().equals(FORM))
+        .mapToInt(step -> step.getValue().size())
+        .sum();
   }
 
   /** Names of all head logs that were begun. */

@@ -1,6 +1,5 @@
 package org.selectiverenderer.experiment.session;
 
-import org.selectiverenderer.experiment.study.QuestionKind;
 import org.selectiverenderer.experiment.study.Study;
 
 /** A part of a session. What is finished is never done again; what was begun is begun anew. */
@@ -13,7 +12,7 @@ public sealed interface SessionStep {
     return this instanceof Practice || this instanceof Exposure;
   }
 
-  /** Age and consent; then the condition is assigned. */
+  /** Consent, and what is asked of the person; then the condition is assigned. */
   record Form() implements SessionStep {
     @Override
     public String id() {
@@ -37,11 +36,16 @@ public sealed interface SessionStep {
     }
   }
 
-  /** A questionnaire's questions about an area. */
-  record Questions(QuestionKind kind, String area) implements SessionStep {
+  /**
+   * A questionnaire.
+   *
+   * @param name of it in the study
+   * @param area that it is asked about; empty for none in particular
+   */
+  record Questions(String name, String area) implements SessionStep {
     @Override
     public String id() {
-      return kind.spelling() + "-" + area;
+      return area.isEmpty() ? name : name + "-" + area;
     }
   }
 }

@@ -3,26 +3,37 @@ package org.selectiverenderer.experiment.session;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.questionnaire.ItemsReader;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
-import org.selectiverenderer.experiment.study.QuestionKind;
 import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.experiment.study.StudyQuestionnaires.Moment;
 import org.selectiverenderer.experiment.study.StudyReader;
 
 /**
- * A study with all that its questionnaires ask, in their words.
+ * A study with all that it asks, in its words.
  *
- * @param items by questionnaire, in the study's order
+ * @param form consent and what is asked of the person, with the id of the step {@code form}
+ * @param asked all other questionnaires, in the study's order
  */
 public record StudyMaterial(
-    Study study, Map<QuestionKind, List<QuestionItem>> items, Wording wording) {
+    Study study, Questionnaire form, List<Asked> asked, Wording wording) {
+
+  /** A questionnaire, and when it is asked. */
+  public record Asked(Questionnaire questionnaire, Moment moment) {
+    SessionStep.Questions step() {
+      return new SessionStep.Questions(questionnaire.name(), questionnaire.area());
+    }
+  }
+
+  public StudyMaterial {
+    asked = List.copyOf(asked);
+  }
 
   /**
    * Reads a study file and the files that it names.
@@ -36,15 +47,34 @@ public record StudyMaterial(
       return Optional.empty();
     }
     Optional<Wording> wording = Wording.of(study.get().language(), study.get().folder(), problems);
-    Map<QuestionKind, List<QuestionItem>> items = new EnumMap<>(QuestionKind.class);
-    for (Study.Questionnaire questionnaire : study.get().questionnaires()) {
-      ItemsReader.read(questionnaire, study.get().language(), problems)
-          .ifPresent(found -> items.put(questionnaire.kind(), found));
+    if (wording.isEmpty()) {
+      return Optional.empty();
     }
-    boolean whole = items.size() == study.get().questionnaires().size();
-    return wording
-        .filter(words -> whole)
-        .map(words -> new StudyMaterial(study.get(), items, words));
+    QuestionnairesOfStudy all = new QuestionnairesOfStudy(study.get(), wording.get(), problems);
+    Optional<Questionnaire> form = all.form();
+    Optional<List<Asked>> asked = all.asked();
+    if (form.isEmpty() || asked.isEmpty()) {
+      return Optional.empty();
+    }
+    StudyMaterial material =
+        new StudyMaterial(study.get(), form.get(), asked.get(), wording.get());
+    return material.distinct(problems) ? Optional.of(material) : Optional.empty();
+  }
+
+  /** Whether each step has an id of its own; the journal knows them by it. */
+  private boolean distinct(Problems problems) {
+    Set<String> ids = new HashSet<>();
+    for (SessionStep step : steps()) {
+      if (!ids.add(step.id())) {
+        problems.error(
+            Location.of(study.file().toString()),
+            ("two steps of a session would be called %s; give a questionnaire another \"name\". "
+                    + "The study is not used")
+                .formatted(step.id()));
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The steps of a session, in the order of the study's file. */
@@ -60,32 +90,48 @@ public record StudyMaterial(
   List<SessionStep> steps(List<Study.Area> areas) {
     List<SessionStep> steps = new ArrayList<>();
     steps.add(new SessionStep.Form());
+    steps.addAll(asked(Moment.BEGIN));
     study.practice().ifPresent(practice -> steps.add(new SessionStep.Practice(practice)));
-    areas.forEach(area -> steps.add(new SessionStep.Exposure(area)));
-    for (Study.Questionnaire questionnaire : study.questionnaires()) {
-      QuestionKind kind = questionnaire.kind();
-      for (String area : Screen.areas(items.getOrDefault(kind, List.of()))) {
-        steps.add(new SessionStep.Questions(kind, area));
-      }
+    steps.addAll(asked(Moment.AFTER_PRACTICE));
+    List<SessionStep.Questions> after = new ArrayList<>(asked(Moment.AFTER_AREA));
+    for (Study.Area area : areas) {
+      steps.add(new SessionStep.Exposure(area));
+      List<SessionStep.Questions> now =
+          after.stream().filter(step -> step.area().equals(area.name())).toList();
+      steps.addAll(now);
+      after.removeAll(now);
     }
+    steps.addAll(after); // Parts of areas: what has no exposure of its own.
+    steps.addAll(asked(Moment.END));
     return List.copyOf(steps);
   }
 
-  /** What a participant is asked in a step. */
-  public Screen screen(SessionStep.Questions step, String participant) {
-    return Screen.of(
-        step.kind(),
-        step.area(),
-        items.getOrDefault(step.kind(), List.of()),
-        study.seed(),
-        participant);
+  private List<SessionStep.Questions> asked(Moment moment) {
+    return asked.stream().filter(each -> each.moment() == moment).map(Asked::step).toList();
   }
 
-  /** All screens of a participant. */
-  public List<Screen> screens(String participant) {
+  /** What a participant is asked in a step: of the form, or of questions. */
+  public Questionnaire questionnaire(SessionStep step, String participant) {
+    if (step instanceof SessionStep.Form) {
+      return form;
+    }
+    return asked.stream()
+        .filter(each -> each.step().equals(step))
+        .findFirst()
+        .map(each -> each.questionnaire().ordered(study.seed(), participant))
+        .orElseThrow(() -> new IllegalArgumentException("no questions in " + step.id()));
+  }
+
+  /** All questionnaires of a participant, in order, without the form. */
+  public List<Questionnaire> questionnaires(String participant) {
     return steps().stream()
         .filter(SessionStep.Questions.class::isInstance)
-        .map(step -> screen((SessionStep.Questions) step, participant))
+        .map(step -> questionnaire(step, participant))
         .toList();
+  }
+
+  /** Whether a step asks something: the form, and questions. */
+  static boolean asks(SessionStep step) {
+    return step instanceof SessionStep.Form || step instanceof SessionStep.Questions;
   }
 }

@@ -39,14 +39,13 @@ public record Study(
     TrackerSpec tracker,
     MouseMapping mouse,
     String language,
-    List<Questionnaire> questionnaires,
+    StudyQuestionnaires questionnaires,
     StudyQuality quality,
     StudyCourse course) {
 
   public Study {
     conditions = List.copyOf(conditions);
     areas = List.copyOf(areas);
-    questionnaires = List.copyOf(questionnaires);
   }
 
   /** Where the participants get to know display and mouse, until the experimenter goes on. */
@@ -91,9 +90,6 @@ public record Study(
       int height,
       Optional<String> operator,
       PointerPlace pointer) {}
-
-  /** What is asked afterwards, area by area. */
-  public record Questionnaire(QuestionKind kind, Path items) {}
 
   /** The folder that the study file lies in; sessions go there. */
   public Path folder() {

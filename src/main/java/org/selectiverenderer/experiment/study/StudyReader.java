@@ -107,11 +107,12 @@ public final class StudyReader {
                 mapping -> mapping.name().toLowerCase(Locale.ROOT),
                 MouseMapping.EXPERIMENT),
             keys.text("language", false).orElse("en"),
-            questionnaires(keys),
+            new StudyQuestionnairesReader(this::file)
+                .read(keys, !areas.isEmpty(), keys.has("practice")),
             QualityReader.read(keys),
             CourseReader.read(keys));
     viewpoints(keys, study);
-    if (areas.isEmpty() && study.questionnaires().isEmpty()) {
+    if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");
     }
     return study;
@@ -283,26 +284,5 @@ public final class StudyReader {
       keys.fault("tracker", String.valueOf(e.getMessage()));
       return new TrackerSpec.None();
     }
-  }
-
-  private List<Study.Questionnaire> questionnaires(JsonMembers keys) {
-    Set<QuestionKind> kinds = new HashSet<>();
-    return keys.objects(
-        "questionnaires",
-        "a questionnaire",
-        part -> {
-          part.text("kind");
-          QuestionKind kind =
-              part.choice(
-                  "kind",
-                  List.of(QuestionKind.values()),
-                  QuestionKind::spelling,
-                  QuestionKind.RECOGNITION);
-          if (!kinds.add(kind)) {
-            part.fault("kind", "there are two questionnaires of the kind " + kind.spelling());
-          }
-          Path items = file(part, "items", part.text("items"));
-          return new Study.Questionnaire(kind, items);
-        });
   }
 }

@@ -19,7 +19,16 @@ public final class StudyTemplate {
       List.of(
           STUDY,
           "study.schema.json",
+          "questionnaire.schema.json",
+          "form.json",
+          "welcome.json",
+          "mouse.png",
+          "apartment.json",
+          "lists.json",
           "recognition.csv",
+          "presence.json",
+          "room.json",
+          "closing.json",
           "pilot/study.json",
           "pilot/expectancy.csv");
 
@@ -48,14 +57,21 @@ public final class StudyTemplate {
     }
     FileTransaction writing = new FileTransaction(actions);
     for (String name : FILES) {
-      String text =
-          resource(name)
-              .replace("@scene@", from(folder, scene))
-              .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d")));
-      writing.addNew(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8));
+      writing.addNew(folder.resolve(name), content(name, folder, scene));
     }
     writing.commit();
     return folder.resolve(STUDY);
+  }
+
+  private static byte[] content(String name, Path folder, Path scene) throws IOException {
+    byte[] bytes = resource(name);
+    if (!name.endsWith(STUDY)) {
+      return bytes;
+    }
+    return new String(bytes, StandardCharsets.UTF_8)
+        .replace("@scene@", from(folder, scene))
+        .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d")))
+        .getBytes(StandardCharsets.UTF_8);
   }
 
   /** A file as seen from a folder, with slashes on every system. */
@@ -67,10 +83,10 @@ public final class StudyTemplate {
         : there.toString().replace('\\', '/');
   }
 
-  private static String resource(String name) throws IOException {
+  private static byte[] resource(String name) throws IOException {
     try (InputStream in =
         Objects.requireNonNull(StudyTemplate.class.getResourceAsStream(name), name)) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      return in.readAllBytes();
     }
   }
 }

@@ -1,182 +1,168 @@
 package org.selectiverenderer.experiment.window;
 
-import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.FlowLayout;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiConsumer;
-import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
-import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JToggleButton;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
+import org.selectiverenderer.experiment.questionnaire.AnswerField;
+import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Wording;
-import org.selectiverenderer.experiment.study.QuestionKind;
 
-/** One object of a questionnaire and its choices, as a row. */
+/** A question and its fields, as a row. Knows fields, and no kinds of questions. */
 final class QuestionRow {
   private static final Color CURRENT = new Color(0xe3eefc);
   static final Color PLAIN = Color.WHITE;
-  private static final int NAME_WIDTH = 260;
 
-  /** An answer must be seen from the chair: the look and feel's own grey is hardly seen. */
-  private static final String CHOSEN = "selectedBackground:#1f66b5; selectedForeground:#ffffff";
+  /** Hears what becomes of the row. */
+  interface Listener {
+    /**
+     * The answer is another one.
+     *
+     * @param settled whether it may be kept as it is: not while somebody is typing
+     */
+    void answered(QuestionRow row, Answer answer, boolean settled);
 
-  private final QuestionKind kind;
-  private final QuestionItem item;
-  private final BiConsumer<QuestionItem, Answer> listener;
+    /** Somebody turns to it. */
+    void touched(QuestionRow row);
+  }
+
+  private final Question question;
+  private final Wording wording;
+  private final Listener listener;
   private final JPanel panel = new JPanel();
-  private final List<JToggleButton> values = new ArrayList<>();
-  private final List<JToggleButton> levels = new ArrayList<>();
+  private final List<FieldView> views = new ArrayList<>();
   private Answer answer;
 
   /**
    * @param known the answer so far
-   * @param listener hears every change, and the row that it is in
    */
   QuestionRow(
-      QuestionKind kind,
-      QuestionItem item,
+      Question question,
       Answer known,
       Wording wording,
-      BiConsumer<QuestionItem, Answer> listener) {
-    this.kind = kind;
-    this.item = item;
+      RowShape shape,
+      int width,
+      Listener listener) {
+    this.question = question;
+    this.wording = wording;
     this.listener = listener;
     answer = known;
-    panel.setLayout(new BoxLayout(panel, BoxLayout.X_AXIS));
-    panel.setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
-    JLabel name = new JLabel(wording.name(item));
-    name.setFont(name.getFont().deriveFont(16f));
-    name.setPreferredSize(new Dimension(NAME_WIDTH, 30));
-    name.setMinimumSize(name.getPreferredSize());
-    name.setMaximumSize(name.getPreferredSize());
-    panel.add(name);
     panel.setAlignmentX(0);
-    if (kind == QuestionKind.RECOGNITION) {
-      panel.add(choices(values, List.of("yes", "no"), wording, this::value));
-      panel.add(Box.createHorizontalStrut(40));
-      panel.add(
-          choices(
-              levels,
-              List.of("1", "2", "3", "4", "5"),
-              wording,
-              level -> confidence(Integer.parseInt(level))));
-    } else {
-      panel.add(new JLabel(wording.of("expectancy.least") + " "));
-      panel.add(choices(values, List.of("1", "2", "3", "4", "5", "6"), wording, this::value));
-      panel.add(new JLabel(" " + wording.of("expectancy.most") + "  "));
+    List<AnswerField> fields = question.kind().fields(wording);
+    for (AnswerField field : fields) {
+      views.add(view(field, shape, views.isEmpty()));
     }
-    panel.add(Box.createHorizontalGlue());
+    if (shape.beside()) {
+      layBeside(shape);
+    } else {
+      layBelow(width);
+    }
     show();
     current(false);
   }
 
-  /** What stands over the rows' columns. */
-  static JPanel heading(QuestionKind kind, Wording wording) {
-    JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 0, 4));
-    line.setBorder(BorderFactory.createEmptyBorder(0, 16, 0, 12));
-    line.add(column("", NAME_WIDTH));
-    if (kind == QuestionKind.RECOGNITION) {
-      line.add(column(wording.of("recognition.question"), 180));
-      line.add(column(wording.of("recognition.confidence"), 300));
+  private FieldView view(AnswerField field, RowShape shape, boolean first) {
+    FieldView.Listener told =
+        (value, settled) ->
+            change(
+                first
+                    ? answer.value(value)
+                    : answer.confidence(value.isEmpty() ? 0 : Integer.parseInt(value)),
+                settled);
+    if (field instanceof AnswerField.Line line) {
+      return new LineView(line, question.id(), spoken(), told, () -> listener.touched(this));
+    }
+    return new ChoiceView((AnswerField.Choice) field, question.id(), spoken(), shape, told);
+  }
+
+  /** What is asked, for people who hear it. */
+  private String spoken() {
+    AnswerField first = question.kind().fields(wording).get(0);
+    return question.text().isEmpty() && first instanceof AnswerField.Choice choice
+        ? choice.least() + " - " + choice.most()
+        : question.text();
+  }
+
+  private void layBeside(RowShape shape) {
+    panel.setLayout(new BoxLayout(panel, BoxLayout.X_AXIS));
+    panel.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+    panel.add(Box.createRigidArea(new Dimension(0, RowShape.BUTTON_HEIGHT)));
+    if (shape.name() == 0) {
+      panel.add(Box.createHorizontalGlue()); // Nothing to read but the ends: in the middle.
     } else {
-      line.add(column(wording.of("expectancy.question"), 300));
+      JLabel name = new JLabel();
+      name.setFont(name.getFont().deriveFont(16f));
+      boolean fits =
+          name.getFontMetrics(name.getFont()).stringWidth(question.text()) <= shape.name() - 8;
+      name.setText(
+          fits
+              ? question.text()
+              : RowShape.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
+      Dimension size =
+          new Dimension(
+              shape.name(), Math.max(RowShape.BUTTON_HEIGHT, name.getPreferredSize().height));
+      name.setPreferredSize(size);
+      name.setMinimumSize(size);
+      name.setMaximumSize(size);
+      panel.add(name);
     }
-    return line;
-  }
-
-  private static JLabel column(String text, int width) {
-    JLabel label = new JLabel(text);
-    label.setPreferredSize(new Dimension(width, 20));
-    return label;
-  }
-
-  private JPanel choices(
-      List<JToggleButton> buttons, List<String> keys, Wording wording, Consumer<String> chosen) {
-    JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 4, 0));
-    line.setOpaque(false);
-    ButtonGroup group = new ButtonGroup();
-    for (String key : keys) {
-      boolean number = key.length() == 1;
-      JToggleButton button = new JToggleButton(number ? key : wording.of(key));
-      button.getAccessibleContext().setAccessibleName(wording.name(item) + ": " + button.getText());
-      button.setName(item.object() + ":" + key);
-      button.setActionCommand(key);
-      button.setFocusable(false); // The window has the keys.
-      button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
-      button.setPreferredSize(new Dimension(number ? 44 : 64, 30));
-      if (number && kind == QuestionKind.RECOGNITION) {
-        button.setToolTipText(wording.of("recognition.confidence." + key));
+    for (int i = 0; i < views.size(); i++) {
+      if (i > 0) {
+        panel.add(ChoiceView.gap());
       }
-      button.addActionListener(event -> chosen.accept(key));
-      group.add(button);
-      buttons.add(button);
-      line.add(button);
+      JComponent view = views.get(i).component();
+      view.setMaximumSize(view.getPreferredSize());
+      panel.add(view);
     }
-    line.setMaximumSize(line.getPreferredSize());
-    return line;
+    panel.add(Box.createHorizontalGlue());
   }
 
-  private void value(String value) {
-    change(answer.value(value));
+  private void layBelow(int width) {
+    panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
+    panel.setBorder(BorderFactory.createEmptyBorder(10, 12, 10, 12));
+    if (!question.text().isEmpty()) {
+      JComponent text = WrappedText.of(question.text(), 16f, width);
+      text.setAlignmentX(0);
+      panel.add(text);
+      panel.add(Box.createVerticalStrut(6));
+    }
+    for (FieldView view : views) {
+      view.component().setMaximumSize(view.component().getPreferredSize());
+      view.component().setAlignmentX(Component.LEFT_ALIGNMENT);
+      panel.add(view.component());
+    }
   }
 
-  private void confidence(int level) {
-    change(answer.confidence(level));
-  }
-
-  private void change(Answer other) {
+  private void change(Answer other, boolean settled) {
     answer = other;
-    show();
-    listener.accept(item, answer);
+    if (settled) {
+      show();
+    }
+    listener.answered(this, answer, settled);
   }
 
   private void show() {
-    values.forEach(
-        button -> {
-          if (button.getActionCommand().equals(answer.value())) {
-            button.setSelected(true);
-          }
-        });
-    if (answer.confidence() > 0 && !levels.isEmpty()) {
-      levels.get(answer.confidence() - 1).setSelected(true);
+    views.get(0).show(answer.value());
+    if (views.size() > 1) {
+      views.get(1).show(answer.confidence() > 0 ? Integer.toString(answer.confidence()) : "");
     }
   }
 
   /**
-   * A key was pressed while the row is current.
+   * A character was typed while the row is current.
    *
    * @return whether it was an answer
    */
   boolean key(char typed) {
-    if (typed >= '1' && typed <= '9') {
-      int number = typed - '0';
-      if (kind == QuestionKind.EXPECTANCY && number <= 6) {
-        value(Integer.toString(number));
-        return true;
-      }
-      if (kind == QuestionKind.RECOGNITION && number <= 5) {
-        confidence(number);
-        return true;
-      }
-      return false;
-    }
-    // The Greek letters are on the same keys.
-    boolean yes = "yYυΥ".indexOf(typed) >= 0;
-    boolean no = "nNνΝ".indexOf(typed) >= 0;
-    if (kind == QuestionKind.RECOGNITION && (yes || no)) {
-      value(yes ? "yes" : "no");
-      return true;
-    }
-    return false;
+    return views.stream().anyMatch(view -> view.key(typed));
   }
 
   /** Marks the row that keys answer. */
@@ -184,8 +170,44 @@ final class QuestionRow {
     panel.setBackground(on ? CURRENT : PLAIN);
   }
 
+  /** Takes the keys that are typed, where it takes any. */
+  void focus() {
+    views.forEach(FieldView::focus);
+  }
+
+  /** Whether keys are typed into it. */
+  boolean takesText() {
+    return views.stream().anyMatch(FieldView::takesText);
+  }
+
+  /** Whether an answer is all there is to it, so that the next row may follow at once. */
+  boolean settlesAtOnce() {
+    return question.kind().fields(wording).stream()
+        .allMatch(field -> field instanceof AnswerField.Choice choice && !choice.several());
+  }
+
+  /** Tells of what was typed and not yet told. */
+  void settle() {
+    views.forEach(FieldView::settle);
+  }
+
+  /** Whether one may go on as far as it is concerned. */
   boolean complete() {
-    return answer.complete(kind == QuestionKind.RECOGNITION);
+    return question.complete(answer, wording);
+  }
+
+  /** Whether nothing more can be answered: one that may be left out is open until it is. */
+  boolean answered() {
+    return complete() && !answer.equals(Answer.NONE);
+  }
+
+  /** Whether the answer forbids to take part. */
+  boolean refuses() {
+    return question.refuses(answer);
+  }
+
+  Question question() {
+    return question;
   }
 
   JPanel panel() {

@@ -2,241 +2,293 @@ package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.GridBagLayout;
+import java.awt.EventQueue;
+import java.awt.FlowLayout;
+import java.awt.GraphicsEnvironment;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
-import java.awt.Toolkit;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
-import java.util.ArrayList;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import javax.swing.BorderFactory;
-import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JFrame;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
 import javax.swing.WindowConstants;
+import javax.swing.text.JTextComponent;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.PaperPage;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * A screen of questions about one area. Keys answer the row that is marked; when it is complete,
- * the next one that is not is marked. The window ends when all is answered and the participant goes
- * on, or with the session; closing it has the experimenter asked.
+ * A questionnaire, a page at a time, with a way back. It ends when all is answered and the
+ * participant goes on from the last page, or with the session; closing it has the experimenter
+ * asked.
  */
 public final class QuestionnaireWindow {
-  private final Screen screen;
-  private final Wording wording;
+  private static final int WIDTH = 980;
+  private static final int LEAST_HEIGHT = 460;
+  private static final int MOST_HEIGHT = 1000;
+
+  /**
+   * What is asked of whom.
+   *
+   * @param known answers given before, by the questions' ids
+   * @param from id of the page to begin with; the first if there is none such
+   * @param mayRefuse whether the participant may say here not to take part
+   */
+  public record Asking(
+      Questionnaire questionnaire,
+      Wording wording,
+      String participant,
+      Map<String, Answer> known,
+      Optional<String> from,
+      boolean mayRefuse) {
+    public Asking {
+      known = Map.copyOf(known);
+    }
+  }
+
+  /** Hears, on Swing's thread, what happens. */
+  public interface Listener {
+    /** A page is on the screen. */
+    void shown(Page page, List<Question> asked);
+
+    /**
+     * An answer, or a change of one.
+     *
+     * @param milliseconds since the question came into view
+     * @param place of it on its page, from 1
+     */
+    void answered(Question question, Answer answer, long milliseconds, int place);
+  }
+
+  private final Asking asking;
+  private final Listener listener;
   private final Consumer<Boolean> done;
-  private final List<QuestionRow> rows = new ArrayList<>();
+  private final Map<String, Answer> answers;
   private final JFrame frame = new JFrame();
-  private final JLabel left = new JLabel();
-  private final JButton next = new JButton();
+  private final JPanel middle = new JPanel(new BorderLayout());
+  private final PageFoot foot;
   private final KeyEventDispatcher keys = this::key;
-  private int current;
+  private Page page;
+  private PagePanel panel;
 
   private QuestionnaireWindow(
-      Screen screen,
-      Wording wording,
-      Map<String, Answer> known,
-      BiConsumer<QuestionItem, Answer> taker,
-      SessionEnd sessionEnd,
-      Consumer<Boolean> done) {
-    this.screen = screen;
-    this.wording = wording;
+      Asking asking, Listener listener, SessionEnd sessionEnd, Consumer<Boolean> done) {
+    this.asking = asking;
+    this.listener = listener;
     this.done = done;
-    JPanel list = new JPanel();
-    list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
-    for (QuestionItem item : screen.items()) {
-      int number = rows.size();
-      QuestionRow row =
-          new QuestionRow(
-              screen.kind(),
-              item,
-              known.getOrDefault(item.object(), Answer.NONE),
-              wording,
-              (asked, answer) -> {
-                taker.accept(asked, answer);
-                answered(number);
-              });
-      row.panel()
-          .addMouseListener(
-              new MouseAdapter() {
-                @Override
-                public void mousePressed(MouseEvent event) {
-                  mark(number);
-                }
-              });
-      rows.add(row);
-      list.add(row.panel());
+    answers = new HashMap<>(asking.known());
+    foot = new PageFoot(asking.wording(), this::back, this::goOn);
+    List<Page> shown = shown();
+    page =
+        shown.stream()
+            .filter(each -> asking.from().equals(Optional.of(each.id())))
+            .findFirst()
+            .orElse(shown.get(0));
+    panel = make(page);
+    JPanel south = new JPanel(new BorderLayout());
+    south.add(foot.component(), BorderLayout.CENTER);
+    if (asking.mayRefuse()) {
+      south.add(refusing(), BorderLayout.WEST);
     }
-    lay(list);
+    frame.setName("questionnaire");
+    frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+    frame.add(middle, BorderLayout.CENTER);
+    frame.add(south, BorderLayout.SOUTH);
+    size();
+    lay();
     sessionEnd.watch(frame, () -> end(false));
+    frame.addWindowFocusListener(
+        new WindowAdapter() {
+          @Override
+          public void windowGainedFocus(WindowEvent event) {
+            EventQueue.invokeLater(() -> panel.focus());
+          }
+        });
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
-    mark(firstOpen(0));
-    count();
+  }
+
+  private JPanel refusing() {
+    JButton refuse = new JButton(asking.wording().of("form.cancel"));
+    refuse.setName("cancel");
+    refuse.setFocusable(false);
+    refuse.addActionListener(event -> end(false));
+    JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 16, 14));
+    line.setBorder(PageFoot.rule());
+    line.add(refuse);
+    return line;
   }
 
   /**
    * Asks, and waits until all is answered or the session ends.
    *
-   * @param known answers given before, by object
-   * @param taker hears every answer and every change of one, on Swing's thread
+   * @param listener hears of every page, every answer and every change of one
    * @return whether all was answered and the participant went on
    */
-  public static boolean ask(
-      Screen screen,
-      Wording wording,
-      Map<String, Answer> known,
-      BiConsumer<QuestionItem, Answer> taker,
-      SessionEnd sessionEnd) {
+  public static boolean ask(Asking asking, Listener listener, SessionEnd sessionEnd) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
-        done ->
+        finished ->
             new QuestionnaireWindow(
-                    screen,
-                    wording,
-                    known,
-                    taker,
+                    asking,
+                    listener,
                     sessionEnd,
                     complete -> {
                       through.set(complete);
-                      done.run();
+                      finished.run();
                     })
                 .frame);
     return through.get();
   }
 
-  private void lay(JPanel list) {
-    String kind = screen.kind().spelling();
-    String area = wording.area(screen.area());
-    JLabel title = new JLabel(PaperPage.fill(wording.of(kind + ".title"), area));
-    title.setFont(title.getFont().deriveFont(24f));
-    JTextArea text = text(PaperPage.fill(wording.of(kind + ".text"), area));
-    text.setFont(title.getFont().deriveFont(15f));
-    JPanel head = new JPanel(new BorderLayout(0, 8));
-    head.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
-    head.add(title, BorderLayout.NORTH);
-    head.add(text, BorderLayout.CENTER);
-    JPanel top = new JPanel(new BorderLayout());
-    top.setBackground(QuestionRow.PLAIN);
-    top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
-    JScrollPane scroll = new JScrollPane(top);
-    scroll.setColumnHeaderView(QuestionRow.heading(screen.kind(), wording));
-    scroll.getVerticalScrollBar().setUnitIncrement(24);
-    next.setText(wording.of("next"));
-    next.setName("next");
-    next.setFocusable(false);
-    next.addActionListener(event -> goOn());
-    JPanel foot = new JPanel(new BorderLayout(16, 0));
-    foot.setBorder(BorderFactory.createEmptyBorder(12, 16, 16, 16));
-    JTextArea hint = text(PaperPage.fill(wording.of("keys"), wording.of("keys." + kind)));
-    hint.setFont(left.getFont());
-    hint.setRows(2);
-    JPanel told = new JPanel(new BorderLayout());
-    told.add(left, BorderLayout.NORTH);
-    told.add(hint, BorderLayout.CENTER);
-    foot.add(told, BorderLayout.CENTER);
-    JPanel button = new JPanel(new GridBagLayout());
-    button.add(next);
-    foot.add(button, BorderLayout.EAST);
-    frame.setTitle(title.getText());
-    frame.setName("questionnaire");
-    frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-    frame.add(head, BorderLayout.NORTH);
-    frame.add(scroll, BorderLayout.CENTER);
-    frame.add(foot, BorderLayout.SOUTH);
-    Dimension most = Toolkit.getDefaultToolkit().getScreenSize();
-    frame.setSize(Math.min(960, most.width), Math.min(1000, most.height));
+  private List<Page> shown() {
+    return asking.questionnaire().shown(answers);
+  }
+
+  /** One size for all pages: that of the tallest, as far as the screen goes. */
+  private void size() {
+    Rectangle most = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    int width = Math.min(WIDTH, most.width);
+    int tallest =
+        asking.questionnaire().pages().stream()
+            .mapToInt(
+                each ->
+                    PageHead.of(
+                                each,
+                                asking.wording(),
+                                asking.participant(),
+                                asking.mayRefuse(),
+                                width)
+                            .getPreferredSize()
+                            .height
+                        + make(each).component().getPreferredSize().height)
+            .max()
+            .orElse(0);
+    int height = tallest + foot.component().getPreferredSize().height + 60;
+    frame.setSize(
+        new Dimension(
+            width, Math.min(most.height, Math.max(LEAST_HEIGHT, Math.min(MOST_HEIGHT, height)))));
     frame.setLocationRelativeTo(null);
   }
 
-  /** Words that go on in the next line where the window is too narrow for them. */
-  private static JTextArea text(String words) {
-    JTextArea text = new JTextArea(words);
-    text.setEditable(false);
-    text.setFocusable(false);
-    text.setLineWrap(true);
-    text.setWrapStyleWord(true);
-    text.setOpaque(false);
-    text.setBorder(BorderFactory.createEmptyBorder());
-    return text;
+  private PagePanel make(Page which) {
+    return new PagePanel(which, answers, asking.wording(), WIDTH - 80, this::answered);
   }
 
-  private boolean key(KeyEvent event) {
-    if (KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow() != frame) {
-      return false;
+  private void lay() {
+    middle.removeAll();
+    int width = frame.getWidth();
+    middle.add(
+        PageHead.of(page, asking.wording(), asking.participant(), asking.mayRefuse(), width),
+        page.questions().isEmpty() ? BorderLayout.CENTER : BorderLayout.NORTH);
+    if (!page.questions().isEmpty()) {
+      middle.add(panel.component(), BorderLayout.CENTER);
     }
-    if (event.getID() == KeyEvent.KEY_TYPED) {
-      return rows.get(current).key(event.getKeyChar());
-    }
-    if (event.getID() != KeyEvent.KEY_PRESSED) {
-      return false;
-    }
-    switch (event.getKeyCode()) {
-      case KeyEvent.VK_DOWN -> mark(Math.min(rows.size() - 1, current + 1));
-      case KeyEvent.VK_UP -> mark(Math.max(0, current - 1));
-      case KeyEvent.VK_ENTER -> goOn();
-      default -> {
-        return false;
-      }
-    }
-    return true;
+    frame.setTitle(page.title().isEmpty() ? asking.wording().of("form.title") : page.title());
+    middle.revalidate();
+    middle.repaint();
+    count();
+    panel.begin();
+    listener.shown(page, page.asked(answers));
   }
 
-  private void answered(int number) {
-    mark(rows.get(number).complete() ? firstOpen(number) : number);
+  private void answered(
+      Question question, Answer answer, boolean settled, long milliseconds, int place) {
+    if (settled) {
+      listener.answered(question, answer, milliseconds, place);
+    }
     count();
   }
 
-  /** The first row from one on that is not complete, going round; that one if all are. */
-  private int firstOpen(int from) {
-    for (int i = 0; i < rows.size(); i++) {
-      int number = (from + i) % rows.size();
-      if (!rows.get(number).complete()) {
-        return number;
-      }
-    }
-    return from;
-  }
-
-  private void mark(int number) {
-    rows.get(current).current(false);
-    current = number;
-    QuestionRow row = rows.get(current);
-    row.current(true);
-    row.panel()
-        .scrollRectToVisible(new Rectangle(0, 0, row.panel().getWidth(), row.panel().getHeight()));
-  }
-
   private void count() {
-    long open = rows.stream().filter(row -> !row.complete()).count();
-    left.setText(PaperPage.fill(wording.of("left"), open, rows.size()));
-    left.setVisible(open > 0);
-    next.setEnabled(open == 0);
+    List<Page> shown = shown();
+    foot.show(
+        shown.indexOf(page),
+        shown.size(),
+        panel.open(),
+        panel.count(),
+        panel.refuses(),
+        page.questions().isEmpty() ? "" : hint(),
+        asking.mayRefuse());
+  }
+
+  private String hint() {
+    Wording wording = asking.wording();
+    List<String> kinds =
+        page.questions().stream().map(question -> question.kind().spelling()).distinct().toList();
+    String keysOf =
+        wording.filled(
+            "keys",
+            kinds.size() == 1 ? wording.of("keys." + kinds.get(0)) : wording.of("keys.mixed"));
+    return shown().size() > 1 ? keysOf + " " + wording.of("keys.back") : keysOf;
+  }
+
+  private boolean key(KeyEvent event) {
+    KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+    if (focus.getActiveWindow() != frame) {
+      return false;
+    }
+    boolean writing = focus.getFocusOwner() instanceof JTextComponent;
+    if (event.getID() == KeyEvent.KEY_PRESSED && event.getKeyCode() == KeyEvent.VK_ENTER) {
+      boolean lines = focus.getFocusOwner() instanceof javax.swing.JTextArea;
+      boolean control = (event.getModifiersEx() & InputEvent.CTRL_DOWN_MASK) != 0;
+      if (lines && !control) {
+        return false; // A new line.
+      }
+      panel.settle();
+      goOn();
+      return true;
+    }
+    if (event.getID() == KeyEvent.KEY_PRESSED && event.getKeyCode() == KeyEvent.VK_PAGE_UP) {
+      back();
+      return true;
+    }
+    return event.getID() != KeyEvent.KEY_RELEASED && panel.key(event, writing);
+  }
+
+  private void back() {
+    int at = shown().indexOf(page);
+    if (at > 0) {
+      turn(shown().get(at - 1));
+    }
   }
 
   private void goOn() {
-    if (next.isEnabled()) {
+    panel.settle();
+    if (panel.open() > 0 || panel.refuses()) {
+      return;
+    }
+    List<Page> shown = shown();
+    int at = shown.indexOf(page);
+    if (at + 1 < shown.size()) {
+      turn(shown.get(at + 1));
+    } else {
       end(true);
     }
   }
 
+  private void turn(Page to) {
+    panel.settle();
+    page = to;
+    panel = make(page);
+    lay();
+  }
+
   private void end(boolean complete) {
+    panel.settle();
     KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
-    next.setEnabled(false);
+    foot.close();
     done.accept(complete);
   }
 }

@@ -20,10 +20,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
-import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
-import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -37,7 +35,6 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
@@ -123,14 +120,14 @@ class AttendedSessionTest {
         .endsWith("session-finished");
     assertThat(folder.resolve("sub-001/ses-01/responses.csv"))
         .content()
-        .endsWith("001,high,hall,coat,consistent,yes,yes,5\n");
+        .containsPattern("\n001,high,hall,coat,consistent,yes,yes,5,\\d+,1\n$");
     assertThat(folder.resolve("sub-001/ses-01/motion")).isDirectoryContaining("glob:**bath*.tsv");
   }
 
   @Test
   void theExperimenterEndsASessionAtTheFormAndDuringAnExposure() throws IOException {
     FutureTask<SessionRunner.Outcome> first = OpenWindow.asking(() -> run(1));
-    OpenWindow.named(hands, "form");
+    OpenWindow.named(hands, "questionnaire");
     controls = OpenWindow.named(hands, "controls");
     OpenWindow.move(controls, 640, 700); // Not over the picture.
     abort();
@@ -213,13 +210,13 @@ class AttendedSessionTest {
   }
 
   private void fillInTheForm() {
-    JFrame form = OpenWindow.named(hands, "form");
+    JFrame form = OpenWindow.named(hands, "questionnaire");
     controls = OpenWindow.named(hands, "controls");
     OpenWindow.move(controls, 640, 700); // Not over the picture.
-    Wording wording = material.wording();
-    JRadioButton age = Hands.named(form, "18-22", JRadioButton.class);
+    JToggleButton age = Hands.named(form, "Age: 18-22", JToggleButton.class);
     OpenWindow.click(hands, age, age::isSelected);
-    JCheckBox consent = Hands.named(form, wording.of("form.consent"), JCheckBox.class);
+    String asked = material.form().questions().get(0).text();
+    JToggleButton consent = Hands.named(form, asked + ": Yes", JToggleButton.class);
     OpenWindow.click(hands, consent, consent::isSelected);
     JButton begin = Hands.named(form, "Begin", JButton.class);
     OpenWindow.click(hands, begin, () -> !form.isShowing());

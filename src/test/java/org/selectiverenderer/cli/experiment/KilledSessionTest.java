@@ -91,7 +91,7 @@ class KilledSessionTest {
         .isNotEmptyFile();
     assertThat(event("resumed").get("finished"))
         .extracting(JsonNode::asText)
-        .containsExactly("form", "practice", "exposure-kitchen");
+        .containsExactly("form", "welcome", "practice", "apartment", "exposure-kitchen");
     assertThat(event("resumed").get("exposure_s").asDouble()).isEqualTo(1);
     assertThat(event("session-finished")).isNotNull();
 

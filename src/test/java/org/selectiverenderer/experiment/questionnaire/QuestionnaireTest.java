@@ -17,35 +17,41 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.study.QuestionKind;
-import org.selectiverenderer.experiment.study.Study;
-import org.selectiverenderer.experiment.study.StudyReader;
+import org.selectiverenderer.experiment.questionnaire.paper.PaperPage;
+import org.selectiverenderer.experiment.questionnaire.read.ItemsReader;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 
 class QuestionnaireTest {
   @TempDir Path folder;
 
-  private Optional<List<QuestionItem>> items(QuestionKind kind, String text, Problems problems)
+  private Optional<List<Questionnaire>> items(ItemsKind kind, String text, Problems problems)
       throws IOException {
     Path file = folder.resolve("items.csv");
     Files.writeString(file, text);
-    return ItemsReader.read(new Study.Questionnaire(kind, file), "en", problems);
+    return ItemsReader.read(kind, file, kind.spelling(), english(), problems);
+  }
+
+  private Wording english() throws IOException {
+    return Wording.of("en", folder, new Problems()).orElseThrow();
   }
 
   @Test
   void bothStudiesItemsHaveNamesInBothLanguages() throws IOException {
-    Path file = StudyTemplate.write(folder, Path.of("scenes/apartment.x3d"));
+    StudyTemplate.write(folder, Path.of("scenes/apartment.x3d"));
     Problems problems = new Problems();
-    for (Path each : List.of(file, folder.resolve("pilot/study.json"))) {
-      Study study = StudyReader.read(each, problems).orElseThrow();
+    for (ItemsKind kind : ItemsKind.values()) {
+      Path file =
+          folder.resolve(
+              kind == ItemsKind.RECOGNITION ? "recognition.csv" : "pilot/expectancy.csv");
       for (String language : List.of("en", "el")) {
-        List<QuestionItem> items =
-            ItemsReader.read(study.questionnaires().get(0), language, problems).orElseThrow();
-        assertThat(Screen.areas(items)).hasSize(6);
-        for (String area : Screen.areas(items)) {
+        Wording wording = Wording.of(language, folder, problems).orElseThrow();
+        List<Questionnaire> areas =
+            ItemsReader.read(kind, file, kind.spelling(), wording, problems).orElseThrow();
+        assertThat(areas).hasSize(6);
+        for (Questionnaire area : areas) {
           // Rates of hits and of false alarms need both, for each type.
-          if (study.questionnaires().get(0).kind() == QuestionKind.RECOGNITION) {
-            assertThat(items.stream().filter(item -> item.area().equals(area)))
+          if (kind == ItemsKind.RECOGNITION) {
+            assertThat(area.questions().stream().map(each -> ((Recognition) each.kind()).item()))
                 .extracting(item -> item.type() + item.present())
                 .contains(
                     "consistenttrue", "consistentfalse", "inconsistenttrue", "inconsistentfalse");
@@ -61,7 +67,7 @@ class QuestionnaireTest {
     Problems problems = new Problems();
     assertThat(
             items(
-                QuestionKind.RECOGNITION,
+                ItemsKind.RECOGNITION,
                 """
                 area,object,consistency,present,en
                 hall,coat,usual,yes,Coat
@@ -83,15 +89,25 @@ class QuestionnaireTest {
   void eachParticipantHasAnOrderOfHisOwnThatStays() throws IOException {
     StringBuilder text = new StringBuilder("area,schema,object,en\n");
     IntStream.range(0, 12).forEach(i -> text.append("hall,HallSchema,o" + i + ",O" + i + "\n"));
-    List<QuestionItem> items =
-        items(QuestionKind.EXPECTANCY, text.toString(), new Problems()).orElseThrow();
-    Screen one = Screen.of(QuestionKind.EXPECTANCY, "hall", items, 1, "001");
-    assertThat(Screen.of(QuestionKind.EXPECTANCY, "hall", items, 1, "001")).isEqualTo(one);
-    assertThat(Screen.of(QuestionKind.EXPECTANCY, "hall", items, 1, "002").items())
-        .containsExactlyInAnyOrderElementsOf(items)
-        .isNotEqualTo(one.items());
-    assertThat(Screen.of(QuestionKind.EXPECTANCY, "hall", items, 2, "001").items())
-        .isNotEqualTo(one.items());
+    Questionnaire hall =
+        items(ItemsKind.EXPECTANCY, text.toString(), new Problems()).orElseThrow().get(0);
+    List<Question> one = hall.ordered(1, "001").questions();
+    assertThat(hall.ordered(1, "001").questions()).isEqualTo(one);
+    assertThat(hall.ordered(1, "002").questions())
+        .containsExactlyInAnyOrderElementsOf(one)
+        .isNotEqualTo(one);
+    assertThat(hall.ordered(2, "001").questions()).isNotEqualTo(one);
+  }
+
+  @Test
+  void theOrderOfAParticipantIsThatOfEarlierVersions() throws IOException {
+    StringBuilder text = new StringBuilder("area,object,consistency,present,en\n");
+    IntStream.range(0, 8).forEach(i -> text.append("hall,o" + i + ",consistent,yes,O" + i + "\n"));
+    Questionnaire hall =
+        items(ItemsKind.RECOGNITION, text.toString(), new Problems()).orElseThrow().get(0);
+    assertThat(hall.ordered(2009, "007").questions())
+        .extracting(Question::id)
+        .containsExactly("o2", "o6", "o5", "o3", "o4", "o0", "o1", "o7");
   }
 
   @Test
@@ -124,16 +140,13 @@ class QuestionnaireTest {
 
   @Test
   void thePageToPrintAsksTheSameAndIsWhole() throws IOException {
-    List<QuestionItem> items =
+    List<Questionnaire> asked =
         items(
-                QuestionKind.RECOGNITION,
+                ItemsKind.RECOGNITION,
                 "area,object,consistency,present,en\nhall,coat,consistent,yes,Coat & <hat>\n",
                 new Problems())
             .orElseThrow();
-    Screen screen = Screen.of(QuestionKind.RECOGNITION, "hall", items, 1, "001");
-    String page =
-        PaperPage.html(
-            List.of(screen), Wording.of("en", folder, new Problems()).orElseThrow(), "001");
+    String page = PaperPage.html(asked, english(), "001");
     assertThat(page)
         .startsWith("<!DOCTYPE html>")
         .contains(
@@ -141,5 +154,19 @@ class QuestionnaireTest {
             "<td>5</td></tr>",
             "brief exposure to the hall")
         .doesNotContain("{0}");
+  }
+
+  @Test
+  void tablesOfGermanAndGreekSpreadsheetsAreRead() throws IOException {
+    for (String separator : List.of(";", "\t")) {
+      List<Questionnaire> asked =
+          items(
+                  ItemsKind.RECOGNITION,
+                  "\uFEFFarea,object,consistency,present,en\r\nhall,coat,consistent,yes,Coat\r\n"
+                      .replace(",", separator),
+                  new Problems())
+              .orElseThrow();
+      assertThat(asked.get(0).questions()).extracting(Question::text).containsExactly("Coat");
+    }
   }
 }

@@ -43,7 +43,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
             problems);
     assertThat(collected.responses())
         .hasLineCount(4)
-        .contains("001," + own + ",bath,soap,consistent,yes,no,2\n");
+        .contains("001," + own + ",bath,soap,consistent,yes,no,2,,\n");
     assertThat(collected.participants()).isEqualTo(1);
     assertThat(collected.answers()).isEqualTo(3);
     assertThat(problems.list())
@@ -66,8 +66,8 @@ class PaperAnswersTest extends TwoRoomsStudy {
             """,
             problems);
     assertThat(collected.responses())
-        .contains("011,selective,hall,coat,consistent,yes,yes,5\n")
-        .contains("011,selective,hall,boat,inconsistent,no,,\n")
+        .contains("011,selective,hall,coat,consistent,yes,yes,5,,\n")
+        .contains("011,selective,hall,boat,inconsistent,no,,,,\n")
         .hasLineCount(3);
     assertThat(problems.list())
         .singleElement()
@@ -114,7 +114,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
             problems);
     assertThat(collected.responses())
         .hasLineCount(5)
-        .contains("002,high,hall,coat,consistent,yes,no,3\n");
+        .contains("002,high,hall,coat,consistent,yes,no,3,,\n");
     assertThat(problems.list().stream().map(Problem::toString).toList())
         .anyMatch(line -> line.contains(":2:1: ") && line.contains("in the program"))
         .anyMatch(line -> line.contains(":3:1: ") && line.contains("no screen recognition-attic"))
@@ -140,7 +140,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
             OptionalInt.empty(),
             PaperAnswers.read(material(), List.of(table), problems),
             problems);
-    assertThat(collected.ratings()).contains("7,hall,coat,HallSchema,6\n");
+    assertThat(collected.ratings()).contains("7,hall,coat,HallSchema,6,,\n");
     assertThat(collected.bands()).contains("hall,HallSchema,coat,6.000000,1,");
     assertThat(problems.list())
         .singleElement()

@@ -11,12 +11,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
+import org.selectiverenderer.experiment.questionnaire.Question;
 
 /** Sessions that are begun, cut off, resumed and finished. */
 class SessionTest extends TwoRoomsStudy {
@@ -38,9 +39,9 @@ class SessionTest extends TwoRoomsStudy {
       form(session);
       SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
       session.began(hall, false);
-      QuestionItem first = session.screen(hall).items().get(0);
-      session.answer(hall, first, new Answer("yes", 2));
-      session.answer(hall, first, new Answer("no", 2));
+      Question first = session.questionnaire(hall).questions().get(0);
+      session.answer(hall, first, new Answer("yes", 2), OptionalLong.of(700), 1);
+      session.answer(hall, first, new Answer("no", 2), OptionalLong.of(1900), 1);
     }
     Path events = folder.resolve("sub-001/ses-01/events.jsonl");
     Files.writeString(
@@ -50,9 +51,8 @@ class SessionTest extends TwoRoomsStudy {
       assertThat(left(session)).first().isEqualTo("recognition-hall");
       assertThat(session.condition()).isPresent();
       SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
-      QuestionItem first = session.screen(hall).items().get(0);
-      assertThat(session.answers(hall))
-          .containsOnly(Map.entry(first.object(), new Answer("no", 2)));
+      Question first = session.questionnaire(hall).questions().get(0);
+      assertThat(session.answers(hall)).containsOnly(Map.entry(first.id(), new Answer("no", 2)));
       session.began(hall, false);
     }
     String whole = before.substring(0, before.lastIndexOf('\n') + 1);
@@ -124,9 +124,9 @@ class SessionTest extends TwoRoomsStudy {
       SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
       session.began(hall, false);
       Files.writeString(folder.resolve("sub-001/ses-01/events.jsonl"), "");
-      QuestionItem first = session.screen(hall).items().get(0);
-      session.answer(hall, first, new Answer("no", 2));
-      assertThat(session.answers(hall)).containsOnlyKeys(first.object());
+      Question first = session.questionnaire(hall).questions().get(0);
+      session.answer(hall, first, new Answer("no", 2), OptionalLong.empty(), 1);
+      assertThat(session.answers(hall)).containsOnlyKeys(first.id());
       session.finished(hall, Map.of());
       assertThat(left(session)).first().isEqualTo("recognition-bath");
     }

@@ -9,11 +9,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
+import org.selectiverenderer.experiment.questionnaire.Question;
 
 /** A study of questionnaires alone, which needs no display, and what is done in its sessions. */
 abstract class TwoRoomsStudy {
@@ -81,8 +82,11 @@ abstract class TwoRoomsStudy {
   static void answerAll(Session session, String value, int confidence) throws IOException {
     SessionStep.Questions step = (SessionStep.Questions) session.remaining().get(0);
     session.began(step, false);
-    for (QuestionItem item : session.screen(step).items()) {
-      session.answer(step, item, new Answer(value, confidence));
+    int place = 0;
+    for (Question question : session.questionnaire(step).questions()) {
+      place++;
+      session.answer(
+          step, question, new Answer(value, confidence), OptionalLong.of(1000L * place), place);
     }
     session.finished(step, Map.of());
   }

@@ -26,6 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.experiment.questionnaire.ItemsKind;
 
 class StudyReaderTest {
   @TempDir Path folder;
@@ -60,9 +61,12 @@ class StudyReaderTest {
         .containsExactly("kitchen", "lounge", "office");
     assertThat(study.areas().stream().mapToDouble(Study.Area::seconds).sum()).isEqualTo(135);
     assertThat(study.practice()).isPresent();
-    assertThat(study.questionnaires())
-        .extracting(Study.Questionnaire::kind)
-        .containsExactly(QuestionKind.RECOGNITION);
+    assertThat(study.questionnaires().list())
+        .extracting(StudyQuestionnaires.Source::content)
+        .filteredOn(StudyQuestionnaires.Content.Items.class::isInstance)
+        .containsExactly(
+            new StudyQuestionnaires.Content.Items(
+                ItemsKind.RECOGNITION, folder.resolve("recognition.csv")));
   }
 
   @Test
@@ -71,9 +75,11 @@ class StudyReaderTest {
         StudyReader.read(folder.resolve("pilot/study.json"), new Problems()).orElseThrow();
     assertThat(pilot.scene()).isEmpty();
     assertThat(pilot.areas()).isEmpty();
-    assertThat(pilot.questionnaires())
-        .extracting(Study.Questionnaire::kind)
-        .containsExactly(QuestionKind.EXPECTANCY);
+    assertThat(pilot.questionnaires().list())
+        .extracting(StudyQuestionnaires.Source::content)
+        .containsExactly(
+            new StudyQuestionnaires.Content.Items(
+                ItemsKind.EXPECTANCY, folder.resolve("pilot/expectancy.csv")));
   }
 
   @Test

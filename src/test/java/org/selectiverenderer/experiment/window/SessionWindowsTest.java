@@ -18,12 +18,11 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JButton;
-import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
-import javax.swing.JRadioButton;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,7 +31,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.experiment.questionnaire.Screen;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
@@ -47,6 +49,9 @@ class SessionWindowsTest {
   @TempDir Path folder;
   private final Hands hands = new Hands();
   private final AtomicBoolean over = new AtomicBoolean();
+  private final List<String> pages = new CopyOnWriteArrayList<>();
+  private final List<Integer> places = new CopyOnWriteArrayList<>();
+  private final List<Long> times = new CopyOnWriteArrayList<>();
   private final AtomicInteger closings = new AtomicInteger();
   private final SessionEnd end = new SessionEnd(over::get, closings::incrementAndGet);
 
@@ -71,91 +76,133 @@ class SessionWindowsTest {
     return StudyMaterial.read(file, new Problems()).orElseThrow();
   }
 
+  /** A study without a form of its own. */
+  private StudyMaterial form(String language) throws IOException {
+    Path file = folder.resolve("plain.json");
+    Files.writeString(
+        folder.resolve("i.csv"),
+        "area,object,consistency,present,en,el\nhall,coat,consistent,yes,Coat,Παλτό\n");
+    Files.writeString(
+        file,
+        """
+        {"name": "Plain", "conditions": ["high"], "participants": 1, "language": "%s",
+         "questionnaires": [{"kind": "recognition", "items": "i.csv"}]}
+        """
+            .formatted(language));
+    return StudyMaterial.read(file, new Problems()).orElseThrow();
+  }
+
   private static void pictures(JFrame frame, String name) {
     Hands.picture(frame.getContentPane(), name, 1);
     Hands.picture(frame.getContentPane(), name + "-200", 2);
   }
 
+  private FutureTask<Boolean> asking(
+      StudyMaterial material, Questionnaire asked, boolean mayRefuse, List<String> heard) {
+    return OpenWindow.asking(
+        () ->
+            QuestionnaireWindow.ask(
+                new QuestionnaireWindow.Asking(
+                    asked, material.wording(), "007", Map.of(), Optional.empty(), mayRefuse),
+                new QuestionnaireWindow.Listener() {
+                  @Override
+                  public void shown(Page page, List<Question> questions) {
+                    pages.add(page.id());
+                  }
+
+                  @Override
+                  public void answered(Question question, Answer answer, long ms, int place) {
+                    heard.add(
+                        question.id()
+                            + " "
+                            + answer.value()
+                            + (answer.confidence() > 0 ? answer.confidence() : ""));
+                    places.add(place);
+                    times.add(ms);
+                  }
+                },
+                end));
+  }
+
+  private void choose(JFrame window, String name, List<String> heard) {
+    int before = heard.size();
+    JToggleButton button = Hands.named(window, name, JToggleButton.class);
+    OpenWindow.click(hands, button, () -> heard.size() > before);
+  }
+
+  private void focus(JFrame window) {
+    JLabel title = Hands.named(window, window.getTitle(), JLabel.class);
+    hands.click(title);
+    OpenWindow.click(hands, title, window::isFocused);
+  }
+
   @Test
   void theFormGoesOnWithAnAgeAndConsentOnly() throws IOException {
-    Wording wording = material("en").wording();
-    FutureTask<Optional<String>> asked =
-        OpenWindow.asking(() -> FormWindow.ask("007", wording, end));
-    JFrame form = OpenWindow.named(hands, "form");
+    StudyMaterial material = form("en");
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, material.form(), true, heard);
+    JFrame form = OpenWindow.named(hands, "questionnaire");
     JButton begin = Hands.named(form, "Begin", JButton.class);
-    hands.click(begin);
-    JRadioButton age = Hands.named(form, "28-32", JRadioButton.class);
-    OpenWindow.click(hands, age, age::isSelected);
+    choose(form, "Age: 28-32", heard);
     assertThat(Hands.onEdt(begin::isEnabled)).isFalse();
-    JCheckBox consent = Hands.named(form, wording.of("form.consent"), JCheckBox.class);
-    OpenWindow.click(hands, consent, consent::isSelected);
+    String consent = material.form().questions().get(0).text();
+    choose(form, consent + ": No", heard);
+    assertThat(Hands.onEdt(begin::isEnabled)).as("who does not consent").isFalse();
+    pictures(form, "session-form-refused");
+    choose(form, consent + ": Yes", heard);
     hands.await("Begin", begin::isEnabled);
     pictures(form, "session-form");
     OpenWindow.click(hands, begin, () -> !form.isShowing());
-    assertThat(OpenWindow.answer(asked)).contains("28-32");
+    assertThat(OpenWindow.answer(asked)).isTrue();
+    assertThat(heard).containsExactly("age 28-32", "consent no", "consent yes");
+    assertThat(places).containsExactly(2, 1, 1);
   }
 
   @Test
   void theFormSaysWhoDoesNotTakePart() throws IOException {
-    Wording wording = material("el").wording();
-    FutureTask<Optional<String>> asked =
-        OpenWindow.asking(() -> FormWindow.ask("007", wording, end));
-    JFrame form = OpenWindow.named(hands, "form");
+    StudyMaterial material = form("el");
+    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
+    JFrame form = OpenWindow.named(hands, "questionnaire");
     pictures(form, "session-form-greek");
-    JButton cancel = Hands.named(form, wording.of("form.cancel"), JButton.class);
+    JButton cancel = Hands.named(form, material.wording().of("form.cancel"), JButton.class);
     OpenWindow.click(hands, cancel, () -> !form.isShowing());
-    assertThat(OpenWindow.answer(asked)).isEmpty();
+    assertThat(OpenWindow.answer(asked)).isFalse();
   }
 
   @Test
   void closingTheFormAsksAndTheFormGoesWithTheSessionOnly() throws IOException {
-    Wording wording = material("en").wording();
-    FutureTask<Optional<String>> asked =
-        OpenWindow.asking(() -> FormWindow.ask("007", wording, end));
-    JFrame form = OpenWindow.named(hands, "form");
+    StudyMaterial material = form("en");
+    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
+    JFrame form = OpenWindow.named(hands, "questionnaire");
     OpenWindow.close(form);
     hands.await("the question", () -> closings.get() == 1);
     assertThat(Hands.onEdt(form::isShowing)).isTrue();
     assertThat(asked.isDone()).isFalse();
     over.set(true);
-    assertThat(OpenWindow.answer(asked)).isEmpty();
+    assertThat(OpenWindow.answer(asked)).isFalse();
     hands.await("the form to go", () -> !form.isShowing());
-  }
-
-  private FutureTask<Boolean> asking(StudyMaterial material, Screen screen, List<String> heard) {
-    return OpenWindow.asking(
-        () ->
-            QuestionnaireWindow.ask(
-                screen,
-                material.wording(),
-                Map.of(),
-                (item, answer) ->
-                    heard.add(item.object() + " " + answer.value() + answer.confidence()),
-                end));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"en", "el"})
-  void keysAnswerAScreenRowByRow(String language) throws IOException {
+  void keysAnswerAPageRowByRow(String language) throws IOException {
     StudyMaterial material = material(language);
-    Screen screen = material.screens("001").get(3);
+    Questionnaire screen = desk(material);
     List<String> heard = new CopyOnWriteArrayList<>();
-    FutureTask<Boolean> asked = asking(material, screen, heard);
+    FutureTask<Boolean> asked = asking(material, screen, false, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
-    JLabel title = Hands.named(window, window.getTitle(), JLabel.class);
-    hands.click(title);
-    OpenWindow.click(hands, title, window::isFocused);
+    focus(window);
     List<String> expected = new ArrayList<>();
-    for (int row = 0; row < screen.items().size(); row++) {
+    for (int row = 0; row < screen.questions().size(); row++) {
       boolean yes = row % 2 == 0;
       int confidence = 1 + row % 5;
       hands.press(yes ? KeyEvent.VK_Y : KeyEvent.VK_N);
       hands.press(KeyEvent.VK_0 + confidence);
-      String object = screen.items().get(row).object();
-      expected.add(object + (yes ? " yes0" : " no0"));
+      String object = screen.questions().get(row).id();
+      expected.add(object + (yes ? " yes" : " no"));
       expected.add(object + (yes ? " yes" : " no") + confidence);
       hands.await("both answers", () -> heard.size() >= expected.size());
-      if (row == screen.items().size() / 2) {
+      if (row == screen.questions().size() / 2) {
         hands.press(KeyEvent.VK_ENTER);
         assertThat(asked.isDone()).as("Enter while answers are wanting").isFalse();
         pictures(window, "session-questionnaire-" + language);
@@ -164,24 +211,29 @@ class SessionWindowsTest {
     hands.press(KeyEvent.VK_ENTER);
     assertThat(OpenWindow.answer(asked)).isTrue();
     assertThat(heard).isEqualTo(expected);
+    assertThat(times).allMatch(ms -> ms >= 0);
+    assertThat(places.get(places.size() - 1)).isEqualTo(screen.questions().size());
+  }
+
+  private static Questionnaire desk(StudyMaterial material) {
+    return material.questionnaires("001").stream()
+        .filter(each -> each.id().equals("recognition-desk"))
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test
   void theMouseAnswersAndChangesAnswersInAnyOrder() throws IOException {
     StudyMaterial material = material("en");
-    Screen screen = material.screens("001").get(3);
-    String last = screen.items().get(screen.items().size() - 1).object();
-    String name = material.wording().name(screen.items().get(screen.items().size() - 1));
+    Questionnaire screen = desk(material);
+    Question last = screen.questions().get(screen.questions().size() - 1);
     List<String> heard = new CopyOnWriteArrayList<>();
-    FutureTask<Boolean> asked = asking(material, screen, heard);
+    FutureTask<Boolean> asked = asking(material, screen, false, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
-    List<String> buttons = List.of(": Yes", ": 3", ": No");
-    for (int i = 0; i < buttons.size(); i++) {
-      int answers = i + 1;
-      JToggleButton button = Hands.named(window, name + buttons.get(i), JToggleButton.class);
-      OpenWindow.click(hands, button, () -> heard.size() == answers);
+    for (String button : List.of(": Yes", ": 3", ": No")) {
+      choose(window, last.text() + button, heard);
     }
-    assertThat(heard).containsExactly(last + " yes0", last + " yes3", last + " no3");
+    assertThat(heard).containsExactly(last.id() + " yes", last.id() + " yes3", last.id() + " no3");
     assertThat(Hands.onEdt(Hands.named(window, "Continue", JButton.class)::isEnabled)).isFalse();
     OpenWindow.close(window);
     hands.await("the question", () -> closings.get() == 1);
@@ -195,13 +247,11 @@ class SessionWindowsTest {
     material("en");
     StudyMaterial pilot =
         StudyMaterial.read(folder.resolve("study/pilot/study.json"), new Problems()).orElseThrow();
-    Screen screen = pilot.screens("001").get(0);
+    Questionnaire screen = pilot.questionnaires("001").get(0);
     List<String> heard = new CopyOnWriteArrayList<>();
-    FutureTask<Boolean> asked = asking(pilot, screen, heard);
+    FutureTask<Boolean> asked = asking(pilot, screen, false, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
-    JLabel title = Hands.named(window, window.getTitle(), JLabel.class);
-    hands.click(title);
-    OpenWindow.click(hands, title, window::isFocused);
+    focus(window);
     hands.press(KeyEvent.VK_6);
     hands.press(KeyEvent.VK_7);
     hands.press(KeyEvent.VK_DOWN);
@@ -210,9 +260,98 @@ class SessionWindowsTest {
     pictures(window, "session-expectancy");
     assertThat(heard)
         .containsExactly(
-            screen.items().get(0).object() + " 60", screen.items().get(2).object() + " 10");
+            screen.questions().get(0).id() + " 6", screen.questions().get(2).id() + " 1");
     over.set(true);
     assertThat(OpenWindow.answer(asked)).isFalse();
+  }
+
+  private StudyMaterial ofKinds(String questionnaire) throws IOException {
+    Files.writeString(folder.resolve("all.json"), questionnaire);
+    Path file = folder.resolve("kinds.json");
+    Files.writeString(
+        file,
+        """
+        {"name": "Kinds", "conditions": ["high"], "participants": 1,
+         "questionnaires": [{"file": "all.json"}]}
+        """);
+    return StudyMaterial.read(file, new Problems()).orElseThrow();
+  }
+
+  @Test
+  void allKindsAreAnsweredByKeysPageByPageAndBack() throws IOException {
+    StudyMaterial material =
+        ofKinds(
+            """
+            {"name": "all", "title": "All kinds", "pages": [
+              {"name": "read", "text": "To be read."},
+              {"name": "ask", "questions": [
+                {"id": "changes", "kind": "yes-no", "text": "Did anything change?"},
+                {"id": "which", "kind": "text", "lines": 2, "text": "What?",
+                 "when": {"question": "changes", "is": ["yes"]}},
+                {"id": "height", "kind": "number", "min": 50, "max": 250, "unit": "cm",
+                 "text": "How tall are you?"},
+                {"id": "post", "kind": "single", "text": "What do you do?", "options": [
+                  {"value": "ug", "text": "I am an undergraduate student"},
+                  {"value": "pg", "text": "I am a postgraduate student of some kind"}]},
+                {"id": "seen", "kind": "multiple", "text": "What did you use before?", "options": [
+                  {"value": "hmd", "text": "Display"}, {"value": "cave", "text": "CAVE"}]}]},
+              {"name": "feel", "questions": [
+                {"id": "dark", "kind": "bipolar", "left": "dark", "right": "bright"},
+                {"id": "size", "kind": "bipolar", "left": "small", "right": "large"},
+                {"id": "more", "kind": "text", "optional": true, "text": "Anything else?"}]}]}
+            """);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = OpenWindow.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("the second page", () -> pages.size() == 2);
+    hands.press(KeyEvent.VK_N);
+    hands.await("no", () -> heard.contains("changes no"));
+    hands.press(KeyEvent.VK_UP);
+    hands.press(KeyEvent.VK_Y);
+    hands.await("yes", () -> heard.contains("changes yes"));
+    JTextComponent words = named(window, "What?");
+    hands.await("the words' field", words::isFocusOwner);
+    hands.type("12");
+    hands.press(KeyEvent.VK_TAB);
+    hands.await("the words", () -> heard.contains("which 12"));
+    JTextComponent number = named(window, "How tall are you?");
+    hands.await("the number's field", number::isFocusOwner);
+    hands.type("17");
+    hands.press(KeyEvent.VK_TAB);
+    hands.press(KeyEvent.VK_2);
+    hands.await("an option", () -> heard.contains("post pg"));
+    assertThat(heard).as("17 cm").noneMatch(line -> line.startsWith("height"));
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_2);
+    hands.await("both", () -> heard.contains("seen hmd|cave"));
+    hands.press(KeyEvent.VK_UP);
+    hands.press(KeyEvent.VK_UP);
+    hands.await("the number's field again", number::isFocusOwner);
+    hands.press(KeyEvent.VK_END);
+    hands.type("1");
+    hands.await("171 cm", () -> heard.contains("height 171"));
+    pictures(window, "session-kinds");
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("the third page", () -> pages.size() == 3);
+    pictures(window, "session-bipolar");
+    hands.press(KeyEvent.VK_5);
+    hands.await("bright", () -> heard.contains("dark 5"));
+    hands.press(KeyEvent.VK_PAGE_UP);
+    hands.await("back", () -> pages.size() == 4);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("on again", () -> pages.size() == 5);
+    hands.press(KeyEvent.VK_1);
+    hands.await("small", () -> heard.contains("size 1"));
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(OpenWindow.answer(asked)).isTrue();
+    assertThat(pages).containsExactly("read", "ask", "feel", "ask", "feel");
+  }
+
+  private static JTextComponent named(JFrame window, String name) {
+    return Hands.named(window, name, JTextComponent.class);
   }
 
   @Test

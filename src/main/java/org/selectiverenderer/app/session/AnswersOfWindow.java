@@ -1,0 +1,66 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.window.QuestionnaireWindow;
+
+/** Tells a session what is answered in a window, and whether a disk failed meanwhile. */
+final class AnswersOfWindow implements QuestionnaireWindow.Listener {
+  private final Session session;
+  private final SessionStep step;
+  private final Map<String, Answer> answers = new ConcurrentHashMap<>();
+  private final AtomicReference<@Nullable IOException> failure = new AtomicReference<>();
+
+  AnswersOfWindow(Session session, SessionStep step) {
+    this.session = session;
+    this.step = step;
+    answers.putAll(session.answers(step));
+  }
+
+  @Override
+  public void shown(Page page, List<Question> asked) {
+    session.shown(step, page, asked);
+  }
+
+  @Override
+  public void answered(Question question, Answer answer, long milliseconds, int place) {
+    answers.put(question.id(), answer);
+    try {
+      session.answer(step, question, answer, OptionalLong.of(milliseconds), place);
+    } catch (IOException e) {
+      failure.set(e);
+    }
+  }
+
+  /** All answers, by the questions' ids. */
+  Map<String, Answer> all() {
+    return Map.copyOf(answers);
+  }
+
+  /** Whether an answer could not be kept; then nothing more need be asked. */
+  boolean failed() {
+    return failure.get() != null;
+  }
+
+  /**
+   * Tells of a failure.
+   *
+   * @throws IOException if an answer could not be kept
+   */
+  void check() throws IOException {
+    IOException failed = failure.get();
+    if (failed != null) {
+      throw failed;
+    }
+  }
+}

@@ -1,0 +1,199 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** A part of an answer that a participant fills in. Windows and paper draw these. */
+public sealed interface AnswerField {
+  /** What stands between the values of an answer with several. */
+  String SEPARATOR = "|";
+
+  /**
+   * What a text that was typed in means, whatever its letter case.
+   *
+   * @return the value as tables have it; empty when the field cannot have it
+   */
+  Optional<String> typed(String text);
+
+  /** What may be typed in, for people: {@code 1 to 5}, {@code yes or no}. */
+  String allowed();
+
+  /** A value that somebody might give. */
+  String simulated(Random random);
+
+  /**
+   * Options, of which one or several are chosen.
+   *
+   * @param options at least one, each value once
+   * @param several whether more than one may be chosen
+   * @param least what stands before the first option; may be empty
+   * @param most what stands behind the last one; may be empty
+   */
+  record Choice(List<Option> options, boolean several, String least, String most)
+      implements AnswerField {
+    /** Letters of labels that fit side by side. */
+    private static final int ONE_LINE = 56;
+
+    public Choice {
+      options = List.copyOf(options);
+    }
+
+    /** One of some options. */
+    public static Choice of(List<Option> options) {
+      return new Choice(options, false, "", "");
+    }
+
+    /** One of the numbers of a range, by their keys, with what stands at its ends. */
+    public static Choice numbers(int from, int to, String least, String most, List<String> notes) {
+      List<Option> options =
+          IntStream.rangeClosed(from, to)
+              .mapToObj(
+                  number ->
+                      new Option(
+                          Integer.toString(number),
+                          Integer.toString(number),
+                          notes.isEmpty() ? "" : notes.get(number - from),
+                          number >= 0 && number <= 9 ? Integer.toString(number) : ""))
+              .toList();
+      return new Choice(options, false, least, most);
+    }
+
+    /** Whether the labels are so short that the options stand side by side. */
+    public boolean inLine() {
+      return options.stream().mapToInt(option -> option.label().length() + 2).sum() <= ONE_LINE;
+    }
+
+    /** The values of an answer. */
+    public static List<String> parts(String value) {
+      return value.isEmpty() ? List.of() : List.of(value.split("\\|"));
+    }
+
+    /** An answer of some values, in the options' order. */
+    public String joined(Collection<String> chosen) {
+      return options.stream()
+          .map(Option::value)
+          .filter(chosen::contains)
+          .collect(Collectors.joining(SEPARATOR));
+    }
+
+    @Override
+    public Optional<String> typed(String text) {
+      List<String> found = new ArrayList<>();
+      for (String part : several ? parts(text) : List.of(text)) {
+        Optional<Option> option = option(part.strip());
+        if (option.isEmpty()) {
+          return Optional.empty();
+        }
+        found.add(option.get().value());
+      }
+      return Optional.of(joined(found));
+    }
+
+    private Optional<Option> option(String text) {
+      return options.stream()
+          .filter(each -> each.value().equalsIgnoreCase(text))
+          .findFirst()
+          .or(
+              () ->
+                  options.stream().filter(each -> each.label().equalsIgnoreCase(text)).findFirst());
+    }
+
+    @Override
+    public String allowed() {
+      List<String> values = options.stream().map(Option::value).toList();
+      boolean numbers = values.size() > 2 && values.stream().allMatch(v -> v.matches("-?\\d+"));
+      if (numbers) {
+        return values.get(0) + " to " + values.get(values.size() - 1);
+      }
+      if (several) {
+        return "of " + String.join(SEPARATOR, values);
+      }
+      return String.join(" or ", values);
+    }
+
+    @Override
+    public String simulated(Random random) {
+      if (!several) {
+        return options.get(random.nextInt(options.size())).value();
+      }
+      TreeSet<String> chosen = new TreeSet<>();
+      chosen.add(options.get(random.nextInt(options.size())).value());
+      options.stream().filter(option -> random.nextInt(4) == 0).forEach(o -> chosen.add(o.value()));
+      return joined(chosen);
+    }
+  }
+
+  /**
+   * A line, or some lines, to write on.
+   *
+   * @param lines that are free for it; one where a number is wanted
+   * @param range of the number that is wanted; empty for a text
+   * @param unit what stands behind the line; may be empty
+   */
+  record Line(int lines, Optional<Range> range, String unit) implements AnswerField {
+    /** Letters of a text that nobody exceeds. */
+    public static final int LONGEST = 4000;
+
+    /**
+     * A range of numbers, both ends included.
+     *
+     * @param whole whether only whole numbers are wanted
+     */
+    public record Range(double least, double most, boolean whole) {
+      /** Both ends, in no language. */
+      public String dashed() {
+        return tidy(least) + " \u2013 " + tidy(most);
+      }
+
+      @Override
+      public String toString() {
+        return tidy(least) + " to " + tidy(most);
+      }
+    }
+
+    @Override
+    public Optional<String> typed(String text) {
+      String stripped = text.strip();
+      if (range.isEmpty()) {
+        return Optional.of(stripped).filter(words -> words.length() <= LONGEST);
+      }
+      // German and Greek keyboards have a decimal comma.
+      String number = stripped.replace(',', '.');
+      if (!number.matches("[+-]?\\d{1,12}(\\.\\d{1,9})?")) {
+        return Optional.empty();
+      }
+      double value = Double.parseDouble(number);
+      Range wanted = range.get();
+      boolean fits =
+          value >= wanted.least
+              && value <= wanted.most
+              && (!wanted.whole || value == Math.rint(value));
+      return fits ? Optional.of(tidy(value)) : Optional.empty();
+    }
+
+    private static String tidy(double number) {
+      return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
+    }
+
+    @Override
+    public String allowed() {
+      return range.map(wanted -> wanted + (unit.isEmpty() ? "" : " " + unit)).orElse("any text");
+    }
+
+    @Override
+    public String simulated(Random random) {
+      if (range.isEmpty()) {
+        return "simulated";
+      }
+      Range wanted = range.get();
+      double value = wanted.least + random.nextDouble() * (wanted.most - wanted.least);
+      return tidy(wanted.whole ? Math.floor(value) : Math.round(value * 10) / 10.0);
+    }
+  }
+}

@@ -1,0 +1,26 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.List;
+import org.selectiverenderer.base.json.JsonMembers;
+
+/** A place between two opposites, such as dark and bright, from 1 to an odd or even number. */
+public record BipolarQuestion(int to, String left, String right) implements QuestionKind {
+  /** As files spell it. */
+  static final String SPELLING = "bipolar";
+
+  /** Reads {@code left}, {@code right} and {@code to}, which is 7 if left out. */
+  static BipolarQuestion read(JsonMembers keys, Texts texts) {
+    return new BipolarQuestion(
+        (int) keys.whole("to", 2, 11, 7), texts.text(keys, "left"), texts.text(keys, "right"));
+  }
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<AnswerField> fields(Wording wording) {
+    return List.of(AnswerField.Choice.numbers(1, to, left, right, List.of()));
+  }
+}

@@ -1,0 +1,43 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.List;
+
+/** How likely is the object in such a place? 1 to 6 (thesis Appendix A, Fig 54). */
+public record Expectancy(QuestionItem item) implements QuestionKind {
+  /** As files spell it. */
+  public static final String SPELLING = "expectancy";
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<AnswerField> fields(Wording wording) {
+    return List.of(
+        AnswerField.Choice.numbers(
+            1, 6, wording.of("expectancy.least"), wording.of("expectancy.most"), List.of()));
+  }
+
+  @Override
+  public List<String> headings(Wording wording) {
+    return List.of(wording.of("expectancy.question"));
+  }
+
+  @Override
+  public AnswerTable table() {
+    return AnswerTable.RATINGS;
+  }
+
+  @Override
+  public List<Object> row(AskedBy by, String page, Question question, GivenAnswer given) {
+    return List.of(
+        by.participant(),
+        item.area(),
+        item.object(),
+        item.schema(),
+        given.answer().value(),
+        given.milliseconds(),
+        given.placeCell());
+  }
+}

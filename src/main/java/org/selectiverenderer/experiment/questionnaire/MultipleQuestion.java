@@ -1,0 +1,29 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.List;
+import org.selectiverenderer.base.json.JsonMembers;
+
+/** Any of some options; none only where the question may be left out. */
+record MultipleQuestion(List<Option> options) implements QuestionKind {
+  /** As files spell it. */
+  static final String SPELLING = "multiple";
+
+  MultipleQuestion {
+    options = List.copyOf(options);
+  }
+
+  /** Reads {@code options}. */
+  static MultipleQuestion read(JsonMembers keys, Texts texts) {
+    return new MultipleQuestion(SingleQuestion.options(keys, texts));
+  }
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<AnswerField> fields(Wording wording) {
+    return List.of(new AnswerField.Choice(options, true, "", ""));
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.json.JsonMembers;
+
+/**
+ * A number in a range.
+ *
+ * @param unit what stands behind it, such as {@code mm}; may be empty
+ */
+record NumberQuestion(AnswerField.Line.Range range, String unit) implements QuestionKind {
+  /** As files spell it. */
+  static final String SPELLING = "number";
+
+  private static final double FARTHEST = 1e9;
+
+  /** Reads {@code min}, {@code max}, {@code whole}, {@code unit}. */
+  static NumberQuestion read(JsonMembers keys, Texts texts) {
+    double least = keys.number("min", -FARTHEST, FARTHEST, 0);
+    double most = keys.number("max", -FARTHEST, FARTHEST, FARTHEST);
+    if (most <= least) {
+      keys.fault("max", "\"max\" must be above \"min\"");
+    }
+    return new NumberQuestion(
+        new AnswerField.Line.Range(least, most, keys.truth("whole", false)),
+        texts.optional(keys, "unit"));
+  }
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<AnswerField> fields(Wording wording) {
+    return List.of(new AnswerField.Line(1, Optional.of(range), unit));
+  }
+}

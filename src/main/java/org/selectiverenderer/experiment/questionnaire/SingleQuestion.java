@@ -1,0 +1,60 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.selectiverenderer.base.json.JsonMembers;
+
+/** One of some options. */
+record SingleQuestion(List<Option> options) implements QuestionKind {
+  /** As files spell it. */
+  static final String SPELLING = "single";
+
+  /** What values consist of, which tables and keys of other programs can have. */
+  private static final String VALUE = "[0-9A-Za-z_.+-]+";
+
+  SingleQuestion {
+    options = List.copyOf(options);
+  }
+
+  /** Reads {@code options}. */
+  static SingleQuestion read(JsonMembers keys, Texts texts) {
+    return new SingleQuestion(options(keys, texts));
+  }
+
+  /** Reads options, each with a value and a text; the first nine have their numbers as keys. */
+  static List<Option> options(JsonMembers keys, Texts texts) {
+    Set<String> values = new HashSet<>();
+    List<Option> options = new ArrayList<>();
+    keys.objects(
+        "options",
+        "an option",
+        option -> {
+          String value = option.text("value");
+          String label = texts.text(option, "text");
+          if (!value.isEmpty() && !value.matches(VALUE)) {
+            option.fault(
+                "value", "the value of an option consists of letters, digits and the signs _.+-");
+          } else if (!values.add(value)) {
+            option.fault("value", "the value " + value + " is there twice");
+          }
+          int number = options.size() + 1;
+          return options.add(Option.of(value, label, number <= 9 ? Integer.toString(number) : ""));
+        });
+    if (options.size() < 2) {
+      keys.fault("options", "a question to choose from needs at least two \"options\"");
+    }
+    return options;
+  }
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<AnswerField> fields(Wording wording) {
+    return List.of(AnswerField.Choice.of(options));
+  }
+}

@@ -1,0 +1,28 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import java.util.List;
+
+/** Yes or no. */
+record YesNoQuestion() implements QuestionKind {
+  /** As files spell it. */
+  static final String SPELLING = "yes-no";
+
+  /** The choice between the two. */
+  static AnswerField field(Wording wording) {
+    // The Greek letters are on the same keys.
+    return AnswerField.Choice.of(
+        List.of(
+            Option.of("yes", wording.of("yes"), "y\u03C5"),
+            Option.of("no", wording.of("no"), "n\u03BD")));
+  }
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<AnswerField> fields(Wording wording) {
+    return List.of(field(wording));
+  }
+}

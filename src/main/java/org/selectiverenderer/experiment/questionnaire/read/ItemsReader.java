@@ -1,0 +1,146 @@
+package org.selectiverenderer.experiment.questionnaire.read;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.questionnaire.ItemsKind;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.statistics.detection.Response;
+
+/**
+ * Reads the objects of a questionnaire: {@code area,object,consistency,present} or {@code
+ * area,schema,object}, and a column of names for each language. Each area makes a questionnaire of
+ * one page. A fault means none: a questionnaire with a question missing cannot be compared with the
+ * others.
+ */
+public final class ItemsReader {
+  private static final String UNUSED = "; the questionnaire is not used";
+
+  private final ItemsKind kind;
+  private final String language;
+  private final Problems problems;
+  private final Map<String, Integer> lines = new HashMap<>();
+
+  private ItemsReader(ItemsKind kind, String language, Problems problems) {
+    this.kind = kind;
+    this.language = language;
+    this.problems = problems;
+  }
+
+  /**
+   * Reads them.
+   *
+   * @param name of the questionnaire in the study
+   * @param wording its language is that of the names that are needed
+   * @return a questionnaire for each area, in the table's order; empty when there are faults, which
+   *     are then in {@code problems}
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<List<Questionnaire>> read(
+      ItemsKind kind, Path file, String name, Wording wording, Problems problems)
+      throws IOException {
+    Problems own = new Problems(problems::add);
+    ItemsReader reader = new ItemsReader(kind, wording.language(), own);
+    Optional<CsvTable> table =
+        CsvTable.read(
+            file,
+            CsvColumns.of(reader.needed()),
+            (at, message) -> own.error(at, message + UNUSED));
+    Map<String, List<Question>> areas = table.map(reader::areas).orElse(Map.of());
+    return own.any()
+        ? Optional.empty()
+        : Optional.of(
+            areas.entrySet().stream()
+                .map(area -> reader.questionnaire(name, area.getKey(), area.getValue(), wording))
+                .toList());
+  }
+
+  private Questionnaire questionnaire(
+      String name, String area, List<Question> questions, Wording wording) {
+    String called = wording.area(area);
+    Page page =
+        new Page(
+            area,
+            wording.filled(kind.spelling() + ".title", called),
+            wording.filled(kind.spelling() + ".text", called),
+            Optional.empty(),
+            questions,
+            true,
+            Optional.empty());
+    return new Questionnaire(name + "-" + area, name, area, List.of(page), List.of());
+  }
+
+  private List<String> needed() {
+    List<String> needed = new ArrayList<>(kind.columns());
+    needed.add(language);
+    return needed;
+  }
+
+  private Map<String, List<Question>> areas(CsvTable table) {
+    List<String> needed = needed();
+    if (!table.require(needed, String.join(",", needed))) {
+      return Map.of();
+    }
+    Map<String, List<Question>> areas = new LinkedHashMap<>();
+    for (CsvRow row : table.rows()) {
+      for (String column : needed) {
+        if (row.cell(column).isEmpty()) {
+          problems.error(row.location(column), "the " + column + " is missing" + UNUSED);
+        }
+      }
+      String area = row.cell("area");
+      String object = row.cell("object");
+      Integer earlier = lines.putIfAbsent(area + '/' + object, row.location().line());
+      if (earlier != null) {
+        problems.error(
+            row.location("object"),
+            "%s is listed a second time for %s; line %d has it already%s"
+                .formatted(object, area, earlier, UNUSED));
+      }
+      areas
+          .computeIfAbsent(area, first -> new ArrayList<>())
+          .add(kind.question(item(row, area, object), row.cell(language)));
+    }
+    if (areas.isEmpty()) {
+      problems.error(Location.of(table.file()), "there are no items" + UNUSED);
+    }
+    return areas;
+  }
+
+  private QuestionItem item(CsvRow row, String area, String object) {
+    if (kind == ItemsKind.EXPECTANCY) {
+      return new QuestionItem(area, row.cell("schema"), object, "", false);
+    }
+    String type = row.cell("consistency").toLowerCase(Locale.ROOT);
+    if (!Response.TYPES.contains(type)) {
+      problems.error(
+          row.location("consistency"),
+          CsvNumbers.quoted(type)
+              + " is unknown; known are "
+              + String.join(", ", Response.TYPES)
+              + UNUSED);
+    }
+    String present = row.cell("present").toLowerCase(Locale.ROOT);
+    if (!present.equals("yes") && !present.equals("no")) {
+      problems.error(
+          row.location("present"), CsvNumbers.quoted(present) + " is not yes or no" + UNUSED);
+    }
+    return new QuestionItem(area, "", object, type, present.equals("yes"));
+  }
+}

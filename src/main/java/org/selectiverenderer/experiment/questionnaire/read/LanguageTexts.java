@@ -1,0 +1,64 @@
+package org.selectiverenderer.experiment.questionnaire.read;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.experiment.questionnaire.QuestionKind;
+
+/**
+ * Texts of one language: a text in quotes is for all languages, an object has one for each, {@code
+ * {"en": "Yes", "el": "Ναι"}}.
+ */
+final class LanguageTexts implements QuestionKind.Texts {
+  private final String language;
+
+  LanguageTexts(String language) {
+    this.language = language;
+  }
+
+  @Override
+  public String text(JsonMembers keys, String key) {
+    return keys.hasObject(key) ? chosen(keys, key, each -> each.text(language)) : keys.text(key);
+  }
+
+  @Override
+  public String optional(JsonMembers keys, String key) {
+    return keys.hasObject(key)
+        ? chosen(keys, key, each -> each.text(language))
+        : keys.text(key, false).orElse("");
+  }
+
+  @Override
+  public List<String> list(JsonMembers keys, String key) {
+    if (!keys.hasObject(key)) {
+      return keys.texts(key);
+    }
+    List<String> texts = new ArrayList<>();
+    chosen(
+        keys,
+        key,
+        each -> {
+          texts.addAll(each.texts(language));
+          return "";
+        });
+    return texts;
+  }
+
+  private String chosen(JsonMembers keys, String key, Function<JsonMembers, String> text) {
+    return keys.object(
+            key,
+            "the texts of \"" + key + "\"",
+            each -> {
+              List<String> known = each.names();
+              if (!known.contains(language)) {
+                each.fault(
+                    "\"%s\" has no text in the study's language '%s', only in %s"
+                        .formatted(key, language, String.join(", ", known)));
+                return "";
+              }
+              return text.apply(each);
+            })
+        .orElse("");
+  }
+}

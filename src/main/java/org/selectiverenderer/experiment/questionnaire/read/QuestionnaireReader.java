@@ -1,0 +1,200 @@
+package org.selectiverenderer.experiment.questionnaire.read;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonSettings;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.experiment.questionnaire.AskedIf;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.QuestionKind;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+
+/** Reads the JSON file of a questionnaire, which {@code questionnaire.schema.json} describes. */
+public final class QuestionnaireReader {
+  private static final JsonSettings JSON =
+      new JsonSettings("a questionnaire", "the questionnaire is not used");
+
+  /** What names and ids consist of; tables, journals and files have them. */
+  private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
+
+  private final Optional<Path> folder;
+  private final LanguageTexts texts;
+  private final Map<String, Question> questions = new LinkedHashMap<>();
+  private final Set<String> pages = new HashSet<>();
+
+  private QuestionnaireReader(Optional<Path> folder, String language) {
+    this.folder = folder;
+    texts = new LanguageTexts(language);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param language whose texts are needed
+   * @return empty when it has faults, which are then in {@code problems}
+   * @throws IOException if it cannot be read at all
+   */
+  public static Optional<Questionnaire> read(Path file, String language, Problems problems)
+      throws IOException {
+    Optional<Path> folder = Optional.ofNullable(file.toAbsolutePath().getParent());
+    try {
+      return JSON.read(file, problems, new QuestionnaireReader(folder, language)::questionnaire);
+    } catch (UncheckedIOException e) {
+      throw e.getCause(); // A picture that cannot be read.
+    }
+  }
+
+  /**
+   * Reads a text that lies in no folder, so that it cannot name pictures.
+   *
+   * @param file its name, for messages
+   */
+  static Optional<Questionnaire> parse(
+      String file, String text, String language, Problems problems) {
+    return JSON.parse(
+        file, text, problems, new QuestionnaireReader(Optional.empty(), language)::questionnaire);
+  }
+
+  private Questionnaire questionnaire(JsonMembers keys) {
+    String name = name(keys, "name", "a questionnaire's name");
+    keys.text("source", false); // For people: where the questions are from.
+    String title = texts.optional(keys, "title");
+    List<Page> read = keys.objects("pages", "a page", page -> page(page, title));
+    if (read.isEmpty()) {
+      keys.fault("pages", "a questionnaire needs \"pages\"");
+    }
+    return new Questionnaire(name, name, "", read, new ScoresReader(questions).scores(keys));
+  }
+
+  private static String name(JsonMembers keys, String key, String what) {
+    String name = keys.text(key);
+    if (!name.isEmpty() && !name.matches(NAME)) {
+      keys.fault(key, what + " must consist of letters, digits, hyphens and underscores");
+    }
+    return name;
+  }
+
+  private Page page(JsonMembers keys, String title) {
+    String id =
+        keys.has("name")
+            ? name(keys, "name", "a page's name")
+            : String.format(Locale.ROOT, "page-%d", pages.size() + 1);
+    if (!pages.add(id)) {
+      keys.fault("name", "the page " + id + " is there twice");
+    }
+    String own = texts.optional(keys, "title");
+    String text = texts.optional(keys, "text");
+    Optional<Path> picture = keys.text("picture", false).flatMap(file -> picture(keys, file));
+    Optional<AskedIf> when = when(keys);
+    boolean shuffled =
+        keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
+    List<Optional<Question>> read = keys.objects("questions", "a question", this::question);
+    if (read.isEmpty() && text.isEmpty() && picture.isEmpty()) {
+      keys.fault("a page needs a \"text\", a \"picture\" or \"questions\"");
+    }
+    return new Page(
+        id,
+        own.isEmpty() ? title : own,
+        text,
+        picture,
+        read.stream().flatMap(Optional::stream).toList(),
+        shuffled,
+        when);
+  }
+
+  private static String order(boolean shuffled) {
+    return shuffled ? "random" : "fixed";
+  }
+
+  private Optional<Path> picture(JsonMembers keys, String name) {
+    Optional<Path> file = folder.map(base -> base.resolve(name).normalize());
+    if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
+      keys.fault("picture", "a picture must be a PNG or JPEG file");
+    } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
+      keys.fault("picture", "there is no file '" + name + "' as seen from the questionnaire");
+    } else if (!isPicture(file.get())) {
+      keys.fault(
+          "picture", "the file '" + name + "' is neither a PNG nor a JPEG, whatever its name");
+    }
+    return file;
+  }
+
+  /** Whether a file begins as a PNG (RFC 2083, 3.1) or a JPEG does. */
+  private static boolean isPicture(Path file) {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] begin = in.readNBytes(4);
+      return begin.length == 4
+          && ((begin[0] & 0xff) == 0x89 && begin[1] == 'P' && begin[2] == 'N' && begin[3] == 'G'
+              || (begin[0] & 0xff) == 0xff && (begin[1] & 0xff) == 0xd8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Optional<Question> question(JsonMembers keys) {
+    String id = name(keys, "id", "a question's id");
+    Optional<AskedIf> when = when(keys);
+    String text = texts.optional(keys, "text");
+    boolean optional = keys.truth("optional", false);
+    boolean personal = keys.truth("personal", false);
+    Optional<String> must = keys.text("must", false);
+    Optional<Question.Sets> sets =
+        keys.has("sets")
+            ? Optional.of(
+                keys.choice(
+                    "sets",
+                    List.of(Question.Sets.values()),
+                    Question.Sets::spelling,
+                    Question.Sets.AGE))
+            : Optional.empty();
+    Optional<QuestionKind> kind = QuestionKind.read(keys, texts);
+    Optional<Question> read =
+        kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
+    if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
+      keys.fault("id", "the question " + id + " is there twice");
+    }
+    return read;
+  }
+
+  /**
+   * A condition on an earlier question: what is asked later cannot decide what was asked before.
+   */
+  private Optional<AskedIf> when(JsonMembers keys) {
+    Set<String> earlier = Set.copyOf(questions.keySet());
+    return keys.object(
+        "when",
+        "a condition",
+        condition -> {
+          String question = condition.text("question");
+          if (!question.isEmpty() && !earlier.contains(question)) {
+            condition.fault(
+                "question",
+                "there is no earlier question '%s'%s"
+                    .formatted(
+                        question,
+                        Spelling.nearest(question, earlier)
+                            .map(near -> "; did you mean '%s'?".formatted(near))
+                            .orElse("")));
+          }
+          List<String> is = new ArrayList<>(condition.texts("is"));
+          if (is.isEmpty()) {
+            condition.fault("is", "a condition needs the values that the answer \"is\" one of");
+          }
+          return new AskedIf(question, Set.copyOf(is));
+        });
+  }
+}

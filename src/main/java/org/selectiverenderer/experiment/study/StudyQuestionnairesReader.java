@@ -1,0 +1,113 @@
+package org.selectiverenderer.experiment.study;
+
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.experiment.questionnaire.ItemsKind;
+import org.selectiverenderer.experiment.questionnaire.read.StandardScales;
+import org.selectiverenderer.experiment.study.StudyQuestionnaires.Content;
+import org.selectiverenderer.experiment.study.StudyQuestionnaires.Moment;
+import org.selectiverenderer.experiment.study.StudyQuestionnaires.Source;
+
+/** Reads the keys {@code form} and {@code questionnaires} of a study. */
+final class StudyQuestionnairesReader {
+  /** Steps of sessions are named so. */
+  private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
+
+  private final FileOfKey files;
+  private final Set<String> names = new HashSet<>();
+
+  StudyQuestionnairesReader(FileOfKey files) {
+    this.files = files;
+  }
+
+  /** Finds files that a study names. */
+  interface FileOfKey {
+    /** The file of a name that stands at a key; tells if it is not there. */
+    Path find(JsonMembers keys, String key, String name);
+  }
+
+  /**
+   * Reads them.
+   *
+   * @param areas whether the study has areas
+   * @param practice whether it has a practice
+   */
+  StudyQuestionnaires read(JsonMembers keys, boolean areas, boolean practice) {
+    return new StudyQuestionnaires(
+        keys.text("form", false).map(name -> files.find(keys, "form", name)),
+        keys.objects(
+            "questionnaires", "a questionnaire", each -> source(each, areas, practice)));
+  }
+
+  private Source source(JsonMembers keys, boolean areas, boolean practice) {
+    Moment moment = keys.choice("when", List.of(Moment.values()), Moment::spelling, Moment.END);
+    if (moment == Moment.AFTER_AREA && !areas) {
+      keys.fault("when", "the study has no areas to ask after");
+    } else if (moment == Moment.AFTER_PRACTICE && !practice) {
+      keys.fault("when", "the study has no practice to ask after");
+    }
+    Optional<String> name = keys.text("name", false);
+    name.filter(given -> !given.matches(NAME))
+        .ifPresent(
+            given ->
+                keys.fault(
+                    "name", "a name must consist of letters, digits, hyphens and underscores"));
+    Content content = content(keys);
+    name.or(() -> known(content))
+        .filter(called -> !names.add(called))
+        .ifPresent(
+            called ->
+                keys.fault(
+                    "there are two questionnaires " + called + "; give one another \"name\""));
+    return new Source(content, moment, name);
+  }
+
+  private static Optional<String> known(Content content) {
+    return content instanceof Content.Items items
+        ? Optional.of(items.kind().spelling())
+        : content instanceof Content.Standard standard
+            ? Optional.of(standard.template())
+            : Optional.empty();
+  }
+
+  private Content content(JsonMembers keys) {
+    boolean own = keys.has("file");
+    boolean standard = keys.has("template");
+    if ((own ? 1 : 0) + (standard ? 1 : 0) + (keys.has("kind") ? 1 : 0) > 1) {
+      keys.fault("a questionnaire has one of \"kind\", \"file\" and \"template\"");
+    }
+    if (own) {
+      return new Content.Own(files.find(keys, "file", keys.text("file")));
+    }
+    if (standard) {
+      String template = keys.text("template");
+      if (!StandardScales.NAMES.contains(template)) {
+        keys.fault("template", unknown("template", template, StandardScales.NAMES));
+      }
+      return new Content.Standard(template);
+    }
+    String kind = keys.text("kind");
+    List<String> kinds = List.of(ItemsKind.values()).stream().map(ItemsKind::spelling).toList();
+    if (!kind.isEmpty() && !kinds.contains(kind)) {
+      keys.fault("kind", unknown("kind of questionnaire", kind, kinds));
+    }
+    return new Content.Items(
+        ItemsKind.values()[Math.max(0, kinds.indexOf(kind))],
+        files.find(keys, "items", keys.text("items")));
+  }
+
+  private static String unknown(String what, String name, List<String> known) {
+    return "there is no %s '%s'%s"
+        .formatted(
+            what,
+            name,
+            Spelling.nearest(name, known)
+                .map(near -> "; did you mean '%s'?".formatted(near))
+                .orElse(" (known: %s)".formatted(String.join(", ", known))));
+  }
+}

@@ -1,0 +1,263 @@
+package org.selectiverenderer.experiment.window;
+
+import java.awt.BorderLayout;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+
+/**
+ * The questions of a page. Keys answer the row that is marked; when it is complete, the next one
+ * that is not is marked. Measures how long each question has been in view when it is answered.
+ */
+final class PagePanel implements QuestionRow.Listener {
+  /** Hears what becomes of the page. */
+  interface Listener {
+    /**
+     * A question is answered; the answers of the page so far count it.
+     *
+     * @param settled whether it is to be kept
+     * @param milliseconds since it came into view
+     * @param place on the page, from 1
+     */
+    void answered(Question question, Answer answer, boolean settled, long milliseconds, int place);
+  }
+
+  private final Page page;
+  private final Map<String, Answer> answers;
+  private final Listener listener;
+  private final List<QuestionRow> rows = new ArrayList<>();
+  private final Map<QuestionRow, Long> seen = new HashMap<>();
+  private final Map<QuestionRow, Long> typed = new HashMap<>();
+  private final JScrollPane scroll;
+  private int current;
+
+  /**
+   * @param answers to the whole questionnaire so far; kept up to date here
+   * @param width in pixels that there is for rows
+   */
+  PagePanel(Page page, Map<String, Answer> answers, Wording wording, int width, Listener listener) {
+    this.page = page;
+    this.answers = answers;
+    this.listener = listener;
+    JPanel list = new JPanel();
+    list.setOpaque(false);
+    list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
+    RowShape shape = RowShape.of(page, wording);
+    for (Question question : page.questions()) {
+      int number = rows.size();
+      QuestionRow row =
+          new QuestionRow(
+              question,
+              answers.getOrDefault(question.id(), Answer.NONE),
+              wording,
+              shape,
+              width,
+              this);
+      row.panel()
+          .addMouseListener(
+              new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent event) {
+                  mark(number);
+                }
+              });
+      rows.add(row);
+      list.add(row.panel());
+    }
+    JPanel top = new JPanel(new BorderLayout());
+    top.setBackground(QuestionRow.PLAIN);
+    top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
+    scroll = new JScrollPane(top);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    JComponent heading = shape.heading(page, wording);
+    if (heading.getComponentCount() > 0) {
+      scroll.setColumnHeaderView(heading);
+    }
+    scroll.getVerticalScrollBar().setUnitIncrement(24);
+    scroll.getViewport().addChangeListener(event -> look());
+    ask();
+  }
+
+  JScrollPane component() {
+    return scroll;
+  }
+
+  /** The page has come on the screen: from now on questions are in view. */
+  void begin() {
+    SwingUtilities.invokeLater(
+        () -> {
+          look();
+          if (!rows.isEmpty()) {
+            mark(firstOpen(0));
+          }
+        });
+  }
+
+  /** Shows the rows that are asked after the answers so far, and no others. */
+  private void ask() {
+    List<Question> asked = page.asked(answers);
+    rows.forEach(row -> row.panel().setVisible(asked.contains(row.question())));
+    scroll.revalidate();
+    SwingUtilities.invokeLater(this::look);
+  }
+
+  /** Notes which rows are in view for the first time: at least half of them. */
+  private void look() {
+    if (!scroll.isShowing()) {
+      return;
+    }
+    long now = System.nanoTime();
+    Rectangle view = scroll.getViewport().getViewRect();
+    for (QuestionRow row : rows) {
+      Rectangle place =
+          SwingUtilities.convertRectangle(
+              row.panel().getParent(), row.panel().getBounds(), scroll.getViewport().getView());
+      Rectangle visible = view.intersection(place);
+      boolean half = !visible.isEmpty() && 2 * visible.height >= place.height;
+      if (row.panel().isVisible() && half) {
+        seen.putIfAbsent(row, now);
+      }
+    }
+  }
+
+  private List<QuestionRow> shown() {
+    return rows.stream().filter(row -> row.panel().isVisible()).toList();
+  }
+
+  @Override
+  public void answered(QuestionRow row, Answer answer, boolean settled) {
+    answers.put(row.question().id(), answer);
+    long now = System.nanoTime();
+    // A text is answered when its last letter is typed, not when the typing has rested.
+    long at = settled ? Optional.ofNullable(typed.remove(row)).orElse(now) : now;
+    if (!settled) {
+      typed.put(row, now);
+    }
+    long since = seen.computeIfAbsent(row, first -> at);
+    int place = shown().indexOf(row) + 1;
+    ask();
+    listener.answered(
+        row.question(), answer, settled, Math.max(0, (at - since) / 1_000_000), place);
+    if (settled && !row.takesText()) {
+      int number = rows.indexOf(row);
+      mark(row.answered() && row.settlesAtOnce() ? firstOpen(number) : number);
+    }
+  }
+
+  @Override
+  public void touched(QuestionRow row) {
+    if (rows.indexOf(row) != current) {
+      mark(rows.indexOf(row));
+    }
+  }
+
+  /** The first row from one on that is asked and not answered, going round; that one if all are. */
+  private int firstOpen(int from) {
+    for (int i = 0; i < rows.size(); i++) {
+      int number = (from + i) % rows.size();
+      if (rows.get(number).panel().isVisible() && !rows.get(number).answered()) {
+        return number;
+      }
+    }
+    return from;
+  }
+
+  private void mark(int number) {
+    rows.get(current).current(false);
+    current = number;
+    QuestionRow row = rows.get(current);
+    row.current(true);
+    focus();
+    row.panel()
+        .scrollRectToVisible(new Rectangle(0, 0, row.panel().getWidth(), row.panel().getHeight()));
+  }
+
+  /** Has the keys go where the marked row wants them. */
+  void focus() {
+    if (!rows.isEmpty() && rows.get(current).takesText()) {
+      rows.get(current).focus();
+    } else {
+      scroll.requestFocusInWindow();
+    }
+  }
+
+  /**
+   * A key was pressed or typed in the window.
+   *
+   * @param writing whether it goes into a text field
+   * @return whether it was for the page
+   */
+  boolean key(KeyEvent event, boolean writing) {
+    if (rows.isEmpty()) {
+      return false;
+    }
+    if (event.getID() == KeyEvent.KEY_TYPED) {
+      return !writing
+          && rows.get(current).panel().isVisible()
+          && rows.get(current).key(event.getKeyChar());
+    }
+    boolean lines = writing && !(event.getSource() instanceof javax.swing.JTextField);
+    switch (event.getKeyCode()) {
+      case KeyEvent.VK_DOWN -> {
+        return !lines && step(1);
+      }
+      case KeyEvent.VK_UP -> {
+        return !lines && step(-1);
+      }
+      case KeyEvent.VK_TAB -> {
+        return step(event.isShiftDown() ? -1 : 1);
+      }
+      default -> {
+        return false;
+      }
+    }
+  }
+
+  /** Marks the next row that is asked in a direction; stays at the ends. */
+  private boolean step(int by) {
+    for (int number = current + by; number >= 0 && number < rows.size(); number += by) {
+      if (rows.get(number).panel().isVisible()) {
+        mark(number);
+        return true;
+      }
+    }
+    return true;
+  }
+
+  /** Tells of what was typed and not yet told. */
+  void settle() {
+    rows.forEach(QuestionRow::settle);
+  }
+
+  /** Rows that are asked. */
+  int count() {
+    return shown().size();
+  }
+
+  /** Rows that are asked and still needed. */
+  int open() {
+    return (int) shown().stream().filter(row -> !row.complete()).count();
+  }
+
+  /** Whether an answer forbids to take part. */
+  boolean refuses() {
+    return shown().stream().anyMatch(QuestionRow::refuses);
+  }
+}

@@ -1,0 +1,200 @@
+package org.selectiverenderer.experiment.window;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.util.List;
+import java.util.function.Function;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import javax.swing.SwingConstants;
+import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.experiment.questionnaire.AnswerField;
+import org.selectiverenderer.experiment.questionnaire.Option;
+import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+
+/**
+ * Widths that all rows of a page share, in pixels, so that their buttons stand in columns.
+ *
+ * @param beside whether what is asked stands beside its fields; else above them
+ * @param name of what is asked, beside its fields; 0 where nothing is to be read there
+ * @param least of what stands before the first option; 0 where no row has any
+ * @param most of what stands behind the last one, likewise
+ * @param notesAbove whether what the options mean stands once, over all rows
+ */
+record RowShape(boolean beside, int name, int least, int most, boolean notesAbove) {
+  static final int GAP = 4;
+  static final int FIELD_GAP = 36;
+  static final int BUTTON_HEIGHT = 32;
+  private static final int NUMBER_WIDTH = 46;
+  private static final int NOTED_WIDTH = 78;
+  private static final int NAME_WIDTH = 260;
+  private static final int END_WIDTH = 200;
+  private static final int LINES_APART = 12;
+
+  /** Letters of what is asked that fit beside the fields. */
+  private static final int BESIDE = 46;
+
+  /** The widths of a page. */
+  static RowShape of(Page page, Wording wording) {
+    List<Question> questions = page.questions();
+    List<AnswerField> fields =
+        questions.stream().flatMap(question -> question.kind().fields(wording).stream()).toList();
+    boolean lines =
+        fields.stream()
+            .allMatch(
+                field ->
+                    field instanceof AnswerField.Choice choice && !ChoiceView.list(choice));
+    boolean beside =
+        lines && questions.stream().allMatch(question -> question.text().length() <= BESIDE);
+    boolean named = questions.stream().anyMatch(question -> !question.text().isEmpty());
+    boolean alike =
+        lines
+            && questions.size() > 1
+            && questions.stream()
+                    .map(
+                        question ->
+                            question.kind().fields(wording).stream()
+                                .map(field -> ((AnswerField.Choice) field).options())
+                                .toList())
+                    .distinct()
+                    .count()
+                == 1;
+    return new RowShape(
+        beside,
+        beside && named ? NAME_WIDTH : 0,
+        ends(fields, AnswerField.Choice::least),
+        ends(fields, AnswerField.Choice::most),
+        alike);
+  }
+
+  private static int ends(List<AnswerField> fields, Function<AnswerField.Choice, String> end) {
+    JLabel label = new JLabel();
+    FontMetrics metrics = label.getFontMetrics(label.getFont());
+    return fields.stream()
+        .filter(AnswerField.Choice.class::isInstance)
+        .map(AnswerField.Choice.class::cast)
+        .filter(choice -> !ChoiceView.list(choice))
+        .map(end)
+        .filter(text -> !text.isEmpty())
+        .mapToInt(text -> Math.min(END_WIDTH, metrics.stringWidth(text) + 8))
+        .max()
+        .orElse(0);
+  }
+
+  /** The width of an option's button. */
+  static int width(AnswerField.Choice field, JToggleButton button) {
+    boolean numbers =
+        field.options().stream().allMatch(option -> option.label().matches("-?\\d{1,2}"));
+    boolean noted = field.options().stream().anyMatch(option -> !option.note().isEmpty());
+    if (noted) {
+      return NOTED_WIDTH;
+    }
+    return numbers ? NUMBER_WIDTH : Math.max(64, button.getPreferredSize().width);
+  }
+
+  /** A text that goes on in the next line where it is wider than there is room. */
+  static String wrapped(String text, int width, int side) {
+    String align =
+        side == SwingConstants.RIGHT ? "right" : side == SwingConstants.CENTER ? "center" : "left";
+    JLabel label = new JLabel();
+    boolean fits = label.getFontMetrics(label.getFont()).stringWidth(text) <= width;
+    return fits
+        ? text
+        : "<html><div style='width:%dpx;text-align:%s'>%s</div>"
+            .formatted(htmlPixels(width), align, Markup.text(text));
+  }
+
+  /** Swing's HTML takes a pixel for 4/3 of one: it counts 72 to the inch as 96. */
+  private static int htmlPixels(int pixels) {
+    return pixels * 3 / 4;
+  }
+
+  /** What an option means, in small letters. */
+  static JLabel note(String text, int width) {
+    JLabel label = new JLabel();
+    Font small = label.getFont().deriveFont(label.getFont().getSize2D() - 1.5f);
+    label.setFont(small);
+    label.setText(
+        "<html><div style='width:%dpx;text-align:center'>%s</div>"
+            .formatted(htmlPixels(width - 4), Markup.text(text)));
+    label.setHorizontalAlignment(SwingConstants.CENTER);
+    label.setVerticalAlignment(SwingConstants.BOTTOM);
+    label.setPreferredSize(new Dimension(width, label.getPreferredSize().height));
+    return label;
+  }
+
+  /** What stands over the columns of all rows; an empty panel where there is nothing to say. */
+  JComponent heading(Page page, Wording wording) {
+    JPanel line = new JPanel();
+    List<String> titles = page.headings(wording);
+    if (page.questions().isEmpty() || titles.isEmpty() && !notesAbove) {
+      return line;
+    }
+    line.setLayout(new BoxLayout(line, BoxLayout.X_AXIS));
+    line.setBorder(BorderFactory.createEmptyBorder(6, LINES_APART, 6, LINES_APART));
+    line.add(Box.createHorizontalStrut(beside ? name : 0));
+    List<AnswerField> fields = page.questions().get(0).kind().fields(wording);
+    boolean said = !titles.isEmpty();
+    for (int i = 0; i < fields.size(); i++) {
+      if (i > 0) {
+        line.add(ChoiceView.gap());
+      }
+      if (fields.get(i) instanceof AnswerField.Choice choice) {
+        JComponent column = column(choice, i < titles.size() ? titles.get(i) : "");
+        said |= choice.options().stream().anyMatch(option -> !option.note().isEmpty());
+        line.add(column);
+      }
+    }
+    line.add(Box.createHorizontalGlue());
+    return said ? line : new JPanel();
+  }
+
+  private JComponent column(AnswerField.Choice choice, String title) {
+    JPanel column = new JPanel();
+    column.setLayout(new BoxLayout(column, BoxLayout.Y_AXIS));
+    column.setAlignmentY(Component.BOTTOM_ALIGNMENT);
+    int buttons =
+        choice.options().stream()
+            .mapToInt(option -> width(choice, new JToggleButton(option.label())) + GAP)
+            .sum();
+    int whole = buttons + GAP + (least > 0 ? least + GAP : 0) + (most > 0 ? most + GAP : 0);
+    if (!title.isEmpty()) {
+      JLabel label = new JLabel();
+      label.setFont(label.getFont().deriveFont(Font.BOLD));
+      boolean fits = label.getFontMetrics(label.getFont()).stringWidth(title) <= whole - GAP;
+      label.setText(
+          fits
+              ? title
+              : "<html><div style='width:%dpx'>%s</div>"
+                  .formatted(htmlPixels(whole - GAP), Markup.text(title)));
+      label.setAlignmentX(0);
+      label.setBorder(BorderFactory.createEmptyBorder(0, GAP, 3, 0));
+      column.add(label);
+    }
+    if (choice.options().stream().anyMatch(option -> !option.note().isEmpty())) {
+      JPanel notes = new JPanel(new java.awt.FlowLayout(java.awt.FlowLayout.LEFT, GAP, 0));
+      notes.setAlignmentX(0);
+      if (least > 0) {
+        notes.add(Box.createHorizontalStrut(least));
+      }
+      for (Option option : choice.options()) {
+        notes.add(note(option.note(), width(choice, new JToggleButton(option.label()))));
+      }
+      column.add(notes);
+    }
+    Dimension size = new Dimension(whole, column.getPreferredSize().height);
+    column.setPreferredSize(size);
+    column.setMaximumSize(size);
+    column.setMinimumSize(size);
+    return column;
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.experiment.questionnaire.read;
+
+import org.jspecify.annotations.NullMarked;
