@@ -41,10 +41,11 @@ public final class AnswersCsv {
         .collect(Collectors.joining());
   }
 
-  /** Ratings, a line for each item, without a header. */
+  /** Ratings, a line for each item but examples, without a header. */
   public static String ratings(
       Screen screen, String participant, Function<QuestionItem, Answer> answers) {
     return screen.items().stream()
+        .filter(item -> !item.example())
         .map(
             item ->
                 CsvText.line(

@@ -167,7 +167,8 @@ public record CollectedAnswers(
           .append(AnswersCsv.lines(screen, participant, condition, given));
       Map<String, Answer> left = new LinkedHashMap<>(given);
       for (QuestionItem item : screen.items()) {
-        Optional<Answer> answer = Optional.ofNullable(left.remove(item.object()));
+        Optional<Answer> answer =
+            Optional.ofNullable(left.remove(item.object())).filter(counts -> !item.example());
         answers += answer.isPresent() ? 1 : 0;
         if (!screen.withConfidence()) {
           answer.ifPresent(
