@@ -21,7 +21,8 @@ public final class StudyTemplate {
           "study.schema.json",
           "recognition.csv",
           "pilot/study.json",
-          "pilot/expectancy.csv");
+          "pilot/expectancy.csv",
+          "pilot/threshold.json");
 
   private StudyTemplate() {}
 
@@ -48,10 +49,11 @@ public final class StudyTemplate {
     }
     FileTransaction writing = new FileTransaction(actions);
     for (String name : FILES) {
+      Path seenFrom = folder.resolve(name).getParent();
       String text =
           resource(name)
-              .replace("@scene@", from(folder, scene))
-              .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d")));
+              .replace("@scene@", from(seenFrom, scene))
+              .replace("@practice@", from(seenFrom, scene.resolveSibling("practice.x3d")));
       writing.addNew(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8));
     }
     writing.commit();

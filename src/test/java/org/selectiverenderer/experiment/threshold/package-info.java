@@ -1,0 +1,3 @@
+/** Tests of the threshold pilot. */
+@org.jspecify.annotations.NullMarked
+package org.selectiverenderer.experiment.threshold;
