@@ -175,13 +175,24 @@ final class VersionCamera implements AutoCloseable {
         .orElseThrow(() -> new IOException(study.scene() + ": nothing is to be seen of " + object));
   }
 
-  /** Where the ball around a box fills the picture. */
+  /** Where a box fills the picture. */
   private static Pose pose(Bounds box, ThresholdStudy.View from) {
     Vector3d half = new Vector3d(box.max()).sub(box.min()).mul(0.5);
     Quaterniond orientation =
         new Quaterniond().rotationYXZ(Math.toRadians(from.yaw()), -Math.toRadians(from.pitch()), 0);
-    double distance = ROOM * half.length() / Math.sin(FIELD_OF_VIEW / 2);
-    Vector3d back = orientation.transform(new Vector3d(0, 0, distance));
+    Quaterniond toEye = orientation.conjugate(new Quaterniond());
+    double slope = Math.tan(FIELD_OF_VIEW / 2);
+    double distance = 0;
+    for (int corner = 0; corner < 8; corner++) {
+      Vector3d at =
+          new Vector3d(
+              (corner & 1) == 0 ? half.x : -half.x,
+              (corner & 2) == 0 ? half.y : -half.y,
+              (corner & 4) == 0 ? half.z : -half.z);
+      toEye.transform(at);
+      distance = Math.max(distance, at.z + Math.max(Math.abs(at.x), Math.abs(at.y)) / slope);
+    }
+    Vector3d back = orientation.transform(new Vector3d(0, 0, ROOM * distance));
     return new Pose(new Vector3d(box.min()).add(half).add(back), orientation, FIELD_OF_VIEW);
   }
 

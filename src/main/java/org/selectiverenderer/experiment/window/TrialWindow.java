@@ -110,6 +110,7 @@ public final class TrialWindow implements AutoCloseable {
     words.setEditable(false);
     words.setFocusable(false);
     words.setOpaque(false);
+    words.setBorder(BorderFactory.createEmptyBorder());
     words.setFont(label(heading, 18f).getFont());
     words.setAlignmentX(Component.LEFT_ALIGNMENT);
     JButton begin = new JButton(wording.of("form.begin"));

@@ -1,3 +1,5 @@
 /** Tests of the threshold pilot. */
-@org.jspecify.annotations.NullMarked
+@NullMarked
 package org.selectiverenderer.experiment.threshold;
+
+import org.jspecify.annotations.NullMarked;
