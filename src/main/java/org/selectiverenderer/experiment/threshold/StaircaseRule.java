@@ -11,7 +11,7 @@ package org.selectiverenderer.experiment.threshold;
  * @param discarded of these, the first, which do not count: the staircase is still on its way
  * @param mostTrials after which it is over in any case
  */
-public record StaircaseRule(int down, int reversals, int discarded, int mostTrials) {
+record StaircaseRule(int down, int reversals, int discarded, int mostTrials) {
   /**
    * @throws IllegalArgumentException if no even number of reversals is left to count: peaks and
    *     valleys must weigh alike

@@ -7,7 +7,7 @@ import java.util.Locale;
  *
  * @param polygons the threshold; of the fewest or the most that were shown where it lies beyond
  */
-public record ThresholdEstimate(Kind kind, double polygons) {
+record ThresholdEstimate(Kind kind, double polygons) {
   /** Where a threshold lies. */
   public enum Kind {
     /** Between the versions that were shown. */

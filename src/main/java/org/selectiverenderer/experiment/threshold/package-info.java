@@ -26,9 +26,8 @@
  * settings, the participant's id and the answers so far, and from nothing else, so a session that
  * was cut off goes on with the very trial that it would have come to. One thread at a time.
  *
- * <p>Uses {@code experiment.questionnaire} for nothing but words, {@code statistics.distribution}
- * and {@code base}. No GL, no AWT: {@code app.threshold} makes the pictures, {@code
- * experiment.window} shows them.
+ * <p>Uses {@code statistics.distribution} and {@code base}. No GL, no AWT: {@code app.threshold}
+ * makes the pictures, {@code experiment.window} shows them.
  */
 @NullMarked
 package org.selectiverenderer.experiment.threshold;
