@@ -67,7 +67,7 @@ class TrialWindowTest {
     JFrame frame = OpenWindow.named(hands, "trial");
     JButton begin = Hands.named(frame, "Begin", JButton.class);
     OpenWindow.click(hands, begin, () -> !begin.isShowing());
-    hands.await("the pictures", () -> Hands.onEdt(() -> shows(frame, "picture-1")));
+    hands.await("the pictures", () -> shows(frame, "picture-1"));
     hands.rest(200);
     return frame;
   }
