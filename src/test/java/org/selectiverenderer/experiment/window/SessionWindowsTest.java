@@ -195,7 +195,7 @@ class SessionWindowsTest {
     material("en");
     StudyMaterial pilot =
         StudyMaterial.read(folder.resolve("study/pilot/study.json"), new Problems()).orElseThrow();
-    Screen screen = pilot.screens("001").get(0);
+    Screen screen = pilot.screens("001").get(1); // The first is the example.
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(pilot, screen, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");
