@@ -29,6 +29,7 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentStatusCommand(console()),
         new ExperimentCollectCommand(console()),
         new ExperimentPaperCommand(console()),
+        new ExperimentThresholdCommand(console()),
         new ExperimentViewCommand(console()),
         new ExperimentAnalyseCommand(console()),
         new ExperimentAnovaCommand(console()),

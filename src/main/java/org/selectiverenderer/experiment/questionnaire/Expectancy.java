@@ -25,6 +25,11 @@ public record Expectancy(QuestionItem item) implements QuestionKind {
   }
 
   @Override
+  public boolean example() {
+    return item.example();
+  }
+
+  @Override
   public AnswerTable table() {
     return AnswerTable.RATINGS;
   }

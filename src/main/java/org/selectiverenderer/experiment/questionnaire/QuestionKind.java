@@ -40,6 +40,11 @@ public sealed interface QuestionKind
         fields.size() < 2 ? 0 : Integer.parseInt(fields.get(1).simulated(random)));
   }
 
+  /** Whether it only shows how to answer, so that its answers count nowhere. */
+  default boolean example() {
+    return false;
+  }
+
   /** The table that has its answers. */
   default AnswerTable table() {
     return AnswerTable.ANSWERS;

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.base.files.Sha256;
 
 /** SHA-256 of files, and of a scene with all that it names. */
-final class Checksums {
+public final class Checksums {
   private static final Pattern NAMED =
       Pattern.compile(
           "[\"']([^\"'<>]+\\.(?:x3d|x3dz|png|jpe?g|gif))[\"']", Pattern.CASE_INSENSITIVE);
@@ -27,7 +27,7 @@ final class Checksums {
   }
 
   /** Of a scene and all files that it, or one of these, names and that are there. */
-  static Map<String, String> ofScene(Path scene) throws IOException {
+  public static Map<String, String> ofScene(Path scene) throws IOException {
     Map<String, String> sums = new TreeMap<>();
     Deque<Path> left = new ArrayDeque<>();
     left.add(scene.toAbsolutePath().normalize());

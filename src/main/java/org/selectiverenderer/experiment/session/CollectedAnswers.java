@@ -223,7 +223,7 @@ public record CollectedAnswers(
         Optional<Answer> answer =
             Optional.ofNullable(left.remove(question.id()))
                 .map(GivenAnswer::answer)
-                .filter(one -> !one.equals(Answer.NONE));
+                .filter(one -> !one.equals(Answer.NONE) && !question.kind().example());
         answers += answer.isPresent() ? 1 : 0;
         if (question.kind() instanceof Expectancy expectancy) {
           QuestionItem item = expectancy.item();

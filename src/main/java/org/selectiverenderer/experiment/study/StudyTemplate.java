@@ -30,7 +30,8 @@ public final class StudyTemplate {
           "room.json",
           "closing.json",
           "pilot/study.json",
-          "pilot/expectancy.csv");
+          "pilot/expectancy.csv",
+          "pilot/threshold.json");
 
   private StudyTemplate() {}
 
@@ -65,12 +66,13 @@ public final class StudyTemplate {
 
   private static byte[] content(String name, Path folder, Path scene) throws IOException {
     byte[] bytes = resource(name);
-    if (!name.endsWith(STUDY)) {
+    if (!name.endsWith(".json")) {
       return bytes;
     }
+    Path seenFrom = folder.resolve(name).getParent();
     return new String(bytes, StandardCharsets.UTF_8)
-        .replace("@scene@", from(folder, scene))
-        .replace("@practice@", from(folder, scene.resolveSibling("practice.x3d")))
+        .replace("@scene@", from(seenFrom, scene))
+        .replace("@practice@", from(seenFrom, scene.resolveSibling("practice.x3d")))
         .getBytes(StandardCharsets.UTF_8);
   }
 

@@ -104,6 +104,33 @@ class CollectedAnswersTest extends TwoRoomsStudy {
   }
 
   @Test
+  void ratingsOfAnExampleCountNowhere() throws IOException {
+    Files.writeString(
+        folder.resolve("e.csv"),
+        "area,schema,object,en\nshop,example,bed,Bed\nhall,HallSchema,coat,Coat\n");
+    try (Session session = begin("001")) {
+      form(session);
+      answerAll(session, "yes", 4);
+      answerAll(session, "yes", 4);
+      answerAll(session, "6", 0);
+      answerAll(session, "2", 0);
+      session.end();
+    }
+
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems);
+
+    assertThat(problems.list()).isEmpty();
+    assertThat(collected.ratings())
+        .isEqualTo("participant,area,object,schema,rating\n001,hall,coat,HallSchema,2\n");
+    assertThat(collected.bands()).contains("hall").doesNotContain("bed");
+    assertThat(collected.answers()).isEqualTo(4);
+    assertThat(folder.resolve("sub-001/ses-01/ratings.csv"))
+        .hasContent("participant,area,object,schema,rating\n001,hall,coat,HallSchema,2\n");
+  }
+
+  @Test
   void aParticipantWithAConditionAndNoSessionIsSaidToBeMissing() throws IOException {
     new Participants(material().study()).assign("009", Optional.empty(), "18-22", false);
     assertThat(collecting(OptionalInt.empty(), 1))

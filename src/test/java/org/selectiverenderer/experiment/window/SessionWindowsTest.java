@@ -247,7 +247,7 @@ class SessionWindowsTest {
     material("en");
     StudyMaterial pilot =
         StudyMaterial.read(folder.resolve("study/pilot/study.json"), new Problems()).orElseThrow();
-    Questionnaire screen = pilot.questionnaires("001").get(0);
+    Questionnaire screen = pilot.questionnaires("001").get(1); // The first is the example.
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(pilot, screen, false, heard);
     JFrame window = OpenWindow.named(hands, "questionnaire");

@@ -1,0 +1,167 @@
+package org.selectiverenderer.app.threshold;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.base.files.Sha256;
+import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.session.Checksums;
+import org.selectiverenderer.experiment.threshold.PolygonLadder;
+import org.selectiverenderer.experiment.threshold.ThresholdStudy;
+
+/**
+ * The pictures of a pilot: each object's versions from each view, as PNG files, and the polygons of
+ * the versions. They lie in {@code threshold/pictures}; {@code pictures.json} is written last and
+ * says what they were made from, so what is there is used, and what a crash left half done, or was
+ * made from other things, is made again.
+ */
+public final class ThresholdPictures {
+  private final ThresholdStudy study;
+  private final Path folder;
+  private final Map<String, PolygonLadder> ladders;
+  private final String checksum;
+
+  private ThresholdPictures(
+      ThresholdStudy study, Path folder, Map<String, PolygonLadder> ladders, String list)
+      throws IOException {
+    this.study = study;
+    this.folder = folder;
+    this.ladders = ladders;
+    checksum =
+        Sha256.of(
+            (list + Files.readString(study.file(), StandardCharsets.UTF_8))
+                .getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Finds the pictures, or makes them, which takes some seconds for an object; by the calling
+   * thread.
+   *
+   * @param hears of each object that is made
+   * @return empty when an object cannot get versions, which is in {@code problems} then
+   * @throws IOException if a file cannot be read or written
+   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if pictures must be
+   *     made and there is no display
+   */
+  public static Optional<ThresholdPictures> of(
+      ThresholdStudy study, Consumer<String> hears, Problems problems) throws IOException {
+    Path folder = study.folder().resolve("pictures");
+    Path list = folder.resolve("pictures.json");
+    String key = key(study);
+    if (Files.isRegularFile(list)) {
+      JsonNode known = JsonTree.read(list);
+      if (known.path("made_from").asText().equals(key)) {
+        return Optional.of(
+            new ThresholdPictures(study, folder, ladders(known), Files.readString(list)));
+      }
+      Files.delete(list);
+    }
+    Files.createDirectories(folder);
+    Map<String, PolygonLadder> ladders = new LinkedHashMap<>();
+    try (VersionCamera camera = new VersionCamera(study)) {
+      for (ThresholdStudy.Judged judged : study.objects()) {
+        hears.accept("making the versions of " + judged.object());
+        Optional<PolygonLadder> ladder =
+            camera.take(
+                judged.object(),
+                (rung, view) -> file(study, folder, judged.object(), rung, view),
+                problems);
+        if (ladder.isEmpty()) {
+          return Optional.empty();
+        }
+        ladders.put(judged.object(), ladder.get());
+      }
+    }
+    String text = JsonText.of(tree(key, ladders));
+    WholeFile.replace(list, text.getBytes(StandardCharsets.UTF_8));
+    return Optional.of(new ThresholdPictures(study, folder, ladders, text));
+  }
+
+  /** SHA-256 of all that the pictures depend on. */
+  private static String key(ThresholdStudy study) throws IOException {
+    StringBuilder all = new StringBuilder();
+    Checksums.ofScene(study.scene()).forEach((name, sum) -> all.append(name).append(sum));
+    study.objects().forEach(judged -> all.append('/').append(judged.object()));
+    all.append('/').append(study.rungs()).append('/').append(study.fewest());
+    all.append('/').append(study.picture()).append('/').append(study.views());
+    return Sha256.of(all.toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static ObjectNode tree(String key, Map<String, PolygonLadder> ladders) {
+    ObjectNode tree = JsonTree.object();
+    tree.put("made_from", key);
+    ObjectNode objects = tree.putObject("polygons");
+    ladders.forEach(
+        (object, ladder) -> {
+          ArrayNode polygons = objects.putArray(object);
+          ladder.polygons().forEach(polygons::add);
+        });
+    return tree;
+  }
+
+  private static Map<String, PolygonLadder> ladders(JsonNode tree) {
+    Map<String, PolygonLadder> ladders = new LinkedHashMap<>();
+    tree.path("polygons")
+        .properties()
+        .forEach(
+            entry -> {
+              List<Integer> polygons = new ArrayList<>();
+              entry.getValue().forEach(count -> polygons.add(count.asInt()));
+              ladders.put(entry.getKey(), new PolygonLadder(polygons));
+            });
+    return ladders;
+  }
+
+  private static Path file(ThresholdStudy study, Path folder, String object, int rung, int view) {
+    int number = 0;
+    for (int i = 0; i < study.objects().size(); i++) {
+      number = study.objects().get(i).object().equals(object) ? i + 1 : number;
+    }
+    return folder.resolve(
+        String.format(
+            Locale.ROOT,
+            "%02d-%s_version-%02d_view-%d.png",
+            number,
+            object.replaceAll("[^0-9A-Za-z]", ""),
+            rung + 1,
+            view + 1));
+  }
+
+  /** The polygons of each object's versions. */
+  public Map<String, PolygonLadder> ladders() {
+    return ladders;
+  }
+
+  /** SHA-256 of the settings and of what the pictures were made from. */
+  public String checksum() {
+    return checksum;
+  }
+
+  /** A version's picture. */
+  Path file(String object, int rung, int view) {
+    return file(study, folder, object, rung, view);
+  }
+
+  /** The original's picture. */
+  Path original(String object, int view) {
+    PolygonLadder ladder = ladders.get(object);
+    if (ladder == null) {
+      throw new IllegalArgumentException("no versions of " + object);
+    }
+    return file(object, ladder.original(), view);
+  }
+}

@@ -1,0 +1,203 @@
+package org.selectiverenderer.app.threshold;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.versions.BadSceneException;
+import org.selectiverenderer.document.versions.ObjectVersion;
+import org.selectiverenderer.document.versions.PlannedFile;
+import org.selectiverenderer.document.versions.VersionsEdit;
+import org.selectiverenderer.experiment.threshold.PolygonLadder;
+import org.selectiverenderer.experiment.threshold.ThresholdStudy;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.mark.MarkedView;
+import org.selectiverenderer.runtime.render.mark.Marking;
+import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
+
+/**
+ * Takes pictures of an object's versions: alone, on grey, by a headlight, all from where the
+ * original fills the picture. Belongs to the thread that opens it, which owns its GL context.
+ */
+final class VersionCamera implements AutoCloseable {
+  private static final float GREY = 0.82f;
+  private static final Marking ON_GREY =
+      new Marking(
+          List.of(),
+          Set.of(),
+          false,
+          Optional.of(
+              new Backdrop(
+                  new float[] {GREY, GREY, GREY}, new float[0], new float[0], new float[0], 0)));
+  private static final double FIELD_OF_VIEW = Math.toRadians(30);
+  private static final double ROOM = 1.05;
+
+  private final ThresholdStudy study;
+  private final NodeCatalogue catalogue = NodeCatalogue.load();
+  private final MarkedView view = MarkedView.open();
+
+  VersionCamera(ThresholdStudy study) {
+    this.study = study;
+  }
+
+  /** Where a picture goes. */
+  interface PictureFiles {
+    Path file(int rung, int view);
+  }
+
+  /**
+   * Makes the versions of an object, in memory, and takes a picture of each from each view.
+   *
+   * @return their polygons; empty when it cannot get versions, which is in {@code problems} then
+   */
+  Optional<PolygonLadder> take(String object, PictureFiles files, Problems problems)
+      throws IOException {
+    Optional<VersionsEdit> plan = plan(object, problems);
+    if (plan.isEmpty()) {
+      return Optional.empty();
+    }
+    List<ObjectVersion> versions = rising(plan.get().versions());
+    if (versions.size() < 3) {
+      problems.error(
+          Location.of(study.file().toString()),
+          ("the object %s comes to only %d different versions, too few for a pilot; leave it out, or"
+                  + " choose more \"rungs\" or fewer \"fewest\"")
+              .formatted(object, versions.size()));
+      return Optional.empty();
+    }
+    Bounds box = Bounds.EMPTY;
+    for (int rung = versions.size() - 1; rung >= 0; rung--) { // The original comes first.
+      ObjectVersion version = versions.get(rung);
+      Path folder = version.file().toAbsolutePath().getParent();
+      try (SceneLoader loader =
+          new SceneLoader(catalogue, new NodeFactory(), ReadLimits.standard(), new Problems())) {
+        byte[] content = content(plan.get(), version);
+        World world =
+            new World(
+                loader.load(
+                    version.file().toString(),
+                    new ByteArrayInputStream(content),
+                    folder == null ? Path.of("") : folder),
+                new Problems());
+        world.instances().update();
+        box = rung == versions.size() - 1 ? bounds(world, object) : box;
+        for (int i = 0; i < study.views().size(); i++) {
+          Pose pose = pose(box, study.views().get(i));
+          world.step(0, (viewer, now, dt) -> pose.applyTo(viewer));
+          view.draw(world, ON_GREY, study.picture(), study.picture(), AntiAliasing.SMOOTH)
+              .pixels()
+              .writePng(files.file(rung, i));
+        }
+      }
+    }
+    return Optional.of(new PolygonLadder(versions.stream().map(ObjectVersion::polygons).toList()));
+  }
+
+  private Optional<VersionsEdit> plan(String object, Problems problems) throws IOException {
+    Snapshot document = DocumentFile.open(study.scene()).document().snapshot();
+    List<Goal> goals =
+        Arrays.stream(PolygonLadder.shares(study.fewest(), study.rungs()))
+            .<Goal>mapToObj(share -> new Goal.VertexPercent(100 * share))
+            .toList();
+    Problems found = new Problems();
+    try {
+      Optional<VersionsEdit> plan =
+          VersionsEdit.plan(
+              document,
+              new VersionsEdit.Request(study.scene(), object, goals, "inlineNodes"),
+              catalogue,
+              found);
+      // Nothing is written, so what is said of files that would change is of no use here.
+      found.list().stream()
+          .filter(problem -> problem.severity() == Problem.Severity.ERROR)
+          .forEach(problems::add);
+      return plan;
+    } catch (BadSceneException e) {
+      problems.error(Location.of(study.scene().toString()), String.valueOf(e.getMessage()));
+      return Optional.empty();
+    }
+  }
+
+  /** From the fewest polygons to the original, each number of polygons once. */
+  private static List<ObjectVersion> rising(List<ObjectVersion> versions) {
+    ObjectVersion original = versions.get(0);
+    List<ObjectVersion> rising =
+        new ArrayList<>(
+            versions.stream()
+                .skip(1)
+                .filter(version -> version.polygons() < original.polygons())
+                .collect(
+                    Collectors.toMap(ObjectVersion::polygons, v -> v, (first, second) -> first))
+                .values());
+    rising.add(original);
+    rising.sort(Comparator.comparing(ObjectVersion::polygons));
+    return rising;
+  }
+
+  private static byte[] content(VersionsEdit plan, ObjectVersion version) throws IOException {
+    for (PlannedFile file : plan.files()) {
+      if (file.file().equals(version.file())) {
+        return file.content();
+      }
+    }
+    return Files.readAllBytes(version.file());
+  }
+
+  private Bounds bounds(World world, String object) throws IOException {
+    return world.instances().shapes().stream()
+        .filter(ShapeInstance::shown)
+        .map(shape -> Bounds.of(shape.bounds()))
+        .reduce(Bounds::union)
+        .filter(box -> !box.isEmpty())
+        .orElseThrow(() -> new IOException(study.scene() + ": nothing is to be seen of " + object));
+  }
+
+  /** Where a box fills the picture. */
+  private static Pose pose(Bounds box, ThresholdStudy.View from) {
+    Vector3d half = new Vector3d(box.max()).sub(box.min()).mul(0.5);
+    Quaterniond orientation =
+        new Quaterniond().rotationYXZ(Math.toRadians(from.yaw()), -Math.toRadians(from.pitch()), 0);
+    Quaterniond toEye = orientation.conjugate(new Quaterniond());
+    double slope = Math.tan(FIELD_OF_VIEW / 2);
+    double distance = 0;
+    for (int corner = 0; corner < 8; corner++) {
+      Vector3d at =
+          new Vector3d(
+              (corner & 1) == 0 ? half.x : -half.x,
+              (corner & 2) == 0 ? half.y : -half.y,
+              (corner & 4) == 0 ? half.z : -half.z);
+      toEye.transform(at);
+      distance = Math.max(distance, at.z + Math.max(Math.abs(at.x), Math.abs(at.y)) / slope);
+    }
+    Vector3d back = orientation.transform(new Vector3d(0, 0, ROOM * distance));
+    return new Pose(new Vector3d(box.min()).add(half).add(back), orientation, FIELD_OF_VIEW);
+  }
+
+  @Override
+  public void close() {
+    view.close();
+  }
+}

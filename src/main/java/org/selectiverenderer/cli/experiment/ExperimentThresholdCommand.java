@@ -1,0 +1,187 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.threshold.SimulatedTrials;
+import org.selectiverenderer.app.threshold.ThresholdDialogue;
+import org.selectiverenderer.app.threshold.ThresholdPictures;
+import org.selectiverenderer.app.threshold.WindowTrials;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.option.FormatOption;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.session.SessionFolder;
+import org.selectiverenderer.experiment.threshold.ThresholdReader;
+import org.selectiverenderer.experiment.threshold.ThresholdResults;
+import org.selectiverenderer.experiment.threshold.ThresholdSession;
+import org.selectiverenderer.experiment.threshold.ThresholdStudy;
+import org.selectiverenderer.experiment.threshold.ThresholdTables;
+import org.selectiverenderer.runtime.render.context.GlAvailability;
+import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "threshold",
+    description = {
+      "Runs the threshold pilot (thesis 4.2.1): with how few polygons is an object still what it"
+          + " was?",
+      "A participant compares or names pictures of an object's versions; what comes next depends on"
+          + " the answers. Each answer is written to threshold/sub-ID beside the settings at once."
+          + " --results prints the thresholds of all participants and the commands that make such"
+          + " versions."
+    },
+    footer = {
+      "  ./selective-renderer experiment threshold mystudy/pilot/threshold.json --participant 001",
+      "  ./selective-renderer experiment threshold mystudy/pilot/threshold.json --results"
+    })
+final class ExperimentThresholdCommand extends CliCommand {
+  private static final String FILE = "threshold.json";
+
+  @Parameters(
+      paramLabel = "PILOT.json",
+      description = "settings of the pilot, or the folder that contains threshold.json")
+  private Path file = Path.of("");
+
+  @Option(
+      names = "--participant",
+      paramLabel = "ID",
+      description = "id of the participant, letters and digits")
+  private @Nullable String participant;
+
+  @Option(names = "--resume", description = "continues a participant's pilot that was cut off")
+  private boolean resume;
+
+  @Option(
+      names = "--unattended",
+      description = "runs with a simulated observer, for tests; this is recorded")
+  private boolean unattended;
+
+  @Option(names = "--results", description = "prints the results of all participants")
+  private boolean results;
+
+  @Option(
+      names = "--commands",
+      paramLabel = "F",
+      description = "with --results: writes the commands that make the versions to a file as well")
+  private @Nullable Path commands;
+
+  @Mixin private FormatOption format = new FormatOption();
+
+  ExperimentThresholdCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    check();
+    Problems problems = new Problems(console()::problem);
+    Optional<ThresholdStudy> found =
+        ThresholdReader.read(Files.isDirectory(file) ? file.resolve(FILE) : file, problems);
+    if (found.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    ThresholdStudy study = found.get();
+    return results ? results(study, problems) : session(study, problems);
+  }
+
+  private void check() {
+    if (results && (participant != null || resume || unattended)) {
+      throw CommandFailure.usage("--results is about all participants and runs none");
+    }
+    if (commands != null && !results) {
+      throw CommandFailure.usage("--commands needs --results");
+    }
+    if (!results && participant == null) {
+      throw CommandFailure.usage("--participant ID or --results is needed");
+    }
+    if (participant != null && !participant.matches(SessionFolder.LABEL)) {
+      throw CommandFailure.usage("--participant must consist of letters and digits");
+    }
+  }
+
+  private ExitStatus results(ThresholdStudy study, Problems problems) throws IOException {
+    ThresholdResults thresholds = ThresholdResults.read(study, problems);
+    Path here = Path.of("").toAbsolutePath();
+    Path scene = study.scene().toAbsolutePath();
+    String name =
+        (scene.getRoot() != null && scene.getRoot().equals(here.getRoot())
+                ? here.relativize(scene)
+                : scene)
+            .toString()
+            .replace('\\', '/');
+    console()
+        .out()
+        .print(
+            format.json()
+                ? ThresholdTables.json(thresholds)
+                : ThresholdTables.text(thresholds, name));
+    if (commands != null) {
+      OutputFile.write(commands, thresholds.commands(name));
+    }
+    return ExitStatus.of(problems);
+  }
+
+  private ExitStatus session(ThresholdStudy study, Problems problems) throws IOException {
+    GlAvailability.check()
+        .ifPresent(
+            reason -> {
+              throw CommandFailure.environment(reason + "; the pilot needs pictures");
+            });
+    if (!unattended) {
+      LibraryProperties.allowSwing();
+    }
+    Path settings = study.file().toAbsolutePath().getParent();
+    Optional<Wording> wording =
+        Wording.of(study.language(), settings == null ? Path.of("") : settings, problems);
+    Optional<ThresholdPictures> pictures =
+        wording.isEmpty()
+            ? Optional.empty()
+            : ThresholdPictures.of(study, console()::message, problems);
+    if (wording.isEmpty() || pictures.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    String id = String.valueOf(participant);
+    ThresholdSession.Opening opening =
+        new ThresholdSession.Opening(
+            id,
+            pictures.get().checksum(),
+            new ProgramVersion().getVersion()[0],
+            unattended,
+            resume);
+    try (ThresholdDialogue dialogue =
+            unattended
+                ? new SimulatedTrials(study, pictures.get(), id)
+                : new WindowTrials(study, pictures.get(), wording.get());
+        ThresholdSession session =
+            ThresholdSession.open(study, pictures.get().ladders(), opening, problems)) {
+      boolean through = ThresholdDialogue.run(session, dialogue);
+      console()
+          .message(
+              through
+                  ? "the pilot of participant "
+                      + id
+                      + " is finished after "
+                      + session.pilot().trials()
+                      + " trials"
+                  : "the pilot was ended; --resume continues it");
+      return through ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
+    } catch (GlUnavailableException e) {
+      throw CommandFailure.environment(e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw CommandFailure.environment("interrupted; --resume continues the pilot");
+    }
+  }
+}

@@ -1,0 +1,53 @@
+package org.selectiverenderer.experiment.threshold;
+
+import java.util.Map;
+import java.util.Random;
+
+/**
+ * Who answers when nobody sits there: sees, or recognises, with a probability that is a logistic
+ * function of the logarithm of the polygons, guesses else, and now and then slips.
+ *
+ * <p>Telling apart becomes harder with more polygons, recognising easier; at the threshold either
+ * succeeds half of the time.
+ */
+public final class SimulatedObserver {
+  private static final double SLOPE = 4;
+  private static final double SLIPS = 0.02;
+
+  private final ThresholdTask task;
+  private final Map<String, PolygonLadder> ladders;
+  private final double share;
+  private final Random random;
+
+  /**
+   * An observer.
+   *
+   * @param share of its polygons at which each object's threshold lies
+   */
+  public SimulatedObserver(
+      ThresholdTask task, Map<String, PolygonLadder> ladders, double share, long seed) {
+    this.task = task;
+    this.ladders = Map.copyOf(ladders);
+    this.share = share;
+    random = new Random(seed * 0x9E3779B97F4A7C15L);
+  }
+
+  /** What this observer says. */
+  public String answer(ThresholdTrial trial) {
+    PolygonLadder ladder = ladders.get(trial.object());
+    if (ladder == null) {
+      throw new IllegalArgumentException("no versions of " + trial.object());
+    }
+    double above = Math.log(ladder.at(trial.rung()) / (share * ladder.all()));
+    double more = 1 / (1 + Math.exp(-SLOPE * above));
+    double succeeds = task == ThresholdTask.TELL_APART ? 1 - more : more;
+    boolean knows = trial.catches() || random.nextDouble() < succeeds;
+    if (knows && random.nextDouble() >= SLIPS) {
+      return trial.right();
+    }
+    if (task == ThresholdTask.RECOGNISE) {
+      return ThresholdTrial.NONE;
+    }
+    return trial.choices().get(random.nextInt(trial.choices().size()));
+  }
+}

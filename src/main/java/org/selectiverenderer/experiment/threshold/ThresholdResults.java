@@ -1,0 +1,144 @@
+package org.selectiverenderer.experiment.threshold;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
+
+/**
+ * The thresholds of all participants of a pilot.
+ *
+ * @param participants who count
+ * @param objects in the order of the settings
+ */
+public record ThresholdResults(
+    ThresholdStudy study, int participants, List<ObjectThreshold> objects) {
+  public ThresholdResults {
+    objects = List.copyOf(objects);
+  }
+
+  /**
+   * Reads the logs of all participants.
+   *
+   * @param problems hears who is left out, for too little attention, and whose trials are not over
+   * @throws IOException if one cannot be read
+   */
+  public static ThresholdResults read(ThresholdStudy study, Problems problems) throws IOException {
+    List<JsonNode> counting = new ArrayList<>();
+    int participants = 0;
+    for (Path folder : folders(study)) {
+      List<JsonNode> events = TrialLog.read(folder, problems);
+      if (!events.isEmpty() && attends(study, folder, events, problems)) {
+        counting.addAll(events);
+        participants++;
+      }
+    }
+    List<ObjectThreshold> objects = new ArrayList<>();
+    for (ThresholdStudy.Judged judged : study.objects()) {
+      objects.add(of(judged.object(), counting));
+    }
+    return new ThresholdResults(study, participants, objects);
+  }
+
+  private static List<Path> folders(ThresholdStudy study) throws IOException {
+    if (!Files.isDirectory(study.folder())) {
+      return List.of();
+    }
+    try (Stream<Path> found = Files.list(study.folder())) {
+      return found
+          .filter(path -> path.getFileName().toString().startsWith("sub-"))
+          .filter(path -> Files.isRegularFile(TrialLog.of(path)))
+          .sorted()
+          .toList();
+    }
+  }
+
+  private static boolean attends(
+      ThresholdStudy study, Path folder, List<JsonNode> events, Problems problems) {
+    List<JsonNode> catches =
+        events.stream().filter(event -> is(event, "trial") && event.has("catch")).toList();
+    long right = catches.stream().filter(event -> event.path("correct").asBoolean()).count();
+    if (right < study.attention() * catches.size()) {
+      problems.warning(
+          Location.of(TrialLog.of(folder).toString()),
+          ("%s is left out: of %d trials that show whether somebody attends, %d were answered right,"
+                  + " and \"attention\" asks for %s of them")
+              .formatted(folder.getFileName(), catches.size(), right, study.attention()));
+      return false;
+    }
+    if (events.stream().noneMatch(event -> is(event, "pilot-finished"))) {
+      problems.warning(
+          Location.of(TrialLog.of(folder).toString()),
+          "the trials of %s are not over; the objects that are settled count, --resume goes on"
+              .formatted(folder.getFileName()));
+    }
+    return true;
+  }
+
+  private static boolean is(JsonNode event, String name) {
+    return event.path("event").asText().equals(name);
+  }
+
+  private static ObjectThreshold of(String object, List<JsonNode> events) {
+    int original = 0;
+    List<ThresholdEstimate> estimates = new ArrayList<>();
+    for (JsonNode event : events) {
+      if (is(event, "threshold") && event.path("object").asText().equals(object)) {
+        original = event.path("original").asInt();
+        estimates.add(
+            new ThresholdEstimate(
+                kind(event.path("outcome").asText()), event.path("polygons").asDouble()));
+      }
+    }
+    return new ObjectThreshold(object, original, estimates);
+  }
+
+  private static Kind kind(String spelling) {
+    return Stream.of(Kind.values())
+        .filter(kind -> kind.spelling().equals(spelling))
+        .findFirst()
+        .orElse(Kind.OPEN);
+  }
+
+  /**
+   * The commands that make the versions, a line each, ready to run; where an object is to stay as
+   * it is, a comment says so.
+   *
+   * @param scene as the commands are to name it
+   */
+  public String commands(String scene) {
+    StringBuilder text = new StringBuilder();
+    for (ObjectThreshold object : objects) {
+      text.append(
+          object
+              .wanted()
+              .map(
+                  polygons ->
+                      String.format(
+                          Locale.ROOT,
+                          "./selective-renderer versions %s --object %s --polygons %d\n",
+                          quoted(scene),
+                          quoted(object.object()),
+                          polygons))
+              .orElseGet(
+                  () ->
+                      "# "
+                          + object.object()
+                          + (object.estimates().isEmpty()
+                              ? ": nobody's threshold is known yet\n"
+                              : ": no reduced version was good enough for most; leave it as it is\n")));
+    }
+    return text.toString();
+  }
+
+  private static String quoted(String word) {
+    return word.matches("[\\w./:@%+=,-]+") ? word : "'" + word.replace("'", "'\\''") + "'";
+  }
+}
