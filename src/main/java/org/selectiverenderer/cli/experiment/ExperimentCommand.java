@@ -28,6 +28,7 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentRunCommand(console()),
         new ExperimentStatusCommand(console()),
         new ExperimentCollectCommand(console()),
+        new ExperimentBidsCommand(console()),
         new ExperimentPaperCommand(console()),
         new ExperimentViewCommand(console()),
         new ExperimentAnalyseCommand(console()),
