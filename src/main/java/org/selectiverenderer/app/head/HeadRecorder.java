@@ -9,6 +9,7 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
@@ -24,7 +25,7 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.tracker.PoseSample;
 
-/** Samples the viewer of a walk for its head log, once per frame. */
+/** Samples the viewer of a walk once per frame: for its head log, for who listens, or for both. */
 final class HeadRecorder implements AutoCloseable {
   /** Radians and scene units below which the head counts as idle. */
   private static final double STILL_ANGLE = Math.toRadians(0.05);
@@ -32,35 +33,47 @@ final class HeadRecorder implements AutoCloseable {
   private static final double STILL_WAY = 1e-3;
 
   private final Walkthrough walk;
-  private final HeadLogWriter writer;
+  private final @Nullable HeadLogWriter writer;
+  private final @Nullable SampleListener listener;
   private final Gaze gaze;
   private final PoseSample angles = new PoseSample();
   private final Vector3d lastPosition = new Vector3d(Double.NaN);
   private final Quaterniond lastOrientation = new Quaterniond();
   private long lastFrame;
 
-  private HeadRecorder(Walkthrough walk, HeadLogWriter writer, double coneDegrees) {
+  private HeadRecorder(
+      Walkthrough walk,
+      @Nullable HeadLogWriter writer,
+      @Nullable SampleListener listener,
+      double coneDegrees) {
     this.walk = walk;
     this.writer = writer;
+    this.listener = listener;
     gaze = new Gaze(walk.world(), coneDegrees);
   }
 
   /**
    * Begins a log.
    *
-   * @param files of the log; closed with it
+   * @param files of the log, closed with it; null for none
+   * @param listener hears of the samples, too
    * @param coneDegrees width of the cone in which objects are named
    * @throws IOException if it cannot be written
    */
   static HeadRecorder open(
-      HeadLogFiles files,
+      @Nullable HeadLogFiles files,
+      @Nullable SampleListener listener,
       double coneDegrees,
       RunSettings settings,
       Walkthrough walk,
       Consumer<Problem> problem)
       throws IOException {
     HeadLogDescription description = description(settings, coneDegrees, walk);
-    return new HeadRecorder(walk, HeadLogWriter.open(files, description, problem), coneDegrees);
+    if (listener != null) {
+      listener.scene(description);
+    }
+    HeadLogWriter writer = files == null ? null : HeadLogWriter.open(files, description, problem);
+    return new HeadRecorder(walk, writer, listener, coneDegrees);
   }
 
   private static HeadLogDescription description(
@@ -95,7 +108,7 @@ final class HeadRecorder implements AutoCloseable {
         at.distance(lastPosition) >= STILL_WAY
             || turn.difference(lastOrientation, new Quaterniond()).angle() >= STILL_ANGLE;
     Gaze.Found found = gaze.find();
-    writer.add(
+    HeadSample sample =
         new HeadSample(
             time,
             at.x(),
@@ -110,7 +123,13 @@ final class HeadRecorder implements AutoCloseable {
             found.version(),
             found.cone(),
             walk.activeSchemas(),
-            lastFrame == 0 ? 0 : (now - lastFrame) * 1e-6));
+            lastFrame == 0 ? 0 : (now - lastFrame) * 1e-6);
+    if (writer != null) {
+      writer.add(sample);
+    }
+    if (listener != null) {
+      listener.sampled(sample, now);
+    }
     lastPosition.set(at);
     lastOrientation.set(turn);
     lastFrame = now;
@@ -118,6 +137,8 @@ final class HeadRecorder implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    writer.close();
+    if (writer != null) {
+      writer.close();
+    }
   }
 }

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.run.GuidedRun;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.WindowChain;
@@ -134,6 +135,11 @@ final class ShownSteps implements WindowChain.Runs {
       @Override
       public void happened(TimelineEvent event) {
         session.journal().tell("scene", Map.of("step", step.id(), "what", read(lines.line(event))));
+      }
+
+      @Override
+      public Optional<SampleListener> samples() {
+        return show.listener().samples();
       }
 
       @Override

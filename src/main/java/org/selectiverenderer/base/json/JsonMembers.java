@@ -164,6 +164,15 @@ public final class JsonMembers {
     return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
   }
 
+  /** True or false; {@code otherwise} where it is missing or a fault. */
+  public boolean truth(String key, boolean otherwise) {
+    Optional<JsonValue> found = find(key);
+    if (found.isPresent() && found.get().truth().isEmpty()) {
+      fault(key, "\"" + key + "\" must be true or false");
+    }
+    return found.flatMap(JsonValue::truth).orElse(otherwise);
+  }
+
   /** One of some spellings. */
   public <T> T choice(String key, List<T> known, Function<T, String> spelling, T otherwise) {
     Optional<String> text = text(key, false);

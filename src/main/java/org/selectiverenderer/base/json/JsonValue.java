@@ -77,6 +77,11 @@ public final class JsonValue {
     return value instanceof Double number ? number : Double.NaN;
   }
 
+  /** Empty when it is neither true nor false. */
+  Optional<Boolean> truth() {
+    return value instanceof Boolean truth ? Optional.of(truth) : Optional.empty();
+  }
+
   /** Empty when it is no list. */
   Optional<List<JsonValue>> list() {
     return value instanceof List<?> list

@@ -116,8 +116,9 @@ public record BidsDataset(int sessions, int files) {
         "exposure..." have motion data (tracksys-head: the middle between the eyes as it was drawn,
         one sample a frame) and events; the others are questionnaires (beh).
 
-        Time: "onset" and the channel "latency" count from the first frame, and stand still while
-        the experimenter pauses; "wall" in events is the clock on the wall.
+        Time: "onset" and the channel "latency" count from the first frame. While the experimenter
+        pauses there are no samples. "t" in events is the time of the scene, which stands still
+        then, and "wall" the clock on the wall.
 
         Coordinates: metres in the world of the scene, X right, Y up, Z towards the viewer of a
         plan seen from above with -Z up; rotations are quaternions that take a viewer who looks

@@ -21,23 +21,34 @@ public final class RunEvents {
 
   /** An event in the order of the columns, but for the times. */
   private record Event(
-      double onset, double duration, String type, List<@Nullable Object> cells, String wall) {}
+      double onset,
+      double duration,
+      String type,
+      List<@Nullable Object> cells,
+      double t,
+      String wall) {}
 
   private final RecordedRun run;
   private final Optional<HeadLog> log;
   private final double fade;
   private final List<Event> events = new ArrayList<>();
 
-  /** The beginning of the run by the clock on the wall, later by the pauses so far. */
-  private @Nullable OffsetDateTime zero;
-
+  private final Optional<OffsetDateTime> zero;
+  private final List<Pause> pauses = new ArrayList<>();
   private @Nullable OffsetDateTime pausedAt;
+
+  /**
+   * A time in which the run stood still.
+   *
+   * @param from seconds of real time since the run's beginning
+   */
+  private record Pause(double from, double seconds) {}
 
   private RunEvents(RecordedRun run, Optional<HeadLog> log, double fade) {
     this.run = run;
     this.log = log;
     this.fade = fade;
-    zero = run.started(log).orElse(null);
+    zero = run.started(log);
   }
 
   /** The columns of {@link #rows}. */
@@ -47,7 +58,7 @@ public final class RunEvents {
             "onset",
             "s",
             "when it began, in the time of the head log, which stands still in pauses"),
-        TableColumn.number("duration", "s", "how long it lasted, in the same time; 0 for a moment"),
+        TableColumn.number("duration", "s", "how long it lasted, pauses included; 0 for a moment"),
         TableColumn.category("trial_type", TYPES, "what happened"),
         TableColumn.text(
             "area", "the ProximitySensor of the area that was entered or left, its DEF"),
@@ -57,8 +68,9 @@ public final class RunEvents {
         TableColumn.text("object", "the Switch of the object that was switched, its DEF"),
         TableColumn.whole("version_from", "the choice that the Switch showed before, from 0"),
         TableColumn.whole("version_to", "the choice that it shows from then on, from 0"),
-        TableColumn.text(
-            "text", "of a note, a problem or a flag; of a pause the seconds that it took"),
+        TableColumn.text("text", "of a note, a problem or a flag"),
+        TableColumn.number(
+            "t", "s", "the time of the head log when it began, which stands still in pauses"),
         TableColumn.time("wall", "when it was told, by the clock on the wall"));
   }
 
@@ -71,6 +83,7 @@ public final class RunEvents {
   public static List<List<@Nullable Object>> rows(
       RecordedRun run, Optional<HeadLog> log, double fade) {
     RunEvents found = new RunEvents(run, log, fade);
+    run.events().forEach(found::pause);
     run.events().forEach(found::line);
     found.events.sort(Comparator.comparingDouble(Event::onset));
     return found.events.stream().map(RunEvents::row).toList();
@@ -82,6 +95,7 @@ public final class RunEvents {
     row.add(event.duration());
     row.add(event.type());
     row.addAll(event.cells());
+    row.add(Rounded.to(6, event.t()));
     row.add(event.wall());
     return row;
   }
@@ -91,20 +105,14 @@ public final class RunEvents {
     switch (line.event()) {
       case "shown" -> {
         double t = members.path("t").asDouble();
-        add(line, t, exposure(t), "exposure", cells());
+        add(line, t, exposureEnd(), "exposure", cells());
       }
       case "scene" -> scene(line, members.path("what"));
-      case "paused" -> {
-        if (pausedAt == null) {
-          pausedAt = line.time();
-        }
-      }
-      case "continued" -> continued(line);
-      case "note" -> add(line, at(line), 0, "note", cells("text", line.text("text")));
-      case "problem" -> add(line, at(line), 0, "problem", cells("text", line.text("text")));
-      case "flag" -> add(line, at(line), 0, "flag", cells("text", line.text("flag")));
-      case "heading-reset" -> add(line, at(line), 0, "heading-reset", cells());
-      case "aborted" -> add(line, at(line), 0, "aborted", cells());
+      case "note" -> moment(line, "note", cells("text", line.text("text")));
+      case "problem" -> moment(line, "problem", cells("text", line.text("text")));
+      case "flag" -> moment(line, "flag", cells("text", line.text("flag")));
+      case "heading-reset" -> moment(line, "heading-reset", cells());
+      case "aborted" -> moment(line, "aborted", cells());
       default -> {
         // Of the session, not of what was seen.
       }
@@ -115,13 +123,13 @@ public final class RunEvents {
     double t = what.path("t").asDouble();
     switch (what.path("event").asText()) {
       case "enter" ->
-          add(line, t, stay(line, what), "enter", cells("area", what, "schemas", schemas(what)));
-      case "exit" -> add(line, t, 0, "exit", cells("area", what, "schemas", schemas(what)));
+          add(line, t, left(line, what), "enter", cells("area", what, "schemas", schemas(what)));
+      case "exit" -> add(line, t, t, "exit", cells("area", what, "schemas", schemas(what)));
       case "switch" ->
           add(
               line,
               t,
-              0,
+              t,
               "switch",
               cells(
                   "schemas", what.path("schema").asText(),
@@ -140,56 +148,91 @@ public final class RunEvents {
     return String.join(" ", names);
   }
 
-  private void continued(JournalLine line) {
+  /** Pauses are known before anything else: by them times are told. */
+  private void pause(JournalLine line) {
     OffsetDateTime since = pausedAt;
-    OffsetDateTime from = zero;
-    if (since == null || from == null) {
-      return;
+    if (line.event().equals("paused") && since == null) {
+      pausedAt = line.time();
+    } else if (line.event().equals("continued") && since != null && zero.isPresent()) {
+      Pause pause =
+          new Pause(
+              RecordedRun.seconds(zero.get(), since), RecordedRun.seconds(since, line.time()));
+      double t = run(pause.from());
+      pauses.add(pause);
+      events.add(
+          new Event(
+              pause.from() - first(),
+              Rounded.to(3, pause.seconds()),
+              "pause",
+              cells(),
+              t,
+              since.toString()));
+      pausedAt = null;
     }
-    double onset = RecordedRun.seconds(from, since);
-    double seconds = RecordedRun.seconds(since, line.time());
-    add(line, onset, 0, "pause", cells("text", String.valueOf(Rounded.to(3, seconds))));
-    zero = from.plusNanos(Math.round(seconds * 1e9));
-    pausedAt = null;
   }
 
-  /** When a line was told, in the time of the run; NaN when that is unknown. */
-  private double at(JournalLine line) {
-    OffsetDateTime from = zero;
-    OffsetDateTime now = pausedAt == null ? line.time() : pausedAt;
-    return from == null ? Double.NaN : Math.max(0, RecordedRun.seconds(from, now));
+  /** The run's time at a real time. */
+  private double run(double real) {
+    double t = real;
+    for (Pause pause : pauses) {
+      t -= Math.max(0, Math.min(real - pause.from(), pause.seconds()));
+    }
+    return t;
+  }
+
+  /** The real time at a time of the run. */
+  private double real(double t) {
+    double real = t;
+    for (Pause pause : pauses) {
+      real += pause.from() < real ? pause.seconds() : 0;
+    }
+    return real;
   }
 
   /** The exposure ends when the picture begins to go. */
-  private double exposure(double shown) {
-    return run.finished() && log.isPresent()
-        ? Rounded.to(3, Math.max(0, last(log.get()) - fade - shown))
-        : Double.NaN;
+  private double exposureEnd() {
+    return run.finished() && log.isPresent() ? last(log.get()) - fade : Double.NaN;
   }
 
   private static double last(HeadLog log) {
     return log.samples().get(log.samples().size() - 1).t();
   }
 
-  /** Until the area was left, or the end of the log. */
-  private double stay(JournalLine entered, JsonNode what) {
-    double t = what.path("t").asDouble();
+  private double first() {
+    return log.map(read -> read.samples().get(0).t()).orElse(0.0);
+  }
+
+  /** When an area was left: by the viewer, or by the end of the log. */
+  private double left(JournalLine entered, JsonNode what) {
     List<JournalLine> all = run.events();
     for (JournalLine line : all.subList(all.indexOf(entered) + 1, all.size())) {
       JsonNode later = line.members().path("what");
       if (later.path("event").asText().equals("exit")
           && later.path("sensor").asText().equals(what.path("sensor").asText())) {
-        return Rounded.to(6, later.path("t").asDouble() - t);
+        return later.path("t").asDouble();
       }
     }
-    return log.map(read -> Rounded.to(6, Math.max(0, last(read) - t))).orElse(Double.NaN);
+    return log.map(RunEvents::last).orElse(Double.NaN);
   }
 
-  private void add(
-      JournalLine line, double onset, double duration, String type, List<@Nullable Object> cells) {
-    if (!Double.isNaN(onset)) {
-      events.add(new Event(onset, duration, type, cells, line.time().toString()));
+  /** Something of which the journal has the time of the clock on the wall alone. */
+  private void moment(JournalLine line, String type, List<@Nullable Object> cells) {
+    if (zero.isPresent()) {
+      double real = Math.max(0, RecordedRun.seconds(zero.get(), line.time()));
+      events.add(new Event(real - first(), 0, type, cells, run(real), line.time().toString()));
     }
+  }
+
+  /**
+   * Something that the journal tells in the time of the run.
+   *
+   * @param until in the same time; NaN where that is unknown
+   */
+  private void add(
+      JournalLine line, double t, double until, String type, List<@Nullable Object> cells) {
+    double duration =
+        Double.isNaN(until) ? Double.NaN : Rounded.to(6, Math.max(0, real(until) - real(t)));
+    events.add(new Event(real(t) - first(), duration, type, cells, t, line.time().toString()));
   }
 
   /** The cells between type and time, of which some are given by name and value. */

@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.session;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -17,6 +18,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.Disk;
 import org.selectiverenderer.base.json.JsonTree;
@@ -39,6 +41,7 @@ public final class SessionJournal implements AutoCloseable {
             return thread;
           });
   private volatile @Nullable IOException failure;
+  private volatile Consumer<JsonNode> listener = event -> {};
 
   private SessionJournal(Path file, FileChannel channel, FileLock lock) {
     this.file = file;
@@ -89,6 +92,11 @@ public final class SessionJournal implements AutoCloseable {
     }
   }
 
+  /** Has somebody hear each event as it is told, on the thread that tells it; must not wait. */
+  public void listen(Consumer<JsonNode> hears) {
+    listener = hears;
+  }
+
   /**
    * Tells an event; does not wait. A disk that fails is told by the next {@link #keep}.
    *
@@ -130,6 +138,7 @@ public final class SessionJournal implements AutoCloseable {
       line.put("step", String.valueOf(step));
     }
     more.forEach((key, value) -> line.set(key, JsonTree.of(value)));
+    listener.accept(line);
     byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
     return writer.submit(() -> write(bytes));
   }

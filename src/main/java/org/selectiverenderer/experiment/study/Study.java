@@ -20,6 +20,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param seed of the assignment and of the order of questions
  * @param fade seconds in which the picture of an area comes and goes, beside its exposure
  * @param language of the questionnaires, a code such as {@code en}
+ * @param streams what goes to, and comes from, the Lab Streaming Layer
  */
 public record Study(
     Path file,
@@ -37,7 +38,8 @@ public record Study(
     TrackerSpec tracker,
     MouseMapping mouse,
     String language,
-    List<Questionnaire> questionnaires) {
+    List<Questionnaire> questionnaires,
+    StudyStreams streams) {
 
   public Study {
     conditions = List.copyOf(conditions);

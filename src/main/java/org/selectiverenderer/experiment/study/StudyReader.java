@@ -107,7 +107,8 @@ public final class StudyReader {
                 mapping -> mapping.name().toLowerCase(Locale.ROOT),
                 MouseMapping.EXPERIMENT),
             keys.text("language", false).orElse("en"),
-            questionnaires(keys));
+            questionnaires(keys),
+            StudyStreamsReader.read(keys));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");

@@ -50,19 +50,20 @@ class BidsDatasetTest {
   }
 
   @Test
-  void eventsHaveTheTimesOfTheHeadLogWhichStandStillInPauses() throws IOException {
+  void eventsCountFromTheFirstSampleAndSayTheTimeOfTheHeadLogTooWhichStandsStillInPauses()
+      throws IOException {
     String events =
         text("sub-001/ses-01/motion/sub-001_ses-01_task-exposurehall_run-01_events.tsv");
     assertThat(events.lines().map(line -> line.substring(0, line.lastIndexOf('\t'))))
         .containsExactly(
-            "onset\tduration\ttrial_type\tarea\tschemas\tobject\tversion_from\tversion_to\ttext",
-            "1\t5\texposure\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a",
-            "2\t2.5\tenter\tDeskProx\tDeskSchema\tn/a\tn/a\tn/a\tn/a",
-            "2\t0\tswitch\tn/a\tDeskSchema\tCoat\t1\t0\tn/a",
-            "3\t0\tpause\tn/a\tn/a\tn/a\tn/a\tn/a\t2.0",
-            "4\t0\tnote\tn/a\tn/a\tn/a\tn/a\tn/a\tsneezed, or \"coughed\"",
-            "4.5\t0\texit\tDeskProx\tn/a\tn/a\tn/a\tn/a\tn/a",
-            "5\t0\tflag\tn/a\tn/a\tn/a\tn/a\tn/a\tlow-frame-rate");
+            "onset\tduration\ttrial_type\tarea\tschemas\tobject\tversion_from\tversion_to\ttext\tt",
+            "1\t7\texposure\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t1",
+            "2\t4.5\tenter\tDeskProx\tDeskSchema\tn/a\tn/a\tn/a\tn/a\t2",
+            "2\t0\tswitch\tn/a\tDeskSchema\tCoat\t1\t0\tn/a\t2",
+            "3\t2\tpause\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t3",
+            "6\t0\tnote\tn/a\tn/a\tn/a\tn/a\tn/a\tsneezed, or \"coughed\"\t4",
+            "6.5\t0\texit\tDeskProx\tn/a\tn/a\tn/a\tn/a\tn/a\t4.5",
+            "7\t0\tflag\tn/a\tn/a\tn/a\tn/a\tn/a\tlow-frame-rate\t5");
   }
 
   @Test
