@@ -29,6 +29,7 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentStatusCommand(console()),
         new ExperimentCollectCommand(console()),
         new ExperimentBidsCommand(console()),
+        new ExperimentExportCommand(console()),
         new ExperimentPaperCommand(console()),
         new ExperimentViewCommand(console()),
         new ExperimentAnalyseCommand(console()),
