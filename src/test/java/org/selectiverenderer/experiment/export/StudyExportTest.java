@@ -108,8 +108,8 @@ class StudyExportTest {
   void theCodebookExplainsEveryColumnOfEveryTable() throws IOException {
     JsonNode book = JsonTree.parse(Files.readString(tables.resolve("codebook.json")));
     assertThat(book).hasSize(9);
-    book.fields()
-        .forEachRemaining(
+    book.properties()
+        .forEach(
             file -> {
               try {
                 List<String> header = List.of(lines(file.getKey()).get(0).split(","));
