@@ -98,6 +98,7 @@ final class SessionFiles {
     files.add(folder + "motion/" + name + number + "_events", events, stimulus(task));
     scans.add(
         "motion/" + motion + Bids.DATA, run.started(log).map(SessionFiles::time).orElse(null));
+    tracker(run, name + "_tracksys-tracker" + number, task, log.get().description().tracker());
   }
 
   /** Of what events are, beside their columns. */
@@ -107,6 +108,13 @@ final class SessionFiles {
         .put("SoftwareName", origin.program())
         .put("SoftwareVersion", session.software());
     return root;
+  }
+
+  private void tracker(RecordedRun run, String name, String task, String model) throws IOException {
+    String records = "motion/" + name;
+    if (TrackerMotion.add(run, folder + records, task, model, files, problems)) {
+      scans.add(records + Bids.DATA, null);
+    }
   }
 
   private void answers() throws IOException {

@@ -11,6 +11,7 @@
  *   sub-ID/sub-ID_sessions.tsv, .json
  *   sub-ID/ses-NN/sub-ID_ses-NN_scans.tsv, .json
  *   sub-ID/ses-NN/motion/..._task-STEP_tracksys-head_run-NN_motion.tsv, .json, _channels.tsv, .json
+ *   sub-ID/ses-NN/motion/..._tracksys-tracker_run-NN_... the same of the tracker's own records
  *   sub-ID/ses-NN/motion/..._task-STEP_run-NN_events.tsv, .json
  *   sub-ID/ses-NN/beh/..._task-STEP_beh.tsv, .json
  * </pre>

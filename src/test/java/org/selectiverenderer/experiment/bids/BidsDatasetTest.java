@@ -67,6 +67,20 @@ class BidsDatasetTest {
   }
 
   @Test
+  void theTrackersOwnRecordsAreATrackingSystemOfTheirOwn() throws IOException {
+    String stem = "sub-001/ses-01/motion/sub-001_ses-01_task-exposurehall_tracksys-tracker_run-01";
+    assertThat(text(stem + "_motion.tsv"))
+        .isEqualTo(
+            """
+            0.000000\t0.000000\t0.000000\t1.000000\t0.000000
+            0.000000\t0.707107\t0.000000\t0.707107\t0.010000
+            """);
+    assertThat(JsonTree.parse(text(stem + "_motion.json")).path("SamplingFrequency").asDouble())
+        .isEqualTo(100);
+    assertThat(dataset.resolve(stem.replace("001", "P2") + "_motion.tsv")).doesNotExist();
+  }
+
+  @Test
   void theDurationOfAnExposureThatWasCutOffIsNotKnown() throws IOException {
     assertThat(text("sub-P2/ses-01/motion/sub-P2_ses-01_task-exposurehall_run-01_events.tsv"))
         .contains("\n1\tn/a\texposure\t");
@@ -100,7 +114,7 @@ class BidsDatasetTest {
                 + "\tselective-renderer 2.0\n");
     assertThat(text("sub-P2/sub-P2_sessions.tsv")).contains("\tunfinished\t");
     assertThat(text("sub-001/ses-01/sub-001_ses-01_scans.tsv"))
-        .contains("_motion.tsv\t2026-03-01T08:00:12.000Z\n");
+        .contains("tracksys-head_run-01_motion.tsv\t2026-03-01T08:00:12.000Z\n");
   }
 
   @Test
@@ -113,7 +127,8 @@ class BidsDatasetTest {
                     "events.jsonl:3:1: the line is no event, as a crash may leave it; it is left"
                         + " out"))
         .anyMatch(line -> line.contains("events.jsonl:6:1: the last line is cut off"))
-        .hasSize(2);
+        .anyMatch(line -> line.contains("_tracker.csv"))
+        .hasSize(3);
   }
 
   @Test

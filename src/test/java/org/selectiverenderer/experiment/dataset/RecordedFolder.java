@@ -88,6 +88,10 @@ public final class RecordedFolder {
         001,selective,hall,boat,inconsistent,no,no,4
         001,selective,hall,coat,consistent,yes,yes,5
         """);
+    Files.writeString(
+        first.resolve("exposure-hall_run-01_tracker.csv"),
+        "t,yaw,pitch,roll,number,wall,mono\n0.5,0,0,0,1,2026-03-01T08:00:12.500Z,100.5\n"
+            + "0.51,90,0,0,2,2026-03-01T08:00:12.510Z,100.51\n0.5");
     Path second = Files.createDirectories(folder.resolve("sub-P2/ses-01/head"));
     Files.writeString(second.resolveSibling("events.jsonl"), SECOND);
     for (Path head : List.of(first, second)) {
