@@ -24,7 +24,7 @@ def _read(file, columns):
         if column["type"] == "whole number":
             table[name] = pandas.to_numeric(table[name]).astype("Int64")
         elif column["type"] == "number":
-            table[name] = pandas.to_numeric(table[name])
+            table[name] = pandas.to_numeric(table[name]).astype("float64")
         elif column["type"] == "category":
             table[name] = pandas.Categorical(table[name], categories=list(column["levels"]))
         elif column["type"] == "date and time":
