@@ -146,7 +146,22 @@ class ArchitectureTest {
       onlyIn("runtime.render", "com.jogamp..", "jogamp..");
 
   @ArchTest
-  static final ArchRule modelsAreReadAndReducedInOnePlace = onlyIn("polygon", "org.lwjgl..");
+  static final ArchRule modelsAreReadAndReducedInOnePlace =
+      onlyIn("polygon", "org.lwjgl.assimp..", "org.lwjgl.util..");
+
+  /** Models are read by LWJGL's libraries; the user's liblsl is called by the libffi in LWJGL. */
+  @ArchTest
+  static final ArchRule nativeMemoryIsTouchedBehindTwoDoors =
+      noClasses()
+          .that()
+          .resideOutsideOfPackages(of("polygon"), of("lsl"))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.lwjgl..");
+
+  @ArchTest
+  static final ArchRule foreignFunctionsAreCalledInOnePlace =
+      onlyIn("lsl", "org.lwjgl.system.libffi..");
 
   @ArchTest
   static final ArchRule serialPortsAreOpenedInOnePlace = onlyIn("tracker.serial", "com.fazecast..");
@@ -186,6 +201,7 @@ class ArchitectureTest {
               of("polygon"),
               of("statistics"),
               of("tracker"),
+              of("lsl"),
               of("document"),
               of("validation"),
               of("radiosity"),

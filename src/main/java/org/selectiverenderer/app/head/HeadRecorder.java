@@ -25,7 +25,7 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.tracker.PoseSample;
 
-/** Samples the viewer of a walk for its head log, once per frame. */
+/** Samples the viewer of a walk once per frame: for its head log, for who listens, or for both. */
 final class HeadRecorder implements AutoCloseable {
   /** Radians and scene units below which the head counts as idle. */
   private static final double STILL_ANGLE = Math.toRadians(0.05);
@@ -33,35 +33,47 @@ final class HeadRecorder implements AutoCloseable {
   private static final double STILL_WAY = 1e-3;
 
   private final Walkthrough walk;
-  private final HeadLogWriter writer;
+  private final @Nullable HeadLogWriter writer;
+  private final @Nullable SampleListener listener;
   private final Gaze gaze;
   private final PoseSample angles = new PoseSample();
   private final Vector3d lastPosition = new Vector3d(Double.NaN);
   private final Quaterniond lastOrientation = new Quaterniond();
   private @Nullable FrameMoment last;
 
-  private HeadRecorder(Walkthrough walk, HeadLogWriter writer, double coneDegrees) {
+  private HeadRecorder(
+      Walkthrough walk,
+      @Nullable HeadLogWriter writer,
+      @Nullable SampleListener listener,
+      double coneDegrees) {
     this.walk = walk;
     this.writer = writer;
+    this.listener = listener;
     gaze = new Gaze(walk.world(), coneDegrees);
   }
 
   /**
    * Begins a log.
    *
-   * @param files of the log; closed with it
+   * @param files of the log, closed with it; null for none
+   * @param listener hears of the samples, too
    * @param coneDegrees width of the cone in which objects are named
    * @throws IOException if it cannot be written
    */
   static HeadRecorder open(
-      HeadLogFiles files,
+      @Nullable HeadLogFiles files,
+      @Nullable SampleListener listener,
       double coneDegrees,
       RunSettings settings,
       Walkthrough walk,
       Consumer<Problem> problem)
       throws IOException {
     HeadLogDescription description = description(settings, coneDegrees, walk);
-    return new HeadRecorder(walk, HeadLogWriter.open(files, description, problem), coneDegrees);
+    if (listener != null) {
+      listener.scene(description);
+    }
+    HeadLogWriter writer = files == null ? null : HeadLogWriter.open(files, description, problem);
+    return new HeadRecorder(walk, writer, listener, coneDegrees);
   }
 
   private static HeadLogDescription description(
@@ -99,7 +111,7 @@ final class HeadRecorder implements AutoCloseable {
         at.distance(lastPosition) >= STILL_WAY
             || turn.difference(lastOrientation, new Quaterniond()).angle() >= STILL_ANGLE;
     Gaze.Found found = gaze.find();
-    writer.add(
+    HeadSample sample =
         new HeadSample(
             frame.time(),
             at.x(),
@@ -115,7 +127,13 @@ final class HeadRecorder implements AutoCloseable {
             found.cone(),
             walk.activeSchemas(),
             last == null ? 0 : frame.millisecondsSince(last),
-            new HeadSample.Moment(visible, frame.wall(), frame.nanos() * 1e-9)));
+            new HeadSample.Moment(visible, frame.wall(), frame.nanos() * 1e-9));
+    if (writer != null) {
+      writer.add(sample);
+    }
+    if (listener != null) {
+      listener.sampled(sample, frame.nanos());
+    }
     lastPosition.set(at);
     lastOrientation.set(turn);
     last = frame;
@@ -123,6 +141,8 @@ final class HeadRecorder implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    writer.close();
+    if (writer != null) {
+      writer.close();
+    }
   }
 }

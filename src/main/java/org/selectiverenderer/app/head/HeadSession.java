@@ -38,6 +38,7 @@ public final class HeadSession implements AutoCloseable {
   private final TrackerTap tap;
   private final LatencyMeter latency = new LatencyMeter();
   private final TrackerSilence silence = new TrackerSilence();
+  private @Nullable SampleListener listener;
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
   private @Nullable FrameMoment unlogged;
@@ -123,6 +124,11 @@ public final class HeadSession implements AutoCloseable {
     return log == null ? null : HeadLogFiles.claim(log.file(), log.replace());
   }
 
+  /** Tells somebody of every frame, too; before it begins. */
+  public void tell(SampleListener hears) {
+    listener = hears;
+  }
+
   /** How many seconds a replay lasts; empty for a live tracker. */
   public OptionalDouble replayed() {
     return replay == null ? OptionalDouble.empty() : OptionalDouble.of(replay.duration());
@@ -136,12 +142,12 @@ public final class HeadSession implements AutoCloseable {
    * @throws IOException if the log cannot be written
    */
   public ViewerMotion begin(Walkthrough walk, ViewerMotion walking) throws IOException {
-    if (files != null) {
-      double cone = settings.log().orElseThrow().coneDegrees();
-      recorder = HeadRecorder.open(files, cone, settings, walk, problem);
-      if (settings.tracker().tracked() && replay == null) {
-        tap.open(settings.log().orElseThrow(), settings.tracker().spec().toString(), problem);
-      }
+    if (files != null || listener != null) {
+      double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);
+      recorder = HeadRecorder.open(files, listener, cone, settings, walk, problem);
+    }
+    if (files != null && settings.tracker().tracked() && replay == null) {
+      tap.open(settings.log().orElseThrow(), settings.tracker().spec().toString(), problem);
     }
     if (!settings.tracker().tracked()) {
       return walking;

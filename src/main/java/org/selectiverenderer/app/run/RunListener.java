@@ -1,5 +1,7 @@
 package org.selectiverenderer.app.run;
 
+import java.util.Optional;
+import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 
@@ -13,6 +15,11 @@ public interface RunListener {
 
   /** A line of the time line. */
   void happened(TimelineEvent event);
+
+  /** Who hears of every frame what a head log has of it; empty for nobody. */
+  default Optional<SampleListener> samples() {
+    return Optional.empty();
+  }
 
   /** An application or a scene printed something through the SAI. */
   void printed(String text);

@@ -56,6 +56,7 @@ public final class SceneRunner {
       throws IOException, InterruptedException {
     // From here on the tracker is open and the log's files are taken.
     HeadSession head = HeadSession.open(settings, listener::problem);
+    listener.samples().ifPresent(head::tell);
     try (SceneRun run = new SceneRun(settings, listener, head, RunGuide.USER, pace, stop)) {
       return run.end(target.show(run));
     } finally {

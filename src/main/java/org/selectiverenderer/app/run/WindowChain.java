@@ -95,6 +95,7 @@ public final class WindowChain implements WorldHost {
     HeadSession head =
         HeadSession.with(
             tracker.lend(fitted.tracker(), listener::problem, tap), tap, fitted, listener::problem);
+    listener.samples().ifPresent(head::tell);
     current = new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop());
   }
 

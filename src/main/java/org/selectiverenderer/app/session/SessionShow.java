@@ -22,6 +22,11 @@ public record SessionShow(
     boolean operator,
     SessionStage stage,
     RunListener listener) {
+  /** The same with another listener. */
+  public SessionShow heardBy(RunListener other) {
+    return new SessionShow(presentation, tracking, operator, stage, other);
+  }
+
   /** How a tracker is taken: while it is silent the picture stays as it is. */
   public TrackerSettings tracker(TrackerSpec spec) {
     return new TrackerSettings(spec, tracking, WhenLost.FREEZE);

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.run.GuidedRun;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.WindowChain;
@@ -148,6 +149,11 @@ final class ShownSteps implements WindowChain.Runs {
       @Override
       public void happened(TimelineEvent event) {
         session.journal().tell("scene", Map.of("step", step.id(), "what", read(lines.line(event))));
+      }
+
+      @Override
+      public Optional<SampleListener> samples() {
+        return show.listener().samples();
       }
 
       @Override

@@ -204,6 +204,11 @@ public final class CsvTable {
     }
   }
 
+  /** The columns' names as the file writes them, without space around them. */
+  public List<String> header() {
+    return header;
+  }
+
   /** Whether there is such a column. */
   public boolean has(String column) {
     return columns.containsKey(key(column));

@@ -28,6 +28,8 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentRunCommand(console()),
         new ExperimentStatusCommand(console()),
         new ExperimentCollectCommand(console()),
+        new ExperimentBidsCommand(console()),
+        new ExperimentExportCommand(console()),
         new ExperimentPaperCommand(console()),
         new ExperimentThresholdCommand(console()),
         new ExperimentViewCommand(console()),

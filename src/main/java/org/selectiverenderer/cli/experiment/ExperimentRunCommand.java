@@ -2,6 +2,8 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
@@ -12,11 +14,13 @@ import org.selectiverenderer.app.session.SessionShow;
 import org.selectiverenderer.app.session.SessionStage;
 import org.selectiverenderer.app.session.SimulatedDialogue;
 import org.selectiverenderer.app.session.WindowDialogue;
+import org.selectiverenderer.app.stream.LabStreams;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.TrackerFlags;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
@@ -28,10 +32,12 @@ import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.experiment.study.StudyStreams;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.window.Monitors;
@@ -114,6 +120,8 @@ final class ExperimentRunCommand extends CliCommand {
 
   @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
 
+  @Mixin private LslOptions lsl = new LslOptions();
+
   ExperimentRunCommand(Console console) {
     super(console);
   }
@@ -136,19 +144,26 @@ final class ExperimentRunCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     SessionStage stage = stage(material.study(), presentation.get());
-    SessionShow show =
+    SessionShow plain =
         new SessionShow(
             presentation.get(),
             trackerFlags.options(),
             operator == null ? !unattended : operator,
             stage,
             new RunOutput(console(), event -> {}));
+    StudyStreams wanted =
+        lsl.asked() ? material.study().streams().sending() : material.study().streams();
+    Optional<LslLibrary> library = lsl.library(wanted.wanted()); // before anything has begun
     try (ChainTracker tracker = new ChainTracker();
-        Session session = open(material, show, tracker, problems);
+        Session session = open(material, plain, tracker, problems);
+        LabStreams streams = streams(wanted, library, session);
         SessionDialogue dialogue =
             unattended
                 ? new SimulatedDialogue()
                 : new WindowDialogue(material.wording(), stage.monitor())) {
+      SessionShow show =
+          plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
+      session.journal().listen(streams::event);
       console().message("session: " + session.folder().path());
       return ended(
           new SessionRunner(session, dialogue, show, tracker, console()::message).run(), session);
@@ -157,6 +172,44 @@ final class ExperimentRunCommand extends CliCommand {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted; --resume continues the session");
+    }
+  }
+
+  private LabStreams streams(StudyStreams wanted, Optional<LslLibrary> library, Session session)
+      throws IOException {
+    if (library.isEmpty()) {
+      return LabStreams.none();
+    }
+    Map<String, Object> about = new LinkedHashMap<>();
+    about.put("study", session.material().study().name());
+    about.put("participant", session.folder().participant());
+    about.put("session", session.folder().number());
+    LabStreams streams =
+        wanted.lsl()
+            ? LabStreams.sending(library.get(), about, session.journal()::tell)
+            : LabStreams.none();
+    if (!wanted.record().isEmpty()) {
+      try {
+        streams.record(
+            library.get(),
+            wanted.record(),
+            session.folder().path().resolve("streams"),
+            (event, more) -> told(session, event, more));
+      } catch (IOException e) {
+        streams.close();
+        throw e;
+      }
+    }
+    return streams;
+  }
+
+  /** The journal keeps it; what is not as asked for the experimenter reads at once. */
+  private void told(Session session, String event, Map<String, ?> more) {
+    session.journal().tell(event, more);
+    if (event.equals("problem")) {
+      console().message(String.valueOf(more.get("text")));
+    } else if (event.equals("stream-began")) {
+      console().message("stream: " + more.get("stream") + " is recorded as " + more.get("file"));
     }
   }
 

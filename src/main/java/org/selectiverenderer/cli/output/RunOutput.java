@@ -1,6 +1,8 @@
 package org.selectiverenderer.cli.output;
 
+import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
@@ -9,8 +11,16 @@ import org.selectiverenderer.base.problem.Problem;
  * Where a run's words go: what is wrong and what is printed to the messages.
  *
  * @param timeline takes the time line
+ * @param samples hears of every frame
  */
-public record RunOutput(Console console, Consumer<TimelineEvent> timeline) implements RunListener {
+public record RunOutput(
+    Console console, Consumer<TimelineEvent> timeline, Optional<SampleListener> samples)
+    implements RunListener {
+  /** With nobody who hears of every frame. */
+  public RunOutput(Console console, Consumer<TimelineEvent> timeline) {
+    this(console, timeline, Optional.empty());
+  }
+
   @Override
   public void problem(Problem problem) {
     console.problem(problem);

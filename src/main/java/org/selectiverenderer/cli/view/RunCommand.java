@@ -3,10 +3,12 @@ package org.selectiverenderer.cli.view;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.Replays;
 import org.selectiverenderer.app.run.RunResult;
@@ -17,9 +19,12 @@ import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
+import org.selectiverenderer.app.stream.LabStreams;
+import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.SceneArgument;
 import org.selectiverenderer.cli.option.TrackerFlags;
 import org.selectiverenderer.cli.output.CommandFailure;
@@ -31,6 +36,7 @@ import org.selectiverenderer.cli.output.RunOutput;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
@@ -103,6 +109,8 @@ public final class RunCommand extends CliCommand {
   @Mixin private HeadOptions head = new HeadOptions();
 
   @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
+
+  @Mixin private LslOptions lsl = new LslOptions();
 
   @Option(
       names = "--size",
@@ -241,8 +249,11 @@ public final class RunCommand extends CliCommand {
   }
 
   private RunResult show(RunSettings settings, RunStop stop) throws IOException {
-    try (TimelineFile file = records.openTimeline().orElse(null)) {
-      RunOutput output = new RunOutput(console(), file == null ? event -> {} : file);
+    try (LabStreams streams = streams();
+        TimelineFile file = records.openTimeline().orElse(null)) {
+      Consumer<TimelineEvent> written = file == null ? event -> {} : file;
+      RunOutput output =
+          new RunOutput(console(), written.andThen(streams::happened), streams.samples());
       return offscreen
           ? SceneRunner.offscreen(settings, output, stop)
           : SceneRunner.inWindow(settings, output, stop);
@@ -253,6 +264,16 @@ public final class RunCommand extends CliCommand {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted");
     }
+  }
+
+  private LabStreams streams() throws IOException {
+    Optional<LslLibrary> library = lsl.library(false);
+    return library.isEmpty()
+        ? LabStreams.none()
+        : LabStreams.sending(
+            library.get(),
+            Map.of("scene", String.valueOf(scene.file().getFileName())),
+            (event, more) -> console().message(String.valueOf(more.get("text"))));
   }
 
   private void noDisplay(String reason) {

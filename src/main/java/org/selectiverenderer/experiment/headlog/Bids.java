@@ -40,8 +40,16 @@ public final class Bids {
           new Channel("latency", "n/a", "LATENCY", "s", r -> time(r.sample) - r.started),
           new Channel("visible", "n/a", "MISC", "n/a", r -> r.sample.visible() ? 1 : 0));
 
+  /** All types of channels that BIDS knows; of most there are none. */
+  private static final List<String> TYPES =
+      List.of(
+          "ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY", "MAGN", "MISC", "ORNT", "POS", "VEL");
+
   /** How the name of the data file ends. */
   public static final String DATA = "_motion.tsv";
+
+  /** The program, where its version is not known. */
+  public static final String SOFTWARE = "selective-renderer";
 
   private Bids() {}
 
@@ -56,7 +64,7 @@ public final class Bids {
   public static Path write(HeadLog log, Path folder, String subject) throws IOException {
     String stem = "sub-" + subject + "_task-viewing_tracksys-head";
     FileTransaction writing = new FileTransaction();
-    files(log, stem, "viewing")
+    files(log, stem, "viewing", SOFTWARE)
         .forEach(
             (name, text) ->
                 writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
@@ -70,14 +78,15 @@ public final class Bids {
    *
    * @param stem the files' names up to their suffix, BIDS entities in their order
    * @param task label of the task, as in the stem
+   * @param software the program that recorded it, and its version
    */
-  public static Map<String, String> files(HeadLog log, String stem, String task) {
+  public static Map<String, String> files(HeadLog log, String stem, String task, String software) {
     Map<String, String> files = new LinkedHashMap<>();
     // Channels are of the recording, not of the task's run: the tracking system stays in their
     // name.
     files.put(stem + "_channels.tsv", channels(log));
     files.put(stem + "_channels.json", frames());
-    files.put(stem + "_motion.json", sidecar(log, task));
+    files.put(stem + "_motion.json", sidecar(log, task, software));
     files.put(stem + DATA, motion(log));
     return files;
   }
@@ -141,7 +150,7 @@ public final class Bids {
     return text.toString();
   }
 
-  private static String sidecar(HeadLog log, String task) {
+  private static String sidecar(HeadLog log, String task, String software) {
     ObjectNode root = JsonTree.object();
     root.put("TaskName", task);
     root.put(
@@ -155,12 +164,14 @@ public final class Bids {
     root.put("DeviceSerialNumber", "n/a");
     root.put("Manufacturer", "n/a");
     root.put("ManufacturersModelName", log.description().tracker());
-    root.put("SoftwareVersions", "Selective Renderer");
+    root.put("SoftwareVersions", software);
+    root.put("SamplingFrequencyEffective", rate(log));
     root.put("MotionChannelCount", CHANNELS.size());
-    root.put("POSChannelCount", 3);
-    root.put("ORNTChannelCount", 4);
-    root.put("LATENCYChannelCount", 1);
-    root.put("MISCChannelCount", 1);
+    for (String type : TYPES) {
+      root.put(
+          type + "ChannelCount",
+          CHANNELS.stream().filter(channel -> channel.type.equals(type)).count());
+    }
     root.put("TrackedPointsCount", 1);
     root.put("RecordingDuration", Rounded.to(3, recorded(log)));
     root.put("MissingValues", "n/a");

@@ -63,7 +63,7 @@ final class MotionFiles implements AutoCloseable {
     Optional<HeadLog> read = HeadLogReader.read(log, problems);
     if (read.isPresent()) {
       FileTransaction writing = new FileTransaction();
-      Bids.files(read.get(), stem, SessionFolder.task(headName))
+      Bids.files(read.get(), stem, SessionFolder.task(headName), Bids.SOFTWARE)
           .forEach(
               (name, text) ->
                   writing.addLasting(motion.resolve(name), text.getBytes(StandardCharsets.UTF_8)));

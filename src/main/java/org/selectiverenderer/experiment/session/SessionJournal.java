@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.session;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -15,6 +16,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.Disk;
 import org.selectiverenderer.base.json.JsonTree;
@@ -38,6 +40,7 @@ public final class SessionJournal implements AutoCloseable {
             return thread;
           });
   private volatile @Nullable IOException failure;
+  private volatile Consumer<JsonNode> listener = event -> {};
 
   private SessionJournal(Path file, FileChannel channel, SessionHistory history) {
     this.file = file;
@@ -71,6 +74,11 @@ public final class SessionJournal implements AutoCloseable {
   /** What has happened so far, as far as it is on the disk; grows as events are kept. */
   SessionHistory history() {
     return history;
+  }
+
+  /** Has somebody hear each event as it is told, on the thread that tells it; must not wait. */
+  public void listen(Consumer<JsonNode> hears) {
+    listener = hears;
   }
 
   /**
@@ -134,6 +142,7 @@ public final class SessionJournal implements AutoCloseable {
       line.put("step", String.valueOf(step));
     }
     more.forEach((key, value) -> line.set(key, JsonTree.of(value)));
+    listener.accept(line);
     return writer.submit(() -> write(line));
   }
 

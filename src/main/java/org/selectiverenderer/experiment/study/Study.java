@@ -22,6 +22,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param language of the questionnaires, a code such as {@code en}
  * @param quality what sessions must be like to count
  * @param course how a session goes on
+ * @param streams what goes to, and comes from, the Lab Streaming Layer
  */
 public record Study(
     Path file,
@@ -41,7 +42,8 @@ public record Study(
     String language,
     StudyQuestionnaires questionnaires,
     StudyQuality quality,
-    StudyCourse course) {
+    StudyCourse course,
+    StudyStreams streams) {
 
   public Study {
     conditions = List.copyOf(conditions);

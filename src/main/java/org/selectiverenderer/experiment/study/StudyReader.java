@@ -110,7 +110,8 @@ public final class StudyReader {
             new StudyQuestionnairesReader(this::file)
                 .read(keys, !areas.isEmpty(), keys.has("practice")),
             QualityReader.read(keys),
-            CourseReader.read(keys));
+            CourseReader.read(keys),
+            StudyStreamsReader.read(keys));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");

@@ -1,0 +1,207 @@
+package org.selectiverenderer.app.stream;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.selectiverenderer.base.csv.CsvText;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.lsl.LslInlet;
+import org.selectiverenderer.lsl.LslLibrary;
+import org.selectiverenderer.lsl.StreamDescription;
+
+/** A stream that is recorded, with its three files. Belongs to the recorder's thread. */
+final class RecordedStream implements AutoCloseable {
+  private static final int DECIMALS = 6;
+
+  /** Samples after which others get their turn. */
+  private static final int TURN = 4096;
+
+  private final LslInlet inlet;
+  private final StreamDescription stream;
+  private final Path csv;
+  private final FileChannel samples;
+  private final FileChannel offsets;
+  private long count;
+  private boolean compared;
+  private boolean known;
+
+  private RecordedStream(
+      LslInlet inlet,
+      StreamDescription stream,
+      Path csv,
+      FileChannel samples,
+      FileChannel offsets) {
+    this.inlet = inlet;
+    this.stream = stream;
+    this.csv = csv;
+    this.samples = samples;
+    this.offsets = offsets;
+  }
+
+  /**
+   * Begins to record.
+   *
+   * @param inlet closed with it, also when it cannot begin
+   * @throws IOException if its files cannot be written
+   */
+  static RecordedStream open(LslInlet inlet, StreamDescription stream, Path folder)
+      throws IOException {
+    try {
+      inlet.pull().ifPresent(sample -> {}); // connects; a first sample comes later than this
+      Files.createDirectories(folder);
+      String stem = free(folder, stream.name());
+      Path csv = folder.resolve(stem + ".csv");
+      WholeFile.writeOnce(folder.resolve(stem + ".json"), description(stream));
+      FileChannel samples = create(csv);
+      FileChannel offsets = create(folder.resolve(stem + ".offsets.csv"));
+      List<String> header = new ArrayList<>(List.of("time"));
+      stream.channels().forEach(channel -> header.add(channel.label()));
+      write(samples, CsvText.bare().row(header).toString());
+      write(offsets, "wall,mono,lsl,offset,uncertainty\n");
+      Disk.forceFolder(folder);
+      return new RecordedStream(inlet, stream, csv, samples, offsets);
+    } catch (IOException e) {
+      inlet.close();
+      throw e;
+    }
+  }
+
+  private static FileChannel create(Path file) throws IOException {
+    return FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+  }
+
+  /** A name that no file has: streams may be named alike, and a session may be resumed. */
+  private static String free(Path folder, String name) {
+    String plain = name.replaceAll("[^0-9A-Za-z._-]+", "-").replaceAll("^[.-]+|[.-]+$", "");
+    for (int run = 1; ; run++) {
+      String stem =
+          String.format(Locale.ROOT, "%s_run-%02d", plain.isEmpty() ? "stream" : plain, run);
+      if (!Files.exists(folder.resolve(stem + ".json"))) {
+        return stem;
+      }
+    }
+  }
+
+  private static String description(StreamDescription stream) {
+    ObjectNode root = JsonTree.object();
+    root.put("name", stream.name());
+    root.put("type", stream.type());
+    root.put("nominal_rate_hz", stream.rate());
+    root.put("values", stream.texts() ? "texts" : "numbers");
+    root.put("source_id", stream.sourceId());
+    root.put("host", stream.host());
+    root.put("uid", stream.uid());
+    ArrayNode channels = root.putArray("channels");
+    for (StreamDescription.Channel channel : stream.channels()) {
+      channels
+          .addObject()
+          .put("label", channel.label())
+          .put("unit", channel.unit())
+          .put("type", channel.type());
+    }
+    ObjectNode columns = root.putObject("columns");
+    columns.put("time", "seconds of the sender's clock; add the offset for this machine's");
+    ObjectNode measured = root.putObject("offsets");
+    measured.put("wall", "date and time of the measurement by this machine, UTC");
+    measured.put("mono", "this machine's monotonic clock in seconds, as head logs have it");
+    measured.put("lsl", "this machine's clock of the Lab Streaming Layer in seconds");
+    measured.put("offset", "seconds to be added to time to get lsl; empty when it is not known");
+    measured.put("uncertainty", "seconds that the offset may be wrong at most");
+    return JsonText.of(root);
+  }
+
+  StreamDescription stream() {
+    return stream;
+  }
+
+  Path file() {
+    return csv;
+  }
+
+  /** How many samples were recorded. */
+  long count() {
+    return count;
+  }
+
+  /** Writes what has come; whether there may be more. */
+  boolean take() throws IOException {
+    CsvText text = CsvText.bare();
+    int taken = 0;
+    for (Optional<LslInlet.Sample> sample = inlet.pull();
+        sample.isPresent();
+        sample = taken < TURN ? inlet.pull() : Optional.empty()) {
+      List<String> row = new ArrayList<>();
+      row.add(DecimalText.fixed(sample.get().time(), DECIMALS));
+      row.addAll(sample.get().values());
+      text.row(row);
+      taken++;
+    }
+    if (taken > 0) {
+      count += taken;
+      write(samples, text.toString());
+    }
+    return taken == TURN;
+  }
+
+  /** Whether the offset of the sender's clock was measured already. */
+  boolean known() {
+    return known;
+  }
+
+  /**
+   * Writes how the clocks stand now, when that is known; the first time in any case.
+   *
+   * @param timeout seconds to wait for it
+   */
+  void compare(LslLibrary lsl, double timeout) throws IOException {
+    Optional<LslInlet.Offset> offset = inlet.offset(timeout);
+    known |= offset.isPresent();
+    if (offset.isEmpty() && compared) {
+      return;
+    }
+    compared = true;
+    double mono = System.nanoTime() * 1e-9;
+    double clock = lsl.clock();
+    write(
+        offsets,
+        CsvText.line(
+            Instant.now().truncatedTo(ChronoUnit.MILLIS),
+            DecimalText.fixed(mono, DECIMALS),
+            DecimalText.fixed(clock, DECIMALS),
+            offset.map(value -> DecimalText.fixed(value.seconds(), DECIMALS)).orElse(""),
+            offset.map(value -> DecimalText.fixed(value.uncertainty(), DECIMALS)).orElse("")));
+  }
+
+  /** Has the disk keep what was written. */
+  void keep() throws IOException {
+    samples.force(false);
+    offsets.force(false);
+  }
+
+  private static void write(FileChannel channel, String text) throws IOException {
+    Disk.write(channel, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Override
+  public void close() throws IOException {
+    try (samples;
+        offsets) {
+      inlet.close();
+    }
+  }
+}

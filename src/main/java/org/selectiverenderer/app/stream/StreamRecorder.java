@@ -1,0 +1,224 @@
+package org.selectiverenderer.app.stream;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.locks.LockSupport;
+import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.lsl.LslInlet;
+import org.selectiverenderer.lsl.LslLibrary;
+import org.selectiverenderer.lsl.LslResolver;
+import org.selectiverenderer.lsl.StreamDescription;
+
+/**
+ * Records streams of other programs, whenever they come, on a thread of its own, {@code lsl-in}. A
+ * disk that is full ends a stream's recording with a message, not the session.
+ */
+final class StreamRecorder implements AutoCloseable {
+  private static final long PAUSE = 10_000_000;
+  private static final double SEARCH_EVERY = 0.5;
+  private static final double KEEP_EVERY = 0.6;
+  private static final double COMPARE_EVERY = 5;
+
+  /** Seconds to wait for a clock's offset, and at the end for one that is not known yet. */
+  private static final double OFFSET_TIMEOUT = 0.1;
+
+  private static final double LAST_OFFSET_TIMEOUT = 4;
+
+  /** Seconds after which a stream that was asked for and is not there is told. */
+  private static final double PATIENCE = 10;
+
+  private static final double NAMES_TIMEOUT = 2;
+
+  /** What happens to streams; called on the recorder's thread. */
+  interface Listener {
+    /** A stream is recorded from now on. */
+    void began(StreamDescription stream, Path file);
+
+    /** A stream's recording is over. */
+    void ended(StreamDescription stream, Path file, long samples);
+
+    /** Something is not as asked for. */
+    void problem(String text);
+  }
+
+  private final LslLibrary lsl;
+  private final Map<String, LslResolver> resolvers;
+  private final Path folder;
+  private final Set<String> own;
+  private final Listener listener;
+  private final Set<String> known = new HashSet<>();
+  private final Set<String> found = new HashSet<>();
+  private final List<RecordedStream> streams = new ArrayList<>();
+  private final Thread thread = new Thread(this::work, "lsl-in");
+  private volatile boolean closing;
+
+  private StreamRecorder(
+      LslLibrary lsl,
+      Map<String, LslResolver> resolvers,
+      Path folder,
+      Set<String> own,
+      Listener listener) {
+    this.lsl = lsl;
+    this.resolvers = resolvers;
+    this.folder = folder;
+    this.own = own;
+    this.listener = listener;
+  }
+
+  /**
+   * Begins to look for streams.
+   *
+   * @param predicates conditions on streams; one that meets several is recorded once
+   * @param folder made when there is something to be written
+   * @param own source ids of streams that are not recorded: this program's
+   * @throws IOException if a predicate is none
+   */
+  static StreamRecorder open(
+      LslLibrary lsl, List<String> predicates, Path folder, Set<String> own, Listener listener)
+      throws IOException {
+    Map<String, LslResolver> resolvers = new LinkedHashMap<>();
+    try {
+      for (String predicate : predicates) {
+        if (!resolvers.containsKey(predicate)) {
+          resolvers.put(predicate, lsl.resolver(predicate));
+        }
+      }
+    } catch (IOException e) {
+      resolvers.values().forEach(LslResolver::close);
+      throw e;
+    }
+    StreamRecorder recorder = new StreamRecorder(lsl, resolvers, folder, own, listener);
+    recorder.thread.start();
+    return recorder;
+  }
+
+  private void work() {
+    double began = lsl.clock();
+    double searched = Double.NEGATIVE_INFINITY;
+    double compared = began;
+    double kept = began;
+    boolean told = false;
+    while (!closing) {
+      double now = lsl.clock();
+      if (now - searched >= SEARCH_EVERY) {
+        searched = now;
+        search();
+      }
+      if (!told && now - began >= PATIENCE) {
+        told = true;
+        tellMissing();
+      }
+      boolean compare = now - compared >= COMPARE_EVERY;
+      boolean keep = now - kept >= KEEP_EVERY;
+      compared = compare ? now : compared;
+      kept = keep ? now : kept;
+      if (!round(compare, keep)) {
+        LockSupport.parkNanos(PAUSE);
+      }
+    }
+    while (round(false, false)) {
+      // Until all that has come is written.
+    }
+    round(true, true);
+    List.copyOf(streams).forEach(this::end);
+    resolvers.values().forEach(LslResolver::close);
+  }
+
+  private void search() {
+    resolvers.forEach(
+        (predicate, resolver) -> {
+          for (LslInlet inlet : resolver.found(known)) {
+            found.add(predicate);
+            begin(inlet);
+          }
+        });
+  }
+
+  private void begin(LslInlet inlet) {
+    StreamDescription stream = inlet.description(NAMES_TIMEOUT);
+    known.add(stream.uid());
+    if (own.contains(stream.sourceId()) || recovered(stream)) {
+      inlet.close();
+      return;
+    }
+    try {
+      RecordedStream recorded = RecordedStream.open(inlet, stream, folder);
+      streams.add(recorded);
+      recorded.compare(lsl, 0);
+      listener.began(stream, recorded.file());
+    } catch (IOException e) {
+      listener.problem(
+          "the stream %s is not recorded: %s"
+              .formatted(stream.name(), NotWritten.named(folder, e).getMessage()));
+    }
+  }
+
+  /** A program that was started again goes on with its stream, which the library connects anew. */
+  private boolean recovered(StreamDescription stream) {
+    return !stream.sourceId().isEmpty()
+        && streams.stream()
+            .map(RecordedStream::stream)
+            .anyMatch(
+                there ->
+                    there.sourceId().equals(stream.sourceId())
+                        && there.name().equals(stream.name())
+                        && there.type().equals(stream.type()));
+  }
+
+  private void tellMissing() {
+    for (String predicate : resolvers.keySet()) {
+      if (!found.contains(predicate)) {
+        listener.problem(
+            "no stream with %s is there yet; it is recorded as soon as it comes"
+                .formatted(predicate));
+      }
+    }
+  }
+
+  /** Whether there may be more to be taken. */
+  private boolean round(boolean compare, boolean keep) {
+    boolean more = false;
+    for (RecordedStream stream : List.copyOf(streams)) {
+      try {
+        more |= stream.take();
+        if (compare || keep && !stream.known()) {
+          stream.compare(lsl, closing && !stream.known() ? LAST_OFFSET_TIMEOUT : OFFSET_TIMEOUT);
+        }
+        if (keep) {
+          stream.keep();
+        }
+      } catch (IOException e) {
+        listener.problem(
+            "the recording of the stream %s ends here: %s"
+                .formatted(
+                    stream.stream().name(), NotWritten.named(stream.file(), e).getMessage()));
+        end(stream);
+      }
+    }
+    return more;
+  }
+
+  private void end(RecordedStream stream) {
+    streams.remove(stream);
+    try {
+      stream.close();
+    } catch (IOException e) {
+      listener.problem(NotWritten.named(stream.file(), e).getMessage());
+    }
+    listener.ended(stream.stream(), stream.file(), stream.count());
+  }
+
+  /** Writes what has come and ends all recordings. */
+  @Override
+  public void close() {
+    closing = true;
+    LockSupport.unpark(thread);
+    Threads.join(thread);
+  }
+}

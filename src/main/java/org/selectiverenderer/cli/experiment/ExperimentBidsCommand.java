@@ -1,0 +1,73 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.experiment.bids.BidsDataset;
+import org.selectiverenderer.experiment.dataset.RecordedStudy;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "bids",
+    description = {
+      "Writes a study as a BIDS dataset: motion, events, answers, participants, each with what its "
+          + "columns mean. The study's folder stays as it is.",
+      "All sessions are in it, unfinished ones too; sessions.tsv says how each ended."
+    },
+    footer = {
+      "  ./selective-renderer experiment bids mystudy --output mystudy-bids --author \"A. Zotos\"",
+      "  bids-validator-deno mystudy-bids"
+    })
+final class ExperimentBidsCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Option(
+      names = "--output",
+      required = true,
+      paramLabel = "DIR",
+      description = "folder of the dataset, a new or an empty one")
+  private Path output = Path.of("");
+
+  @Option(
+      names = "--author",
+      paramLabel = "NAME",
+      description = "author of the study, named in the dataset; can be repeated")
+  private List<String> authors = List.of();
+
+  ExperimentBidsCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> material = study.read(problems);
+    if (material.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    BidsDataset written =
+        BidsDataset.write(
+            RecordedStudy.read(material.get().study(), problems),
+            new BidsDataset.Origin(ProgramVersion.PROGRAM, ProgramVersion.number(), authors),
+            output,
+            problems);
+    console()
+        .message(
+            "BIDS dataset: %s, %s in %s"
+                .formatted(
+                    Counted.of(written.sessions(), "session"),
+                    Counted.of(written.files(), "file"),
+                    output));
+    return ExitStatus.of(problems);
+  }
+}

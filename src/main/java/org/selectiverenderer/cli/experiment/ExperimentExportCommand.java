@@ -1,0 +1,87 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.experiment.dataset.RecordedStudy;
+import org.selectiverenderer.experiment.export.StudyExport;
+import org.selectiverenderer.experiment.session.CollectedAnswers;
+import org.selectiverenderer.experiment.session.PaperAnswers;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "export",
+    description = {
+      "Writes a study as tables for R, JASP and pandas, one for each level of analysis: "
+          + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores; "
+          + "a codebook of every column, and scripts that read them.",
+      "Responses and ratings are those that experiment collect takes; the other tables have all "
+          + "sessions. Files of an earlier export are replaced."
+    },
+    footer = {
+      "  ./selective-renderer experiment export mystudy --output mystudy-tables",
+      "  Rscript -e 'setwd(\"mystudy-tables\"); source(\"tables.R\"); str(read_tables())'"
+    })
+final class ExperimentExportCommand extends CliCommand {
+  @Mixin private StudyArgument study = new StudyArgument();
+
+  @Option(
+      names = "--output",
+      required = true,
+      paramLabel = "DIR",
+      description = "folder of the tables; made if it is not there")
+  private Path output = Path.of("");
+
+  @Option(
+      names = "--paper",
+      paramLabel = "F.csv",
+      split = ",",
+      description =
+          "tables of experiment paper that were filled in with answers given on paper; can be "
+              + "repeated")
+  private List<Path> paper = List.of();
+
+  ExperimentExportCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    Problems problems = new Problems(console()::problem);
+    Optional<StudyMaterial> found = study.read(problems);
+    if (found.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    StudyMaterial material = found.get();
+    if (Files.exists(output) && Files.isSameFile(output, material.study().folder())) {
+      throw CommandFailure.usage(
+          "--output "
+              + output
+              + ": is the study's folder, in which nothing is written; name another folder");
+    }
+    CollectedAnswers answers =
+        CollectedAnswers.of(
+            material, OptionalInt.empty(), PaperAnswers.read(material, paper, problems), problems);
+    StudyExport written =
+        StudyExport.write(
+            RecordedStudy.read(material.study(), problems),
+            new StudyExport.Answers(answers.responses(), answers.ratings()),
+            Map.of(),
+            output,
+            problems);
+    console().message("tables: %s in %s".formatted(String.join(", ", written.files()), output));
+    return ExitStatus.of(problems);
+  }
+}

@@ -1,0 +1,64 @@
+package org.selectiverenderer.experiment.bids;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.experiment.dataset.DataTable;
+import org.selectiverenderer.experiment.dataset.TableColumn;
+
+/** The files of a dataset by their paths in it, until all of them are written. */
+final class BidsFolder {
+  private final Map<String, String> files = new LinkedHashMap<>();
+
+  void add(String path, String text) {
+    files.put(path, text);
+  }
+
+  /**
+   * Adds a table and the file that explains its columns.
+   *
+   * @param stem path without ending
+   * @param more what else the explaining file says, before the columns
+   */
+  void add(String stem, DataTable table, ObjectNode more) {
+    files.put(stem + ".tsv", table.tsv());
+    files.put(stem + ".json", sidecar(table, more));
+  }
+
+  private static String sidecar(DataTable table, ObjectNode more) {
+    ObjectNode root = more.deepCopy();
+    for (TableColumn column : table.columns()) {
+      ObjectNode node = root.putObject(column.name()).put("Description", column.meaning());
+      if (!column.unit().isEmpty()) {
+        node.put("Units", column.unit());
+      }
+      if (!column.levels().isEmpty()) {
+        ObjectNode levels = node.putObject("Levels");
+        column.levels().forEach(levels::put);
+      }
+    }
+    return JsonText.of(root);
+  }
+
+  int size() {
+    return files.size();
+  }
+
+  /** Writes all files, or none. */
+  void write(Path folder) throws IOException {
+    FileTransaction writing = new FileTransaction();
+    files.forEach(
+        (name, text) -> writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+    writing.commit();
+  }
+
+  static ObjectNode nothing() {
+    return JsonTree.object();
+  }
+}

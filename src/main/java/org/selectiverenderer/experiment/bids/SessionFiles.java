@@ -1,0 +1,133 @@
+package org.selectiverenderer.experiment.bids;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.dataset.DataTable;
+import org.selectiverenderer.experiment.dataset.RecordedRun;
+import org.selectiverenderer.experiment.dataset.RecordedSession;
+import org.selectiverenderer.experiment.dataset.RunEvents;
+import org.selectiverenderer.experiment.dataset.SessionAnswers;
+import org.selectiverenderer.experiment.dataset.TableColumn;
+import org.selectiverenderer.experiment.headlog.Bids;
+import org.selectiverenderer.experiment.headlog.HeadLog;
+import org.selectiverenderer.experiment.study.Study;
+
+/** The files of one session: motion with its events, answers, and when each was recorded. */
+final class SessionFiles {
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT);
+
+  private final Study study;
+  private final RecordedSession session;
+  private final BidsDataset.Origin origin;
+  private final BidsFolder files;
+  private final Problems problems;
+  private final String folder;
+  private final String stem;
+  private final DataTable scans =
+      new DataTable(
+          "scans",
+          "",
+          List.of(
+              TableColumn.text("filename", "the data file, as seen from this one"),
+              TableColumn.time("acq_time", "when its first sample was taken, UTC")));
+
+  SessionFiles(
+      Study study,
+      RecordedSession session,
+      BidsDataset.Origin origin,
+      BidsFolder files,
+      Problems problems) {
+    this.study = study;
+    this.session = session;
+    this.origin = origin;
+    this.files = files;
+    this.problems = problems;
+    String subject = "sub-" + session.folder().participant();
+    String number = String.valueOf(session.folder().path().getFileName());
+    folder = subject + "/" + number + "/";
+    stem = subject + "_" + number;
+  }
+
+  /** As BIDS wants it: UTC says so by a Z. */
+  static String time(OffsetDateTime time) {
+    return TIME.format(time.withOffsetSameInstant(ZoneOffset.UTC));
+  }
+
+  /** A label has letters and digits only. */
+  private static String task(String step) {
+    return step.replaceAll("[^0-9A-Za-z]", "");
+  }
+
+  void add() throws IOException {
+    for (RecordedRun run : session.runs()) {
+      run(run);
+    }
+    answers();
+    if (!scans.rows().isEmpty()) {
+      files.add(folder + stem + "_scans", scans, BidsFolder.nothing());
+    }
+  }
+
+  private void run(RecordedRun run) throws IOException {
+    Optional<HeadLog> log = run.head(problems);
+    if (log.isEmpty()) {
+      problems.warning(
+          Location.of(run.headLog().toString()),
+          "there is no head log of this run to be read; the run is left out");
+      return;
+    }
+    String task = task(run.step());
+    String name = "%s_task-%s".formatted(stem, task);
+    String number = String.format(Locale.ROOT, "_run-%02d", run.number());
+    String motion = name + "_tracksys-head" + number;
+    Bids.files(log.get(), motion, task, origin.program() + " " + origin.version())
+        .forEach((file, text) -> files.add(folder + "motion/" + file, text));
+    DataTable events = new DataTable("events", "", RunEvents.columns());
+    RunEvents.rows(run, log, study.fade()).forEach(events::add);
+    files.add(folder + "motion/" + name + number + "_events", events, stimulus(task));
+    scans.add(
+        "motion/" + motion + Bids.DATA, run.started(log).map(SessionFiles::time).orElse(null));
+    tracker(run, name + "_tracksys-tracker" + number, task, log.get().description().tracker());
+  }
+
+  /** Of what events are, beside their columns. */
+  private ObjectNode stimulus(String task) {
+    ObjectNode root = BidsFolder.nothing().put("TaskName", task);
+    root.putObject("StimulusPresentation")
+        .put("SoftwareName", origin.program())
+        .put("SoftwareVersion", session.software());
+    return root;
+  }
+
+  private void tracker(RecordedRun run, String name, String task, String model) throws IOException {
+    String records = "motion/" + name;
+    if (TrackerMotion.add(run, folder + records, task, model, files, problems)) {
+      scans.add(records + Bids.DATA, null);
+    }
+  }
+
+  private void answers() throws IOException {
+    for (Map.Entry<String, List<List<@Nullable Object>>> screen :
+        SessionAnswers.rows(session, problems).entrySet()) {
+      String task = task(screen.getKey());
+      DataTable table = new DataTable("beh", "", SessionAnswers.columns());
+      screen.getValue().forEach(table::add);
+      ObjectNode more = BidsFolder.nothing();
+      more.put("TaskName", task);
+      more.put("TaskDescription", "a screen of a questionnaire, " + screen.getKey());
+      String name = "beh/%s_task-%s_beh".formatted(stem, task);
+      files.add(folder + name, table, more);
+    }
+  }
+}

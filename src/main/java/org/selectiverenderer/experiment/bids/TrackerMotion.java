@@ -1,0 +1,131 @@
+package org.selectiverenderer.experiment.bids;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.joml.Quaterniond;
+import org.selectiverenderer.base.csv.NumberTable;
+import org.selectiverenderer.base.csv.TableForm;
+import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.dataset.RecordedRun;
+
+/**
+ * The records of a head tracker at their own rate, which lie beside the head log as {@code
+ * NAME_tracker.csv}, as motion data of a tracking system of their own: {@code tracksys-tracker}.
+ */
+final class TrackerMotion {
+  private static final TableForm FORM =
+      new TableForm(
+          "the tracker's log",
+          "the tracker's records are left out",
+          List.of("t", "yaw", "pitch", "roll"),
+          List.of(),
+          false,
+          true);
+
+  private static final List<String> PARTS = List.of("quat_x", "quat_y", "quat_z", "quat_w");
+
+  private TrackerMotion() {}
+
+  /**
+   * Adds the files of a run's records, if there are any.
+   *
+   * @param stem path and name up to {@code _motion.tsv}
+   * @param model what the tracker is, as the head log tells
+   * @return whether there are
+   */
+  static boolean add(
+      RecordedRun run, String stem, String task, String model, BidsFolder files, Problems problems)
+      throws IOException {
+    Path log = run.headLog().resolveSibling(run.headName() + "_tracker.csv");
+    Optional<double[][]> read =
+        Files.isRegularFile(log) ? NumberTable.read(FORM, log, problems) : Optional.empty();
+    if (read.isEmpty()) {
+      return false;
+    }
+    double[][] rows = read.get();
+    double seconds = rows[rows.length - 1][0] - rows[0][0];
+    double rate = seconds > 0 ? Rounded.to(3, (rows.length - 1) / seconds) : 0;
+    files.add(stem + "_channels.tsv", channels(rate));
+    files.add(stem + "_channels.json", frames());
+    files.add(stem + "_motion.json", sidecar(task, model, rate, seconds));
+    files.add(stem + "_motion.tsv", data(rows));
+    return true;
+  }
+
+  private static String data(double[][] rows) {
+    StringBuilder text = new StringBuilder();
+    Quaterniond turn = new Quaterniond();
+    for (double[] row : rows) {
+      turn.rotationYXZ(Math.toRadians(row[1]), Math.toRadians(row[2]), Math.toRadians(row[3]));
+      text.append(
+          String.format(
+              Locale.ROOT,
+              "%.6f\t%.6f\t%.6f\t%.6f\t%.6f\n",
+              turn.x,
+              turn.y,
+              turn.z,
+              turn.w,
+              row[0] - rows[0][0]));
+    }
+    return text.toString();
+  }
+
+  private static String channels(double rate) {
+    StringBuilder text =
+        new StringBuilder(
+            "name\tcomponent\ttype\ttracked_point\tunits\tsampling_frequency\treference_frame\n");
+    for (String part : PARTS) {
+      text.append("tracker_ORNT_%s\t%s\tORNT\thead\tn/a\t".formatted(part.substring(5), part))
+          .append(rate)
+          .append("\ttracker\n");
+    }
+    return text.append("latency\tn/a\tLATENCY\tn/a\ts\t").append(rate).append("\tn/a\n").toString();
+  }
+
+  private static String sidecar(String task, String model, double rate, double seconds) {
+    ObjectNode root = JsonTree.object();
+    root.put("TaskName", task);
+    root.put(
+        "TaskDescription", "orientations as the tracker told them, before the heading's reset");
+    root.put("SamplingFrequency", rate);
+    root.put("SamplingFrequencyEffective", rate);
+    root.put("TrackingSystemName", "tracker");
+    root.put("DeviceSerialNumber", "n/a");
+    root.put("Manufacturer", "n/a");
+    root.put("ManufacturersModelName", model.isEmpty() ? "n/a" : model);
+    root.put("SoftwareVersions", "n/a");
+    root.put("MotionChannelCount", PARTS.size() + 1);
+    for (String type :
+        List.of("ACCEL", "ANGACCEL", "GYRO", "JNTANG", "MAGN", "MISC", "POS", "VEL")) {
+      root.put(type + "ChannelCount", 0);
+    }
+    root.put("ORNTChannelCount", PARTS.size());
+    root.put("LATENCYChannelCount", 1);
+    root.put("TrackedPointsCount", 1);
+    root.put("RecordingDuration", Rounded.to(3, seconds));
+    root.put("MissingValues", "n/a");
+    return JsonText.of(root);
+  }
+
+  private static String frames() {
+    ObjectNode root = JsonTree.object();
+    ObjectNode frame = root.putObject("reference_frame");
+    frame.put("LongName", "reference frame");
+    frame.put("Description", "X3D's viewer, who looks along -Z with +Y up, at the tracker's zero");
+    frame
+        .putObject("Levels")
+        .putObject("tracker")
+        .put("SpatialAxes", "RSP")
+        .put("RotationRule", "right-hand")
+        .put("RotationOrder", "n/a");
+    return JsonText.of(root);
+  }
+}

@@ -1,0 +1,79 @@
+package org.selectiverenderer.experiment.dataset;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.DateTimeException;
+import java.time.OffsetDateTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * An event of a session, as its journal tells it.
+ *
+ * @param time when it was told
+ * @param event what happened
+ * @param step in which; empty outside of steps
+ * @param members all that the line says
+ */
+public record JournalLine(OffsetDateTime time, String event, String step, JsonNode members) {
+
+  /**
+   * Reads a journal.
+   *
+   * @param problems hears of lines that are damaged; the others are used
+   * @throws IOException if it cannot be read at all
+   */
+  static List<JournalLine> read(Path journal, Problems problems) throws IOException {
+    String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
+    String[] lines = text.split("\n", -1);
+    List<JournalLine> events = new ArrayList<>();
+    for (int i = 0; i < lines.length; i++) {
+      if (lines[i].isBlank()) {
+        continue;
+      }
+      Optional<JournalLine> event = parse(lines[i]);
+      if (event.isPresent()) {
+        events.add(event.get());
+      } else if (i == lines.length - 1) {
+        problems.info(
+            new Location(journal.toString(), i + 1, 1),
+            "the last line is cut off, perhaps by a crash; it is left out");
+      } else {
+        problems.warning(
+            new Location(journal.toString(), i + 1, 1),
+            "the line is no event, as a crash may leave it; it is left out");
+      }
+    }
+    return events;
+  }
+
+  private static Optional<JournalLine> parse(String line) {
+    try {
+      JsonNode node = JsonTree.parse(line);
+      if (!node.isObject() || !node.has("event")) {
+        return Optional.empty();
+      }
+      return Optional.of(
+          new JournalLine(
+              OffsetDateTime.parse(node.path("time").asText()),
+              node.path("event").asText(),
+              node.path("step").asText(),
+              node));
+    } catch (JsonProcessingException | DateTimeException e) {
+      return Optional.empty(); // The caller tells.
+    }
+  }
+
+  /** A member as text; empty where there is none. */
+  public String text(String member) {
+    return members.path(member).asText("");
+  }
+}

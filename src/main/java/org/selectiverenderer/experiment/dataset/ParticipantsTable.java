@@ -1,0 +1,112 @@
+package org.selectiverenderer.experiment.dataset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+
+/**
+ * {@code participants.tsv} of a study, whatever columns it has: those of the program are explained,
+ * others are what the form asked.
+ *
+ * @param columns names, the participant's id first
+ * @param rows by column; a value that is missing is empty
+ */
+public record ParticipantsTable(List<String> columns, List<Map<String, String>> rows) {
+  private static final String ID = "participant_id";
+
+  private static final Map<String, TableColumn> KNOWN = known();
+
+  public ParticipantsTable {
+    columns = List.copyOf(columns);
+    rows = List.copyOf(rows);
+  }
+
+  /**
+   * Reads it.
+   *
+   * @return without rows when it is not there
+   */
+  static ParticipantsTable read(Path file, Problems problems) throws IOException {
+    ParticipantsTable none = new ParticipantsTable(List.of(ID), List.of());
+    if (!Files.isRegularFile(file)) {
+      return none;
+    }
+    CsvFaults faults =
+        new CsvFaults() {
+          @Override
+          public void fault(Location at, String message) {
+            problems.warning(at, message + "; the line is left out");
+          }
+        };
+    Optional<CsvTable> table = CsvTable.read(file, CsvColumns.of(List.of(ID)), faults);
+    if (table.isEmpty() || !table.get().has(ID)) {
+      return none;
+    }
+    List<String> columns = table.get().header();
+    List<Map<String, String>> rows = new ArrayList<>();
+    table
+        .get()
+        .rows()
+        .forEach(
+            row -> {
+              Map<String, String> cells = new LinkedHashMap<>();
+              for (String column : columns) {
+                String cell = row.cell(column);
+                cells.put(column, cell.equals("n/a") ? "" : cell);
+              }
+              rows.add(cells);
+            });
+    return new ParticipantsTable(columns, rows);
+  }
+
+  /** What a column means, as {@link TableColumn} says it. */
+  public static TableColumn column(String name) {
+    TableColumn known = KNOWN.get(name);
+    return known != null
+        ? known
+        : TableColumn.text(name, "the answer to the form's question " + name.replace('_', ' '));
+  }
+
+  private static Map<String, TableColumn> known() {
+    Map<String, String> assigned = new LinkedHashMap<>();
+    assigned.put("schedule", "it was the participant's turn");
+    assigned.put("experimenter", "chosen by the experimenter");
+    Map<String, String> simulated = new LinkedHashMap<>();
+    simulated.put("true", "the program, for tests");
+    simulated.put("false", "a person");
+    Map<String, TableColumn> known = new LinkedHashMap<>();
+    for (TableColumn column :
+        List.of(
+            TableColumn.text(ID, "the participant, sub- and the id"),
+            Conditions.column("how objects were rendered for the participant"),
+            TableColumn.whole("place", "the participant's place in the schedule, from 1"),
+            TableColumn.category("assigned_by", assigned, "who assigned the condition"),
+            Conditions.column("instead_of", "the condition of the schedule that was replaced"),
+            TableColumn.text("age", "age band, as the participant chose it in the form"),
+            TableColumn.category("simulated", simulated, "who took part"))) {
+      known.put(column.name(), column);
+    }
+    return known;
+  }
+
+  /** As it is in the study's folder. */
+  public DataTable table() {
+    DataTable table =
+        new DataTable(
+            "participants",
+            "a participant who was assigned a condition",
+            columns.stream().map(ParticipantsTable::column).toList());
+    rows.forEach(row -> table.add(columns.stream().map(row::get).toList()));
+    return table;
+  }
+}

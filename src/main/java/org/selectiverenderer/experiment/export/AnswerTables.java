@@ -1,0 +1,138 @@
+package org.selectiverenderer.experiment.export;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.dataset.DataTable;
+import org.selectiverenderer.experiment.dataset.RecordedSession;
+import org.selectiverenderer.experiment.dataset.TableColumn;
+
+/** Tables of answers as the program writes them elsewhere, with what their columns mean. */
+final class AnswerTables {
+  private static final Map<String, TableColumn> KNOWN = known();
+
+  private final Problems problems;
+
+  AnswerTables(Problems problems) {
+    this.problems = problems;
+  }
+
+  private static Map<String, TableColumn> known() {
+    Map<String, TableColumn> known = new LinkedHashMap<>();
+    for (TableColumn column :
+        List.of(
+            TableColumn.text("participant", "the participant's id"),
+            TableColumn.whole("session", "number of the participant's session, from 1"),
+            TableColumn.text("condition", "how objects were rendered"),
+            TableColumn.text("area", "the area of the scene that the question is about"),
+            TableColumn.text("schema", "the schema of the area"),
+            TableColumn.text("object", "the object that the question is about"),
+            TableColumn.text("consistency", "of the object with the schema"),
+            TableColumn.yesNo(
+                "present", "it was there", "it was not", "whether the object was in the scene"),
+            TableColumn.yesNo(
+                "response", "it was there", "it was not", "what the participant answered"),
+            TableColumn.whole("confidence", "how sure, 1 (not at all) to 5 (certain)"),
+            TableColumn.whole(
+                "rating", "how likely the object is in the area, 1 (not at all) to 6 (very)"),
+            TableColumn.number(
+                "response_ms", "ms", "from when the question was shown until the answer"),
+            TableColumn.whole("place", "the question's number on its screen, from 1"),
+            TableColumn.text("questionnaire", "the questionnaire's name"),
+            TableColumn.text("page", "the id of the questionnaire's page"),
+            TableColumn.text("question", "the question's id"),
+            TableColumn.text("kind", "the kind of the question"),
+            TableColumn.text("value", "what was answered; several choices are joined by |"),
+            TableColumn.text("score", "the name of the score that is computed of the answers"))) {
+      known.put(column.name(), column);
+    }
+    return known;
+  }
+
+  private static TableColumn column(String name, String table) {
+    if (name.equals("value") && table.equals("scores")) {
+      return TableColumn.number("value", "", "the score");
+    }
+    TableColumn known = KNOWN.get(name);
+    return known != null
+        ? known
+        : TableColumn.text(name, "column " + name + " of the program's table of " + table);
+  }
+
+  private static DataTable empty(String name, String meaning, List<String> columns) {
+    return new DataTable(
+        name, meaning, columns.stream().map(column -> column(column, name)).toList());
+  }
+
+  /**
+   * A table of the program.
+   *
+   * @param csv its text, with a header
+   */
+  DataTable table(String name, String meaning, String csv) {
+    CsvTable read = CsvTable.parse(name, csv, faults()).orElseThrow();
+    DataTable table = empty(name, meaning, read.header());
+    read.rows().forEach(row -> table.add(read.header().stream().map(row::cell).toList()));
+    return table;
+  }
+
+  /**
+   * A table that each session has in its folder; without rows where none has.
+   *
+   * @param columns that it has in any case
+   */
+  DataTable ofSessions(
+      List<RecordedSession> sessions, String name, String meaning, List<String> columns)
+      throws IOException {
+    List<CsvTable> parts = new ArrayList<>();
+    Set<String> all = new LinkedHashSet<>(columns);
+    for (RecordedSession session : sessions) {
+      Path file = session.folder().path().resolve(name + ".csv");
+      if (Files.isRegularFile(file)) {
+        Optional<CsvTable> part =
+            CsvTable.parse(file.toString(), Files.readAllBytes(file), faults());
+        part.ifPresent(
+            read -> {
+              parts.add(read);
+              all.addAll(read.header());
+            });
+      }
+    }
+    DataTable table = empty(name, meaning, List.copyOf(all));
+    for (CsvTable part : parts) {
+      part.rows()
+          .forEach(
+              row ->
+                  table.add(
+                      all.stream()
+                          .map(column -> part.has(column) ? row.cell(column) : "")
+                          .toList()));
+    }
+    return table;
+  }
+
+  private CsvFaults faults() {
+    return new CsvFaults() {
+      @Override
+      public void fault(Location at, String message) {
+        problems.error(at, message + "; the table is left out");
+      }
+
+      @Override
+      public void misfit(Location at, String message) {
+        problems.error(at, message + "; the row is left out");
+      }
+    };
+  }
+}

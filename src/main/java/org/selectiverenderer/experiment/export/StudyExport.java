@@ -1,0 +1,126 @@
+package org.selectiverenderer.experiment.export;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.dataset.DataTable;
+import org.selectiverenderer.experiment.dataset.RecordedRun;
+import org.selectiverenderer.experiment.dataset.RecordedSession;
+import org.selectiverenderer.experiment.dataset.RecordedStudy;
+import org.selectiverenderer.experiment.dataset.SessionsTable;
+
+/**
+ * Writes a study as tidy tables.
+ *
+ * @param files names of what was written, in order
+ */
+public record StudyExport(List<String> files) {
+  /** The table of recognition answers, as {@code experiment analyse} reads it. */
+  public static final String RESPONSES = "responses.csv";
+
+  private static final List<String> SCRIPTS = List.of("tables.R", "tables.py");
+
+  public StudyExport {
+    files = List.copyOf(files);
+  }
+
+  /**
+   * The answers that count, as {@code experiment collect} gives them.
+   *
+   * @param responses recognition
+   * @param ratings expectancy
+   */
+  public record Answers(String responses, String ratings) {}
+
+  /**
+   * Writes all files, or none; what an earlier export has written is replaced.
+   *
+   * @param more further files by their names, such as scripts
+   * @param problems hears of what is damaged, and is left out
+   * @throws IOException if a file cannot be read or written
+   */
+  public static StudyExport write(
+      RecordedStudy study,
+      Answers answers,
+      Map<String, String> more,
+      Path folder,
+      Problems problems)
+      throws IOException {
+    List<DataTable> tables = tables(study, answers, problems);
+    Map<String, String> files = new LinkedHashMap<>();
+    tables.forEach(table -> files.put(table.name() + ".csv", table.csv()));
+    files.put("codebook.csv", Codebook.csv(tables));
+    files.put("codebook.json", Codebook.json(tables));
+    for (String script : SCRIPTS) {
+      files.put(script, resource(script));
+    }
+    files.putAll(more);
+    FileTransaction writing = new FileTransaction();
+    files.forEach(
+        (name, text) -> writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+    writing.commit();
+    return new StudyExport(List.copyOf(files.keySet()));
+  }
+
+  private static List<DataTable> tables(RecordedStudy study, Answers answers, Problems problems)
+      throws IOException {
+    DataTable sessions =
+        new DataTable("sessions", "a session of a participant", SessionsTable.columns());
+    RunTables runs = new RunTables(study.study().fade(), problems);
+    for (RecordedSession session : study.sessions()) {
+      sessions.add(SessionsTable.row(session));
+      for (RecordedRun run : session.runs()) {
+        runs.add(run);
+      }
+    }
+    AnswerTables asked = new AnswerTables(problems);
+    List<DataTable> tables = new ArrayList<>();
+    tables.add(study.participants().table());
+    tables.add(sessions);
+    tables.addAll(runs.tables());
+    tables.add(
+        asked.table(
+            "responses", "an object that a participant was asked about", answers.responses()));
+    tables.add(
+        asked.table(
+            "ratings", "how likely a participant finds an object in an area", answers.ratings()));
+    tables.add(
+        asked.ofSessions(
+            study.sessions(),
+            "answers",
+            "the answer to a question of another kind",
+            List.of(
+                "participant",
+                "session",
+                "condition",
+                "questionnaire",
+                "page",
+                "question",
+                "kind",
+                "value",
+                "response_ms",
+                "place")));
+    tables.add(
+        asked.ofSessions(
+            study.sessions(),
+            "scores",
+            "a score of a questionnaire",
+            List.of("participant", "session", "condition", "questionnaire", "score", "value")));
+    return tables;
+  }
+
+  private static String resource(String name) throws IOException {
+    try (InputStream in =
+        Objects.requireNonNull(StudyExport.class.getResourceAsStream(name), name)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+}

@@ -1,0 +1,194 @@
+package org.selectiverenderer.lsl;
+
+import java.nio.DoubleBuffer;
+import java.nio.IntBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.lwjgl.PointerBuffer;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
+
+/**
+ * A stream of another program that is read. A connection that breaks is made anew by the library
+ * when the program is there again.
+ */
+public final class LslInlet implements AutoCloseable {
+  /** Seconds of samples that are kept until they are pulled. */
+  private static final int BUFFERED = 360;
+
+  private final LslCalls calls;
+  private final long info;
+  private final long handle;
+  private final int channels;
+  private final boolean texts;
+
+  /**
+   * A sample.
+   *
+   * @param time of the sender's clock; see {@link Offset}
+   * @param values numbers as texts, or texts
+   */
+  public record Sample(double time, List<String> values) {
+    public Sample {
+      values = List.copyOf(values);
+    }
+  }
+
+  /**
+   * What is to be added to the sender's times to get times of {@link LslLibrary#clock}.
+   *
+   * @param remote the sender's clock at the time of the measurement
+   * @param seconds to be added
+   * @param uncertainty at most so many seconds wrong, as the network's way back and forth took
+   */
+  public record Offset(double remote, double seconds, double uncertainty) {}
+
+  LslInlet(LslCalls calls, long info) {
+    this.calls = calls;
+    this.info = info;
+    channels = calls.channels.callInt(info);
+    texts = calls.format.callInt(info) == LslOutlet.TEXTS;
+    handle = calls.createInlet.call(info, BUFFERED, 0, 1);
+  }
+
+  /**
+   * What the stream is.
+   *
+   * @param timeout seconds to wait for the names of its channels; they are numbered without
+   */
+  public StreamDescription description(double timeout) {
+    List<StreamDescription.Channel> named = named(timeout);
+    List<StreamDescription.Channel> all = new ArrayList<>();
+    for (int i = 0; i < channels; i++) {
+      StreamDescription.Channel channel =
+          i < named.size() ? named.get(i) : new StreamDescription.Channel("", "", "");
+      all.add(
+          channel.label().isEmpty()
+              ? new StreamDescription.Channel("channel" + (i + 1), channel.unit(), channel.type())
+              : channel);
+    }
+    return new StreamDescription(
+        LslCalls.text(calls.name.call(info)),
+        LslCalls.text(calls.type.call(info)),
+        all,
+        calls.rate.callDouble(info),
+        texts,
+        LslCalls.text(calls.sourceId.call(info)),
+        LslCalls.text(calls.host.call(info)),
+        LslCalls.text(calls.uid.call(info)));
+  }
+
+  private List<StreamDescription.Channel> named(double timeout) {
+    List<StreamDescription.Channel> found = new ArrayList<>();
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      IntBuffer failed = stack.callocInt(1);
+      long full = calls.fullInfo.call(handle, timeout, MemoryUtil.memAddress(failed));
+      if (full == MemoryUtil.NULL) {
+        return found;
+      }
+      long channel =
+          calls.child.call(
+              calls.child.call(calls.description.call(full), LslCalls.text(stack, "channels")),
+              LslCalls.text(stack, "channel"));
+      while (found.size() < channels) {
+        String label = value(channel, "label");
+        String unit = value(channel, "unit");
+        String type = value(channel, "type");
+        if (label.isEmpty() && unit.isEmpty() && type.isEmpty()) {
+          break; // The empty node that stands for none.
+        }
+        found.add(new StreamDescription.Channel(label, unit, type));
+        channel = calls.nextSibling.call(channel, LslCalls.text(stack, "channel"));
+      }
+      calls.destroyInfo.call(full);
+    }
+    return found;
+  }
+
+  private String value(long node, String name) {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      return LslCalls.text(calls.childValue.call(node, LslCalls.text(stack, name)));
+    }
+  }
+
+  /** The next sample that has come; does not wait. The first call connects to the sender. */
+  public Optional<Sample> pull() {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      IntBuffer failed = stack.callocInt(1);
+      return texts ? texts(stack, failed) : numbers(stack, failed);
+    }
+  }
+
+  private Optional<Sample> numbers(MemoryStack stack, IntBuffer failed) {
+    DoubleBuffer sample = MemoryUtil.memAllocDouble(channels); // hundreds in an EEG's
+    try {
+      double time =
+          calls.pullDoubles.callDouble(
+              handle, MemoryUtil.memAddress(sample), channels, 0.0, MemoryUtil.memAddress(failed));
+      if (time == 0) {
+        return Optional.empty();
+      }
+      List<String> values = new ArrayList<>();
+      for (int i = 0; i < channels; i++) {
+        values.add(number(sample.get(i)));
+      }
+      return Optional.of(new Sample(time, values));
+    } finally {
+      MemoryUtil.memFree(sample);
+    }
+  }
+
+  /** As exact as it came; a whole number without a point. */
+  private static String number(double value) {
+    return value == Math.rint(value) && Math.abs(value) < 1e15
+        ? Long.toString((long) value)
+        : Double.toString(value);
+  }
+
+  private Optional<Sample> texts(MemoryStack stack, IntBuffer failed) {
+    PointerBuffer sample = stack.callocPointer(channels);
+    double time =
+        calls.pullTexts.callDouble(
+            handle, MemoryUtil.memAddress(sample), channels, 0.0, MemoryUtil.memAddress(failed));
+    if (time == 0) {
+      return Optional.empty();
+    }
+    List<String> values = new ArrayList<>();
+    for (int i = 0; i < channels; i++) {
+      values.add(LslCalls.text(sample.get(i)));
+      calls.destroyText.call(sample.get(i));
+    }
+    return Optional.of(new Sample(time, values));
+  }
+
+  /**
+   * The newest measurement of the clocks' offset; empty until there is one. The first call begins
+   * to measure, which takes a second or two and goes on in the background.
+   *
+   * @param timeout seconds to wait for it
+   */
+  public Optional<Offset> offset(double timeout) {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      IntBuffer failed = stack.callocInt(1);
+      DoubleBuffer remote = stack.callocDouble(1);
+      DoubleBuffer uncertainty = stack.callocDouble(1);
+      double seconds =
+          calls.correction.callDouble(
+              handle,
+              MemoryUtil.memAddress(remote),
+              MemoryUtil.memAddress(uncertainty),
+              timeout,
+              MemoryUtil.memAddress(failed));
+      return failed.get(0) == 0
+          ? Optional.of(new Offset(remote.get(0), seconds, uncertainty.get(0)))
+          : Optional.empty();
+    }
+  }
+
+  @Override
+  public void close() {
+    calls.destroyInlet.call(handle);
+    calls.destroyInfo.call(info);
+  }
+}

@@ -1,0 +1,99 @@
+package org.selectiverenderer.lsl;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.lwjgl.system.APIUtil;
+import org.lwjgl.system.SharedLibrary;
+
+/** The user's liblsl. Once found it stays loaded until the program ends. */
+public final class LslLibrary {
+  /** The environment variable that names the library's file. */
+  public static final String VARIABLE = "SELECTIVE_RENDERER_LSL";
+
+  private final LslCalls calls;
+
+  private LslLibrary(LslCalls calls) {
+    this.calls = calls;
+  }
+
+  /**
+   * Finds it: the file that is named, else the one that {@value #VARIABLE} names, else the system's
+   * by its usual names.
+   *
+   * @throws IOException if it is not there or is none, with one line that says what to do
+   */
+  public static LslLibrary open(Optional<Path> named) throws IOException {
+    Optional<String> file =
+        named
+            .map(Path::toString)
+            .or(() -> Optional.ofNullable(System.getenv(VARIABLE)).filter(text -> !text.isEmpty()));
+    if (file.isPresent()) {
+      if (!Files.isRegularFile(Path.of(file.get()))) {
+        throw new IOException(file.get() + ": there is no such file, where liblsl should be");
+      }
+      return load(List.of(Path.of(file.get()).toAbsolutePath().toString()));
+    }
+    return load(names(System.getProperty("os.name").toLowerCase(Locale.ROOT)));
+  }
+
+  private static List<String> names(String system) {
+    if (system.startsWith("windows")) {
+      return List.of("lsl.dll", "liblsl64.dll");
+    }
+    return system.startsWith("mac")
+        ? List.of("liblsl.dylib", "/opt/homebrew/lib/liblsl.dylib", "/usr/local/lib/liblsl.dylib")
+        : List.of("liblsl.so", "liblsl.so.2", "/usr/local/lib/liblsl.so");
+  }
+
+  private static LslLibrary load(List<String> names) throws IOException {
+    List<String> reasons = new ArrayList<>();
+    for (String name : names) {
+      try {
+        SharedLibrary library = APIUtil.apiCreateLibrary(name);
+        return new LslLibrary(new LslCalls(library));
+      } catch (UnsatisfiedLinkError e) {
+        reasons.add(String.valueOf(e.getMessage()).lines().findFirst().orElse(name));
+      }
+    }
+    throw new IOException(
+        "the library of the Lab Streaming Layer is not found or cannot be loaded (%s); install"
+                .formatted(reasons.get(0))
+            + " liblsl from https://github.com/sccn/liblsl/releases, or name its file with"
+            + " --lsl-library or "
+            + VARIABLE);
+  }
+
+  /** Its version: 116 is 1.16. */
+  public int version() {
+    return calls.version.callInt();
+  }
+
+  /** Seconds of this machine's clock, by which all samples are stamped; never goes back. */
+  public double clock() {
+    return calls.clock.callDouble();
+  }
+
+  /**
+   * Offers a stream to the network.
+   *
+   * @throws IOException if the library refuses it
+   */
+  public LslOutlet outlet(StreamDescription description) throws IOException {
+    return LslOutlet.open(calls, description);
+  }
+
+  /**
+   * Looks for streams from now on.
+   *
+   * @param predicate an XPath condition on a stream's description, such as {@code type='EEG'}
+   * @throws IOException if it is none
+   */
+  public LslResolver resolver(String predicate) throws IOException {
+    return LslResolver.open(calls, predicate);
+  }
+}

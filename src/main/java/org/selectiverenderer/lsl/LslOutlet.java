@@ -1,0 +1,118 @@
+package org.selectiverenderer.lsl;
+
+import java.io.IOException;
+import java.nio.DoubleBuffer;
+import org.lwjgl.PointerBuffer;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
+
+/** A stream that this program offers. Pushing waits for nobody. */
+public final class LslOutlet implements AutoCloseable {
+  /** Seconds of samples that are kept for a receiver that is slow. */
+  private static final int BUFFERED = 360;
+
+  /** {@code lsl_channel_format_t}. */
+  static final int NUMBERS = 2;
+
+  static final int TEXTS = 3;
+
+  private final LslCalls calls;
+  private final long handle;
+  private final int channels;
+
+  private LslOutlet(LslCalls calls, long handle, int channels) {
+    this.calls = calls;
+    this.handle = handle;
+    this.channels = channels;
+  }
+
+  static LslOutlet open(LslCalls calls, StreamDescription stream) throws IOException {
+    long info = info(calls, stream);
+    try {
+      long handle = calls.createOutlet.call(info, 0, BUFFERED);
+      if (handle == MemoryUtil.NULL) {
+        throw new IOException("liblsl does not offer the stream " + stream.name());
+      }
+      return new LslOutlet(calls, handle, stream.channels().size());
+    } finally {
+      calls.destroyInfo.call(info);
+    }
+  }
+
+  private static long info(LslCalls calls, StreamDescription stream) throws IOException {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      long info =
+          calls.createInfo.call(
+              LslCalls.text(stack, stream.name()),
+              LslCalls.text(stack, stream.type()),
+              stream.channels().size(),
+              stream.rate(),
+              stream.texts() ? TEXTS : NUMBERS,
+              LslCalls.text(stack, stream.sourceId()));
+      if (info == MemoryUtil.NULL) {
+        throw new IOException("liblsl refuses the description of the stream " + stream.name());
+      }
+      long channels =
+          calls.appendChild.call(calls.description.call(info), LslCalls.text(stack, "channels"));
+      for (StreamDescription.Channel channel : stream.channels()) {
+        long node = calls.appendChild.call(channels, LslCalls.text(stack, "channel"));
+        value(calls, node, "label", channel.label());
+        value(calls, node, "unit", channel.unit());
+        value(calls, node, "type", channel.type());
+      }
+      return info;
+    }
+  }
+
+  private static void value(LslCalls calls, long node, String name, String value) {
+    if (!value.isEmpty()) {
+      try (MemoryStack stack = MemoryStack.stackPush()) {
+        calls.appendValue.call(node, LslCalls.text(stack, name), LslCalls.text(stack, value));
+      }
+    }
+  }
+
+  /**
+   * Sends a sample.
+   *
+   * @param time by {@link LslLibrary#clock}
+   * @param values as many as there are channels
+   */
+  public void push(double time, double... values) {
+    require(values.length);
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      DoubleBuffer sample = stack.doubles(values);
+      calls.pushDoubles.call(handle, MemoryUtil.memAddress(sample), time);
+    }
+  }
+
+  /** The same of texts. */
+  public void push(double time, String... values) {
+    require(values.length);
+    long[] texts = new long[values.length];
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      PointerBuffer sample = stack.mallocPointer(values.length);
+      for (int i = 0; i < values.length; i++) {
+        texts[i] = MemoryUtil.memAddress(MemoryUtil.memUTF8(values[i])); // may be long
+        sample.put(i, texts[i]);
+      }
+      calls.pushTexts.call(handle, MemoryUtil.memAddress(sample), time);
+    } finally {
+      for (long text : texts) {
+        MemoryUtil.nmemFree(text);
+      }
+    }
+  }
+
+  private void require(int values) {
+    if (values != channels) {
+      throw new IllegalArgumentException(channels + " channels, but " + values + " values");
+    }
+  }
+
+  /** Ends the stream. */
+  @Override
+  public void close() {
+    calls.destroyOutlet.call(handle);
+  }
+}

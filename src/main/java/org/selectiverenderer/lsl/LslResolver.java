@@ -1,0 +1,62 @@
+package org.selectiverenderer.lsl;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.lwjgl.PointerBuffer;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
+
+/** Looks for streams in the background; asking for what it has found waits for nobody. */
+public final class LslResolver implements AutoCloseable {
+  /** Seconds after which a stream that does not answer any more is forgotten. */
+  private static final double FORGET = 5;
+
+  private static final int MOST = 64;
+
+  private final LslCalls calls;
+  private final long handle;
+
+  private LslResolver(LslCalls calls, long handle) {
+    this.calls = calls;
+    this.handle = handle;
+  }
+
+  static LslResolver open(LslCalls calls, String predicate) throws IOException {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      long handle = calls.createResolver.call(LslCalls.text(stack, predicate), FORGET);
+      if (handle == MemoryUtil.NULL) {
+        throw new IOException("liblsl does not understand the condition \"" + predicate + "\"");
+      }
+      return new LslResolver(calls, handle);
+    }
+  }
+
+  /**
+   * Begins to read the streams that are there and are not known yet.
+   *
+   * @param known their {@link StreamDescription#uid}s
+   * @return to be closed by the caller
+   */
+  public List<LslInlet> found(Set<String> known) {
+    List<LslInlet> inlets = new ArrayList<>();
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      PointerBuffer infos = stack.callocPointer(MOST);
+      int count = calls.results.callInt(handle, MemoryUtil.memAddress(infos), MOST);
+      for (int i = 0; i < Math.max(0, count); i++) {
+        if (known.contains(LslCalls.text(calls.uid.call(infos.get(i))))) {
+          calls.destroyInfo.call(infos.get(i));
+        } else {
+          inlets.add(new LslInlet(calls, infos.get(i)));
+        }
+      }
+    }
+    return inlets;
+  }
+
+  @Override
+  public void close() {
+    calls.destroyResolver.call(handle);
+  }
+}
