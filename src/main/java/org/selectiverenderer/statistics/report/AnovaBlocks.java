@@ -171,7 +171,7 @@ final class AnovaBlocks {
               figures.p(effect.p(), effect.flaw()),
               figures.p(effect.equivalence().p(), effect.flaw()),
               verdict(effect),
-              figures.bayes(effect.bayesFactor(), effect.flaw())));
+              ""));
     }
     return new Table(
         "Absence of effects: equivalence (ηp² < %s) and Bayes factors"
@@ -243,7 +243,7 @@ final class AnovaBlocks {
               figures.df(pair.df()),
               figures.p(pair.p(), CONSTANT),
               figures.p(pair.holm(), CONSTANT),
-              figures.number(pair.d(), 2, CONSTANT),
+              figures.number(pair.d().value(), 2, CONSTANT),
               figures.p(pair.tost().p(), CONSTANT),
               figures.bayes(pair.bayesFactor(), CONSTANT)));
     }

@@ -145,7 +145,7 @@ final class StudyBlocks {
                 figures.p(effect.p(), effect.flaw()),
                 figures.interval(effect.partialEta(), effect.flaw()),
                 figures.p(effect.equivalence().p(), effect.flaw()),
-                figures.bayes(effect.bayesFactor(), effect.flaw()),
+                "",
                 String.valueOf(analysis.design().subjects().size())));
       }
     }
