@@ -33,7 +33,7 @@ public record Effect(
     double df1,
     double df2,
     double f,
-    Optional<Correction> correction,
+    Optional<CorrectedDf> correction,
     double p,
     EffectSize partialEta,
     EffectSize generalisedEta,
@@ -73,12 +73,12 @@ public record Effect(
 
   /** The effect's degrees of freedom of the test, corrected where they are. */
   public double testDf1() {
-    return correction.map(Correction::df1).orElse(df1);
+    return correction.map(CorrectedDf::df1).orElse(df1);
   }
 
   /** The error's degrees of freedom of the test, corrected where they are. */
   public double testDf2() {
-    return correction.map(Correction::df2).orElse(df2);
+    return correction.map(CorrectedDf::df2).orElse(df2);
   }
 
   /** p with degrees of freedom multiplied by an epsilon of {@link Sphericity}. */
@@ -107,11 +107,11 @@ public record Effect(
         h.dimensions() > 1 && contrasts && !constant
             ? Optional.of(Sphericity.of(h))
             : Optional.empty();
-    Optional<Correction> correction =
+    Optional<CorrectedDf> correction =
         sphericity.flatMap(
             found -> options.sphericity().corrected(found, h.df1(), h.df2(), options.alpha()));
-    double df1 = correction.map(Correction::df1).orElse(h.df1());
-    double df2 = correction.map(Correction::df2).orElse(h.df2());
+    double df1 = correction.map(CorrectedDf::df1).orElse(h.df1());
+    double df2 = correction.map(CorrectedDf::df2).orElse(h.df2());
     EffectSizes sizes = new EffectSizes(h, f, df1, df2, cells, options.etaConfidence());
     boolean bounds = !constant && term.kind() != EffectKind.INTERCEPT;
     NoncentralF.Interval noncentrality =

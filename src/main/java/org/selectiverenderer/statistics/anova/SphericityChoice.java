@@ -42,11 +42,11 @@ public enum SphericityChoice {
   }
 
   /** The correction of an effect, empty if there is none. */
-  Optional<Correction> corrected(Sphericity found, double df1, double df2, double alpha) {
+  Optional<CorrectedDf> corrected(Sphericity found, double df1, double df2, double alpha) {
     return switch (of(found, alpha)) {
       case GREENHOUSE_GEISSER ->
-          Optional.of(Correction.of(GREENHOUSE_GEISSER, found.greenhouseGeisser(), df1, df2));
-      case HUYNH_FELDT -> Optional.of(Correction.of(HUYNH_FELDT, found.huynhFeldt(), df1, df2));
+          Optional.of(CorrectedDf.of(GREENHOUSE_GEISSER, found.greenhouseGeisser(), df1, df2));
+      case HUYNH_FELDT -> Optional.of(CorrectedDf.of(HUYNH_FELDT, found.huynhFeldt(), df1, df2));
       case AUTO, NONE -> Optional.empty();
     };
   }

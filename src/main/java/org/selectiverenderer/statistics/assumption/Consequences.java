@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.selectiverenderer.statistics.anova.Anova;
-import org.selectiverenderer.statistics.anova.Correction;
+import org.selectiverenderer.statistics.anova.CorrectedDf;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.SphericityChoice;
 
@@ -98,7 +98,7 @@ final class Consequences {
 
   private void sphericity() {
     for (Effect effect : anova.effects()) {
-      Optional<Correction> correction = effect.correction();
+      Optional<CorrectedDf> correction = effect.correction();
       if (correction.isPresent()) {
         boolean gg = correction.get().by() == SphericityChoice.GREENHOUSE_GEISSER;
         sentences.add(

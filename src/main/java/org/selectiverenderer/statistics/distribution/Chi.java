@@ -19,6 +19,6 @@ final class Chi {
 
   /** A step that resolves the density, whose standard deviation is about 1 / sqrt(2 df). */
   double step() {
-    return Math.min(0.2, 0.4 / Math.sqrt(2 * df));
+    return Math.min(0.12, 0.4 / Math.sqrt(2 * df));
   }
 }

@@ -8,8 +8,8 @@ package org.selectiverenderer.statistics.distribution;
  * @param df of the error, above 0
  */
 public record StudentizedRange(int means, double df) {
-  private static final double Z_STEP = 0.2;
-  private static final double Z_END = 9;
+  private static final double STEP = 0.3;
+  private static final int POINTS = 57;
 
   /**
    * P(Q &gt; q), computed as such: small ones keep their digits.
@@ -20,27 +20,38 @@ public record StudentizedRange(int means, double df) {
     if (q <= 0) {
       return 1;
     }
+    double[] below = new double[POINTS];
+    double[] weights = new double[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+      below[i] = Tails.normal(-z(i));
+      weights[i] =
+          means
+              * STEP
+              * Math.exp(-z(i) * z(i) / 2)
+              / Math.sqrt(2 * Math.PI)
+              * Math.pow(below[i], means - 1.0);
+    }
     Chi chi = new Chi(df);
     return Math.min(
-        1, Trapezoid.of(u -> chi.density(u) * ofNormals(q * Math.exp(u)), 0, chi.step()));
+        1,
+        Trapezoid.of(
+            u -> chi.density(u) * ofNormals(q * Math.exp(u), below, weights), 0, chi.step()));
+  }
+
+  private static double z(int i) {
+    return (i - (POINTS - 1) / 2.0) * STEP;
   }
 
   /**
    * The tail of the range of standard normals: the integral of c φ(z) (Φ(z)^(c-1) - (Φ(z) - Φ(z -
    * w))^(c-1)), z the largest of them.
    */
-  private double ofNormals(double w) {
+  private double ofNormals(double w, double[] below, double[] weights) {
     double sum = 0;
-    for (double z = -Z_END; z <= Z_END; z += Z_STEP) {
-      double below = Tails.normal(-z);
-      double apart = Tails.normal(w - z);
-      double share = Math.min(1, apart / below);
-      double one =
-          share == 1
-              ? 1
-              : -Math.expm1((means - 1) * Math.log1p(-share));
-      sum += Math.exp(-z * z / 2) * Math.pow(below, means - 1.0) * one;
+    for (int i = 0; i < POINTS; i++) {
+      double share = Math.min(1, Tails.normal(w - z(i)) / below[i]);
+      sum += weights[i] * (share == 1 ? 1 : -Math.expm1((means - 1) * Math.log1p(-share)));
     }
-    return Math.min(1, means * sum * Z_STEP / Math.sqrt(2 * Math.PI));
+    return Math.min(1, sum);
   }
 }

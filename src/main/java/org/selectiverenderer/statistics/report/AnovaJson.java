@@ -7,7 +7,7 @@ import java.util.Locale;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Comparison;
-import org.selectiverenderer.statistics.anova.Correction;
+import org.selectiverenderer.statistics.anova.CorrectedDf;
 import org.selectiverenderer.statistics.anova.Descriptive;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Effect;
@@ -145,9 +145,9 @@ final class AnovaJson {
     effect.flaw().ifPresent(flaw -> json.put("undefined", flaw));
   }
 
-  private static void correction(Effect effect, Correction correction, ObjectNode json) {
+  private static void correction(Effect effect, CorrectedDf correction, ObjectNode json) {
     JsonNumbers.put(json, "p_uncorrected", effect.uncorrectedP());
-    ObjectNode node = json.putObject("correction").put("by", correction.by().word());
+    ObjectNode node = json.putObject("sphericity_correction").put("by", correction.by().word());
     JsonNumbers.put(node, "epsilon", correction.epsilon());
     JsonNumbers.put(node, "df1", correction.df1());
     JsonNumbers.put(node, "df2", correction.df2());

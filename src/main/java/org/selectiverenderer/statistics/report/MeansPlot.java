@@ -69,8 +69,7 @@ final class MeansPlot {
       levels = design.within().levels().size();
       means =
           anova.means().stream()
-              .filter(mean -> mean.within().isPresent() == levels > 1)
-              .filter(mean -> mean.between().isPresent() == groups > 1)
+              .filter(mean -> mean.levels().size() == design.factors().size())
               .toList();
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;

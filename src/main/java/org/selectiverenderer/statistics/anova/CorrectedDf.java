@@ -7,8 +7,8 @@ package org.selectiverenderer.statistics.anova;
  * @param df1 of the effect, times epsilon
  * @param df2 of the error, times epsilon
  */
-public record Correction(SphericityChoice by, double epsilon, double df1, double df2) {
-  static Correction of(SphericityChoice by, double epsilon, double df1, double df2) {
-    return new Correction(by, epsilon, df1 * epsilon, df2 * epsilon);
+public record CorrectedDf(SphericityChoice by, double epsilon, double df1, double df2) {
+  static CorrectedDf of(SphericityChoice by, double epsilon, double df1, double df2) {
+    return new CorrectedDf(by, epsilon, df1 * epsilon, df2 * epsilon);
   }
 }
