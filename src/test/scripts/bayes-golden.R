@@ -58,7 +58,7 @@ effects <- function(set, d, terms, random, by, ...) {
     if ("lmBF" %in% by) {
       fit <- function(own) if (!length(own) && !random) NULL else
         lmBF(as.formula(paste("value ~", paste(c(own, if (random) "subject"), collapse = " + "))), d,
-             whichRandom = if (random) "subject", rscaleFixed = 0.5, rscaleRandom = 1, iterations = 50000, progress = FALSE)
+             whichRandom = if (random) "subject", rscaleFixed = 0.5, rscaleRandom = 1, iterations = 20000, progress = FALSE)
       null <- fit(without); full <- fit(c(without, t))
       bf <- function(x) if (is.null(x)) 1 else extractBF(x)$bf
       err <- function(x) if (is.null(x)) 0 else extractBF(x)$error
@@ -88,24 +88,20 @@ for (n in list(col(8, 8, 8), col(5, 9, 4), col(12, 7))) for (effect in c(0, 1.5)
 }
 for (k in c(2, 4)) for (effect in c(0, 0.5)) { # repeated measures
   set <- set + 1; d <- make(col(9), k, effect); write_data(set, d)
-  effects(set, d, "u", TRUE, c("brute force", "lmBF"), step = 0.4, from = -6.4, to = 20)
+  effects(set, d, "u", TRUE, c("brute force", "lmBF"), step = 0.5, from = -6, to = 18)
 }
-for (n in list(col(4, 4, 4), col(6, 3), col(3, 5, 4))) for (effect in c(0, 0.8)) { # mixed
-  set <- set + 1; d <- make(n, 2, effect); write_data(set, d)
+for (n in list(col(4, 4, 4), col(3, 5, 4))) { # mixed
+  set <- set + 1; d <- make(n, 2, 0.5); write_data(set, d)
   effects(set, d, c("a", "u", "a:u"), TRUE, c("lmBF"))
 }
-set <- set + 1; d <- make(col(4, 4), 2, 0.3); write_data(set, d)
-effects(set, d, c("a", "u", "a:u"), TRUE, c("brute force"), step = 0.8, from = -5.6, to = 15)
 set <- set + 1; d <- make(col(5, 3), 2, 0.3); write_data(set, d)
-effects(set, d, c("a", "u", "a:u"), TRUE, c("brute force"), step = 0.8, from = -5.6, to = 15)
-for (n in list(matrix(4, 2, 3), matrix(c(3, 6, 5, 4, 2, 7), 2))) for (effect in c(0, 0.5)) { # two between
-  set <- set + 1; d <- make(n, 1, effect); write_data(set, d)
+effects(set, d, c("a", "u", "a:u"), TRUE, c("brute force"), step = 0.9, from = -5.4, to = 12.6)
+for (n in list(matrix(3, 2, 2), matrix(c(3, 6, 5, 4), 2))) { # two between
+  set <- set + 1; d <- make(n, 1, 0.5); write_data(set, d)
   effects(set, d, c("a", "b", "a:b"), FALSE, c("brute force", "lmBF"), step = 0.7, from = -5.6, to = 16.8)
 }
-for (n in list(matrix(4, 2, 2), matrix(c(3, 6, 5, 4), 2))) { # two between, one within
-  set <- set + 1; d <- make(n, 2, 0.4); write_data(set, d)
-  effects(set, d, c("a", "b", "u", "a:b", "a:u", "b:u", "a:b:u"), TRUE, "lmBF")
-}
+set <- set + 1; d <- make(matrix(c(3, 6, 5, 4), 2), 2, 0.4); write_data(set, d) # two between, one within
+effects(set, d, c("a", "b", "u", "a:b", "a:u", "b:u", "a:b:u"), TRUE, "lmBF")
 # The case of a mixed design in which BIC speaks 33 to 1 for the null: F(9, 96) = 4.10.
 set <- set + 1; d <- make(col(9, 9, 9, 9), 4, 0)
 at <- function(k) {

@@ -4,16 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.assumption.Assumptions;
-import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 
 /** The tables of one analysis of variance, as in Figs 92 to 94 of the thesis and beyond. */
 final class AnovaBlocks {
   private AnovaBlocks() {}
-
-  static List<Block> of(Anova anova) {
-    return of(anova, BayesianAnova.withRobustness(anova));
-  }
 
   static List<Block> of(Anova anova, List<EffectEvidence> evidence) {
     EffectBlocks effects = new EffectBlocks(anova, evidence);

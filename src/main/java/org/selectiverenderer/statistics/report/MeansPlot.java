@@ -31,7 +31,13 @@ final class MeansPlot {
   private static final double DODGE = 26;
   private static final double SPREAD = 8;
   private static final List<ChartColour> LINES =
-      List.of(ChartColour.BLUE, ChartColour.GREEN, ChartColour.VERMILION, ChartColour.ORANGE);
+      List.of(
+          ChartColour.BLUE,
+          ChartColour.GREEN,
+          ChartColour.VERMILION,
+          ChartColour.ORANGE,
+          ChartColour.SKY,
+          ChartColour.PURPLE);
 
   private final SizedFont plain;
   private final SizedFont bold;

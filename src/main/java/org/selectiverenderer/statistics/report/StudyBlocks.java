@@ -93,7 +93,14 @@ final class StudyBlocks {
       if (!analysis.notes().isEmpty()) {
         details.add(new Items(analysis.notes()));
       }
-      analysis.anova().ifPresent(anova -> details.addAll(AnovaBlocks.of(anova)));
+      analysis
+          .anova()
+          .ifPresent(
+              anova -> {
+                List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
+                RobustnessPlot.svg(evidence).ifPresent(svg -> details.add(robustness(svg)));
+                details.addAll(AnovaBlocks.of(anova, evidence));
+              });
       blocks.add(new Section("Details: " + title(analysis), true, details));
     }
     return new Section("Area: " + area, false, blocks);
@@ -107,6 +114,10 @@ final class StudyBlocks {
                 analysis.measure().meaning(),
                 anova.design().subjects().size()),
         plot.svg(anova, title(analysis)));
+  }
+
+  private static Picture robustness(String svg) {
+    return new Picture("How much the Bayes factors depend on the width of their prior.", svg);
   }
 
   private static String title(AreaAnalysis analysis) {
