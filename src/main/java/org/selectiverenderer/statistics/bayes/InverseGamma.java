@@ -6,6 +6,11 @@ final class InverseGamma {
 
   /** Logarithm of the density of log g. */
   static double logDensity(double logG, double r) {
-    return Math.log(r) - 0.5 * Math.log(2 * Math.PI) - logG / 2 - r * r / 2 * Math.exp(-logG);
+    return logConstant(r) - logG / 2 - r * r / 2 * Math.exp(-logG);
+  }
+
+  /** What of it does not depend on g. */
+  static double logConstant(double r) {
+    return Math.log(r) - 0.5 * Math.log(2 * Math.PI);
   }
 }

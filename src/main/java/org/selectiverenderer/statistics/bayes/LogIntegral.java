@@ -7,9 +7,9 @@ import java.util.function.DoubleUnaryOperator;
  * both sides of the peak, which converges faster than any power of the step.
  */
 final class LogIntegral {
-  private static final double NEGLIGIBLE = 34;
+  private static final double NEGLIGIBLE = 26;
   private static final double SMALLEST = 1e-5;
-  private static final double LARGEST_STEP = 0.35;
+  private static final double LARGEST_STEP = 0.4;
   private static final int MOST = 4000;
 
   private final DoubleUnaryOperator f;
@@ -47,7 +47,7 @@ final class LogIntegral {
   private void climb() {
     double at = f.applyAsDouble(peak);
     double step = 0.5;
-    for (int i = 0; i < MOST && step > 0.02; i++) {
+    for (int i = 0; i < MOST && step > 0.1; i++) {
       double right = f.applyAsDouble(peak + step);
       double left = right > at ? Double.NEGATIVE_INFINITY : f.applyAsDouble(peak - step);
       if (right > at) {
@@ -62,11 +62,11 @@ final class LogIntegral {
     }
   }
 
-  /** 0.6 of the standard deviation of the normal with the peak's curvature. */
+  /** 0.8 of the standard deviation of the normal with the peak's curvature. */
   private double step(double top) {
     double width = 0.05;
     double curvature =
         (2 * top - f.applyAsDouble(peak + width) - f.applyAsDouble(peak - width)) / (width * width);
-    return Math.min(LARGEST_STEP, 0.6 / Math.sqrt(Math.max(curvature, SMALLEST)));
+    return Math.min(LARGEST_STEP, 0.8 / Math.sqrt(Math.max(curvature, SMALLEST)));
   }
 }

@@ -8,27 +8,42 @@ import java.util.List;
  * The points of the integral over the g of some terms of a component, with what the data say there.
  * g is in units of the variance of the stratum, so that the table holds for any.
  *
- * @param logG of each point and term
- * @param logWeights of the points
+ * @param terms how many g a point has
+ * @param logWeights of the points, with what the prior has of them for any width: minus half of the
+ *     sum of log g
+ * @param inverses sums of 1 / g, of each point
  * @param determinants logarithms, of each point, times the number of contrasts
  * @param sums of squares at each point
  */
-record Nodes(double[][] logG, double[] logWeights, double[] determinants, double[] sums) {
+record Nodes(
+    int terms,
+    double[] logWeights,
+    double[] inverses,
+    double[] determinants,
+    double[] sums) {
+  private static final double NEGLIGIBLE = 36;
+
   /** Of no term: one point. */
   static Nodes none(Component component) {
-    return new Nodes(
-        new double[][] {{}}, new double[] {0}, new double[] {0}, new double[] {component.sum()});
+    double[] zero = {0};
+    return new Nodes(0, zero, zero, zero, new double[] {component.sum()});
   }
 
   static Nodes of(Component component, List<Column> terms, double[][] logG, double[] logWeights) {
+    double[] weights = logWeights.clone();
+    double[] inverses = new double[logG.length];
     double[] determinants = new double[logG.length];
     double[] sums = new double[logG.length];
     for (int i = 0; i < logG.length; i++) {
       double[] found = component.at(terms, logG[i]);
       determinants[i] = found[0] * component.width();
       sums[i] = found[1];
+      for (double g : logG[i]) {
+        weights[i] -= g / 2;
+        inverses[i] += Math.exp(-g);
+      }
     }
-    return new Nodes(logG, logWeights, determinants, sums);
+    return new Nodes(terms.size(), weights, inverses, determinants, sums);
   }
 
   /** All combinations of points in equal steps. */
@@ -61,23 +76,24 @@ record Nodes(double[][] logG, double[] logWeights, double[] determinants, double
    * @param r scale of the prior
    */
   double log(double variance, double factor, double r) {
-    double shift = Math.log(factor);
+    double prior = r * r / (2 * factor);
+    double data = 1 / (2 * variance * factor);
     double[] logs = new double[sums.length];
     double top = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < logs.length; i++) {
-      double log =
-          logWeights[i] - determinants[i] / 2 - sums[i] / (2 * variance * factor);
-      for (double g : logG[i]) {
-        log += InverseGamma.logDensity(g + shift, r);
-      }
-      logs[i] = log;
-      top = Math.max(top, log);
+      logs[i] =
+          logWeights[i] - determinants[i] / 2 - prior * inverses[i] - data * sums[i];
+      top = Math.max(top, logs[i]);
     }
     double sum = 0;
     for (double log : logs) {
-      sum += Math.exp(log - top);
+      if (log > top - NEGLIGIBLE) {
+        sum += Math.exp(log - top);
+      }
     }
-    return top + Math.log(sum);
+    return top
+        + Math.log(sum)
+        + terms * (InverseGamma.logConstant(r) - Math.log(factor) / 2);
   }
 
   /**
@@ -89,7 +105,7 @@ record Nodes(double[][] logG, double[] logWeights, double[] determinants, double
     private static final double LARGEST_STEP = 0.4;
 
     /** Of the prior's density below the range: e to minus this. */
-    private static final double NEGLIGIBLE = 40;
+    private static final double NEGLIGIBLE = 30;
 
     /** Beyond it, matrices lose their digits. */
     private static final double MOST = 27;

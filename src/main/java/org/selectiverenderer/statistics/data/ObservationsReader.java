@@ -206,7 +206,7 @@ public final class ObservationsReader {
     OptionalDouble value =
         CsvNumbers.number(row, name, (at, message) -> spoil(gathered, at, id, message));
     if (value.isPresent()) {
-      Double before = gathered.covariates.put(name, value.getAsDouble());
+      Double before = gathered.covariates.putIfAbsent(name, value.getAsDouble());
       if (before != null && before != value.getAsDouble()) {
         spoil(
             gathered,

@@ -113,7 +113,7 @@ class ObservationsReaderTest {
     assertThat(problems.list())
         .extracting(Object::toString)
         .containsExactly(
-            "d.csv:12:6: participant r: another age than in a row before; a covariate is one number"
+            "d.csv:12:15: participant r: another age than in a row before; a covariate is one number"
                 + " for each participant; the participant is left out",
             "d.csv:14:1: participant s: has no score at two, big; two, small; the participant is left"
                 + " out",
