@@ -1,11 +1,11 @@
 package org.selectiverenderer.statistics.bayes;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.apache.commons.math3.stat.StatUtils;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.EffectPrior;
@@ -13,6 +13,8 @@ import org.selectiverenderer.statistics.anova.Term;
 
 /** Bayes factors of the effects of an analysis. */
 public final class BayesianAnova {
+  private static final EffectEvidence.Factor NONE = new EffectEvidence.Factor(Double.NaN, 0);
+
   private final Anova anova;
   private final List<Term> terms;
 
@@ -48,7 +50,7 @@ public final class BayesianAnova {
             && anova.effects().stream().allMatch(effect -> Double.isFinite(effect.f()));
     if (!defined) {
       return terms.stream()
-          .map(term -> new EffectEvidence(term, Double.NaN, 0, List.of()))
+          .map(term -> new EffectEvidence(term, NONE, NONE, List.of()))
           .toList();
     }
     ModelEvidence models =
@@ -57,41 +59,46 @@ public final class BayesianAnova {
   }
 
   private EffectEvidence of(Term term, ModelEvidence models, List<Double> scales) {
-    Set<Term> without = new HashSet<>();
+    Set<Term> contained = new HashSet<>();
+    Set<Term> others = new HashSet<>();
     for (Term other : terms) {
+      if (!other.equals(term) && other.isIn(term)) {
+        contained.add(other);
+      }
       if (!term.isIn(other)) {
-        without.add(other);
+        others.add(other);
       }
     }
-    Set<Term> with = new HashSet<>(without);
-    with.add(term);
     double fixed = anova.options().prior().fixed();
-    List<Double> batches = new ArrayList<>();
-    for (int batch = 0; batch < models.batches(); batch++) {
-      batches.add(
-          Math.exp(models.log(without, fixed, batch) - models.log(with, fixed, batch)));
-    }
-    double mean = batches.stream().mapToDouble(Double::doubleValue).average().orElseThrow();
-    double squares =
-        batches.stream().mapToDouble(batch -> (batch - mean) * (batch - mean)).sum();
-    double error =
-        batches.size() == 1
-            ? 0
-            : Math.sqrt(squares / (batches.size() - 1.0) / batches.size()) / mean;
     List<EffectEvidence.Point> points =
         scales.stream()
             .sorted(Comparator.naturalOrder())
-            .map(scale -> new EffectEvidence.Point(scale, mean(models, without, with, scale)))
+            .map(
+                scale ->
+                    new EffectEvidence.Point(scale, factor(models, contained, term, scale).bf01()))
             .toList();
-    return new EffectEvidence(term, mean, error, points);
+    return new EffectEvidence(
+        term,
+        factor(models, contained, term, fixed),
+        factor(models, others, term, fixed),
+        points);
   }
 
-  private static double mean(
-      ModelEvidence models, Set<Term> without, Set<Term> with, double scale) {
-    double sum = 0;
-    for (int batch = 0; batch < models.batches(); batch++) {
-      sum += Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
+  /** Of a model against the same and a term. */
+  private static EffectEvidence.Factor factor(
+      ModelEvidence models, Set<Term> without, Term term, double scale) {
+    Set<Term> with = new HashSet<>(without);
+    with.add(term);
+    double[] batches = new double[models.batches()];
+    for (int batch = 0; batch < batches.length; batch++) {
+      batches[batch] =
+          Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
     }
-    return sum / models.batches();
+    double mean = StatUtils.mean(batches);
+    return new EffectEvidence.Factor(
+        mean,
+        batches.length == 1
+            ? 0
+            : Math.sqrt(StatUtils.variance(batches) / batches.length) / mean);
   }
 }

@@ -156,6 +156,8 @@ final class AnovaJson {
   private static void evidence(EffectEvidence evidence, ObjectNode json) {
     JsonNumbers.put(json, "bf01", evidence.bf01());
     JsonNumbers.put(json, "bf01_error", evidence.error());
+    JsonNumbers.put(json, "bf01_beside", evidence.beside().bf01());
+    JsonNumbers.put(json, "bf01_beside_error", evidence.beside().error());
     ArrayNode points = json.putArray("bf01_robustness");
     for (EffectEvidence.Point point : evidence.robustness()) {
       ObjectNode node = points.addObject();

@@ -174,17 +174,15 @@ final class EffectBlocks {
     for (int i = 0; i < anova.effects().size(); i++) {
       Effect effect = anova.effects().get(i);
       EffectEvidence found = evidence.get(i);
-      sampled |= found.error() > 0;
+      sampled |= found.error() > 0 || found.beside().error() > 0;
       rows.add(
           List.of(
               effect.name(),
               figures.p(effect.p(), effect.flaw()),
               figures.p(effect.equivalence().p(), effect.flaw()),
               verdict(effect),
-              figures.bayes(found.bf01(), obstacle.or(effect::flaw))
-                  + (found.error() > 0
-                      ? " ± %s %%".formatted(figures.number(100 * found.error(), 1))
-                      : "")));
+              bayes(found.alone(), figures, obstacle.or(effect::flaw)),
+              bayes(found.beside(), figures, obstacle.or(effect::flaw))));
     }
     List<String> notes = new ArrayList<>(figures.notes());
     if (sampled) {
@@ -195,9 +193,17 @@ final class EffectBlocks {
     return new Table(
         "Absence of effects: equivalence (ηp² < %s) and Bayes factors"
             .formatted(figures.number(anova.options().etaBound(), 2)),
-        List.of("effect", "p of difference", "p of equivalence", "conclusion", "BF01 (JZS)"),
+        List.of("effect", "p of difference", "p of equivalence", "conclusion", "BF01 (JZS)", "beside the others"),
         rows,
         notes);
+  }
+
+  private static String bayes(
+      EffectEvidence.Factor found, TableFigures figures, Optional<String> reason) {
+    return figures.bayes(found.bf01(), reason)
+        + (found.error() > 0
+            ? " ± %s %%".formatted(figures.number(100 * found.error(), 1))
+            : "");
   }
 
   /** How much the prior's width matters; empty where there are no Bayes factors. */
