@@ -68,8 +68,7 @@ final class ExperimentAnovaCommand extends CliCommand {
   @Option(
       names = "--within",
       paramLabel = "COL",
-      description =
-          "column of a factor at whose levels each participant was measured; repeatable")
+      description = "column of a factor at whose levels each participant was measured; repeatable")
   private List<String> within = new ArrayList<>();
 
   @Option(
@@ -86,10 +85,7 @@ final class ExperimentAnovaCommand extends CliCommand {
               + "others (analysis of covariance, equal slopes in all groups); repeatable")
   private List<String> covariates = new ArrayList<>();
 
-  @Option(
-      names = "--correction",
-      paramLabel = "C",
-      description = "the same as --sphericity")
+  @Option(names = "--correction", paramLabel = "C", description = "the same as --sphericity")
   private SphericityOption.@Nullable Words correction;
 
   @Mixin private SphericityOption sphericity = new SphericityOption();
@@ -133,8 +129,7 @@ final class ExperimentAnovaCommand extends CliCommand {
     Optional<Observations> read =
         ObservationsReader.read(
             data,
-            new ObservationsReader.Columns(
-                measure, subject, within, between, covariates),
+            new ObservationsReader.Columns(measure, subject, within, between, covariates),
             problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;

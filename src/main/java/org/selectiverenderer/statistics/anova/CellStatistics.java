@@ -83,8 +83,7 @@ final class CellStatistics {
       RealVector row = own.getRowVector(i);
       drawn[i] += row.dotProduct(spread.operate(row));
     }
-    return new CellStatistics(
-        sizes, both, all, residuals.subtract(own.multiply(slopes)), drawn);
+    return new CellStatistics(sizes, both, all, residuals.subtract(own.multiply(slopes)), drawn);
   }
 
   private static int[] sizes(Design design) {

@@ -59,9 +59,7 @@ final class EffectSizes {
 
   EffectSize omega(Interval l) {
     double value =
-        Math.max(
-            0,
-            hypothesis.df1() * (f - 1) / (hypothesis.df1() * f + hypothesis.df2() + 1));
+        Math.max(0, hypothesis.df1() * (f - 1) / (hypothesis.df1() * f + hypothesis.df2() + 1));
     return new EffectSize(value, share(l.low()), share(l.high()), confidence);
   }
 

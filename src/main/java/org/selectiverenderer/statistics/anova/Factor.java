@@ -40,6 +40,7 @@ public record Factor(String name, List<String> levels) {
       }
       levels = longer;
     }
-    return new Factor(factors.stream().map(Factor::name).collect(Collectors.joining(" x ")), levels);
+    return new Factor(
+        factors.stream().map(Factor::name).collect(Collectors.joining(" x ")), levels);
   }
 }

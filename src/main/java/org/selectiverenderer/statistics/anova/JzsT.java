@@ -1,8 +1,8 @@
 package org.selectiverenderer.statistics.anova;
 
 /**
- * The Bayes factor of a comparison: evidence of the data for the null hypothesis. BF01 above 1 speaks
- * for no difference.
+ * The Bayes factor of a comparison: evidence of the data for the null hypothesis. BF01 above 1
+ * speaks for no difference.
  */
 final class JzsT {
   private static final double FIRST = -30;

@@ -43,8 +43,7 @@ final class MeanContrasts {
   /** The mean of all, then those of every term's combinations of levels. */
   List<MarginalMean> means() {
     List<MarginalMean> means = new ArrayList<>();
-    for (Term term :
-        Stream.concat(Stream.of(Term.INTERCEPT), Term.of(design).stream()).toList()) {
+    for (Term term : Stream.concat(Stream.of(Term.INTERCEPT), Term.of(design).stream()).toList()) {
       if (term.covariate().isEmpty()) {
         combinations(term).forEach(levels -> means.add(mean(term, levels)));
       }
@@ -82,8 +81,7 @@ final class MeanContrasts {
     double mean = estimate(groups, within);
     double error = standardError(groups, within);
     double half = Tails.tQuantile(options.confidence(), cells.errorDf()) * error;
-    return new MarginalMean(
-        term, names, mean, error, cells.errorDf(), mean - half, mean + half);
+    return new MarginalMean(term, names, mean, error, cells.errorDf(), mean - half, mean + half);
   }
 
   /**
@@ -112,14 +110,12 @@ final class MeanContrasts {
   private List<Comparison> pairsAtEach(Factor factor, Factor at) {
     List<Comparison> all = new ArrayList<>();
     for (int level = 0; level < at.levels().size(); level++) {
-      all.addAll(
-          pairs(factor, Map.of(at, at(at, level)), Optional.of(at.levels().get(level))));
+      all.addAll(pairs(factor, Map.of(at, at(at, level)), Optional.of(at.levels().get(level))));
     }
     return all;
   }
 
-  private List<Comparison> pairs(
-      Factor factor, Map<Factor, double[]> where, Optional<String> at) {
+  private List<Comparison> pairs(Factor factor, Map<Factor, double[]> where, Optional<String> at) {
     List<Comparison> family = new ArrayList<>();
     int levels = factor.levels().size();
     for (int a = 0; a < levels; a++) {
@@ -247,8 +243,7 @@ final class MeanContrasts {
 
   /** u' (X'X)^-1 u: one over the number of subjects that such a mean is worth. */
   private double spread(RealVector groups) {
-    RealMatrix inverse =
-        cells.inverse().getSubMatrix(0, cells.groups() - 1, 0, cells.groups() - 1);
+    RealMatrix inverse = cells.inverse().getSubMatrix(0, cells.groups() - 1, 0, cells.groups() - 1);
     return groups.dotProduct(inverse.operate(groups));
   }
 

@@ -64,7 +64,8 @@ public record Term(List<Factor> within, List<Factor> between, Optional<String> c
   /** The factors' and the covariate's names. */
   public List<String> names() {
     return Stream.of(
-            within.stream().map(Factor::name), between.stream().map(Factor::name),
+            within.stream().map(Factor::name),
+            between.stream().map(Factor::name),
             covariate.stream())
         .flatMap(name -> name)
         .toList();

@@ -56,8 +56,7 @@ public final class Transformation {
         new Array2DRowRealMatrix(a.getRowDimension() * rows, a.getColumnDimension() * columns);
     for (int i = 0; i < a.getRowDimension(); i++) {
       for (int j = 0; j < a.getColumnDimension(); j++) {
-        product.setSubMatrix(
-            b.scalarMultiply(a.getEntry(i, j)).getData(), i * rows, j * columns);
+        product.setSubMatrix(b.scalarMultiply(a.getEntry(i, j)).getData(), i * rows, j * columns);
       }
     }
     return product;

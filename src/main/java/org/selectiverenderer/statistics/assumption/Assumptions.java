@@ -93,8 +93,7 @@ public record Assumptions(
     for (int i = 0; i < studentised.length; i++) {
       if (Double.isFinite(studentised[i])) {
         double p =
-            Math.min(
-                1, studentised.length * Tails.tTwoSided(studentised[i], residuals.df() - 1.0));
+            Math.min(1, studentised.length * Tails.tTwoSided(studentised[i], residuals.df() - 1.0));
         if (p < anova.options().alpha()) {
           Subject subject = anova.design().subjects().get(i);
           outliers.add(

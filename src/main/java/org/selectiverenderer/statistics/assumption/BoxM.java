@@ -43,8 +43,7 @@ public record BoxM(double m, double chiSquared, double df, double p) {
       pooled = Optional.of(pooled.map(sum::add).orElse(sum));
     }
     double m = all * logDeterminant(pooled.orElseThrow().scalarMultiply(1 / all)) - logs;
-    double scale =
-        (inverses - 1 / all) * (2.0 * p * p + 3.0 * p - 1) / (6 * (p + 1.0) * (g - 1));
+    double scale = (inverses - 1 / all) * (2.0 * p * p + 3.0 * p - 1) / (6 * (p + 1.0) * (g - 1));
     double df = p * (p + 1.0) * (g - 1) / 2;
     double chiSquared = m * (1 - scale);
     return Optional.of(new BoxM(m, chiSquared, df, Tails.chiSquared(chiSquared, df)));

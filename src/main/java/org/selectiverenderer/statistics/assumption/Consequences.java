@@ -138,8 +138,7 @@ final class Consequences {
           found.outliers().stream()
               .map(
                   outlier ->
-                      outlier.participant()
-                          + outlier.at().map(level -> " at " + level).orElse(""))
+                      outlier.participant() + outlier.at().map(level -> " at " + level).orElse(""))
               .collect(Collectors.joining(", "));
       sentences.add(
           "Unusual scores: %s. Check their records, and report the analysis with and without them."

@@ -7,8 +7,8 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * The test of normality by Shapiro and Wilk (1965, Biometrika 52), with Royston's approximations
- * of its coefficients and of p for 3 to 5000 values (1995, Applied Statistics 44, AS R94).
+ * The test of normality by Shapiro and Wilk (1965, Biometrika 52), with Royston's approximations of
+ * its coefficients and of p for 3 to 5000 values (1995, Applied Statistics 44, AS R94).
  *
  * @param at the within level; empty when there is one only
  * @param w 1 for values that lie as those of a normal distribution
@@ -89,8 +89,7 @@ public record ShapiroWilk(Optional<String> at, double w, double p) {
     return y >= shift
         ? 0
         : Tails.normal(
-            (-Math.log(shift - y) - polynomial(FEW_MEAN, n))
-                / Math.exp(polynomial(FEW_LOG_SD, n)));
+            (-Math.log(shift - y) - polynomial(FEW_MEAN, n)) / Math.exp(polynomial(FEW_LOG_SD, n)));
   }
 
   private static double polynomial(double[] coefficients, double x) {

@@ -49,12 +49,9 @@ public final class BayesianAnova {
         obstacle(anova).isEmpty()
             && anova.effects().stream().allMatch(effect -> Double.isFinite(effect.f()));
     if (!defined) {
-      return terms.stream()
-          .map(term -> new EffectEvidence(term, NONE, NONE, List.of()))
-          .toList();
+      return terms.stream().map(term -> new EffectEvidence(term, NONE, NONE, List.of())).toList();
     }
-    ModelEvidence models =
-        new ModelEvidence(anova.design(), terms, anova.options().prior());
+    ModelEvidence models = new ModelEvidence(anova.design(), terms, anova.options().prior());
     return terms.stream().map(term -> of(term, models, scales)).toList();
   }
 
@@ -78,10 +75,7 @@ public final class BayesianAnova {
                     new EffectEvidence.Point(scale, factor(models, contained, term, scale).bf01()))
             .toList();
     return new EffectEvidence(
-        term,
-        factor(models, contained, term, fixed),
-        factor(models, others, term, fixed),
-        points);
+        term, factor(models, contained, term, fixed), factor(models, others, term, fixed), points);
   }
 
   /** Of a model against the same and a term. */
@@ -91,14 +85,11 @@ public final class BayesianAnova {
     with.add(term);
     double[] batches = new double[models.batches()];
     for (int batch = 0; batch < batches.length; batch++) {
-      batches[batch] =
-          Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
+      batches[batch] = Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
     }
     double mean = StatUtils.mean(batches);
     return new EffectEvidence.Factor(
         mean,
-        batches.length == 1
-            ? 0
-            : Math.sqrt(StatUtils.variance(batches) / batches.length) / mean);
+        batches.length == 1 ? 0 : Math.sqrt(StatUtils.variance(batches) / batches.length) / mean);
   }
 }

@@ -52,7 +52,9 @@ final class ModelEvidence {
             .anyMatch(component -> component.columns().size() > 2);
   }
 
-  /** The error's variance where it is estimated: within participants if they repeat, else between. */
+  /**
+   * The error's variance where it is estimated: within participants if they repeat, else between.
+   */
   private Scale scale() {
     double rest = 0;
     double all = 0;
@@ -102,8 +104,7 @@ final class ModelEvidence {
                 return contrasts + log(strata.get(0), tables.get(0), fixed, variance, 1);
               }
               LogIntegral inner =
-                  new LogIntegral(
-                      logG -> averages(tables.get(0), fixed, variance, logG), start[0]);
+                  new LogIntegral(logG -> averages(tables.get(0), fixed, variance, logG), start[0]);
               double value = inner.value();
               start[0] = inner.peak();
               return contrasts + value;

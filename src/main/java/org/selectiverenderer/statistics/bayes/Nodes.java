@@ -16,11 +16,7 @@ import java.util.List;
  * @param sums of squares at each point
  */
 record Nodes(
-    int terms,
-    double[] logWeights,
-    double[] inverses,
-    double[] determinants,
-    double[] sums) {
+    int terms, double[] logWeights, double[] inverses, double[] determinants, double[] sums) {
   private static final double NEGLIGIBLE = 36;
 
   /** Of no term: one point. */
@@ -81,8 +77,7 @@ record Nodes(
     double[] logs = new double[sums.length];
     double top = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < logs.length; i++) {
-      logs[i] =
-          logWeights[i] - determinants[i] / 2 - prior * inverses[i] - data * sums[i];
+      logs[i] = logWeights[i] - determinants[i] / 2 - prior * inverses[i] - data * sums[i];
       top = Math.max(top, logs[i]);
     }
     double sum = 0;
@@ -91,9 +86,7 @@ record Nodes(
         sum += Math.exp(log - top);
       }
     }
-    return top
-        + Math.log(sum)
-        + terms * (InverseGamma.logConstant(r) - Math.log(factor) / 2);
+    return top + Math.log(sum) + terms * (InverseGamma.logConstant(r) - Math.log(factor) / 2);
   }
 
   /**

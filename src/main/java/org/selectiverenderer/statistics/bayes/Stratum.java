@@ -60,7 +60,8 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     if (average) {
       space = complement(roots);
     }
-    int compared = within.stream().mapToInt(factor -> factor.levels().size()).reduce(1, Math::multiplyExact);
+    int compared =
+        within.stream().mapToInt(factor -> factor.levels().size()).reduce(1, Math::multiplyExact);
     double length = Math.sqrt((double) design.within().levels().size() / compared);
     List<Column> columns = new ArrayList<>();
     for (Term term : terms) {

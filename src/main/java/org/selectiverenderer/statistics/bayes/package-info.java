@@ -15,8 +15,8 @@
  * are orthogonal: all, where groups are of equal size. What hangs together is a {@code Component}.
  * Its integral over the g of one or two terms is a sum in equal steps ({@code Nodes}); of three and
  * more, which only unequal groups of two and more factors have, one of quasi-random points with a
- * seed, repeated to tell its error. Over s² and the participants' g the integrals are nested ({@code
- * Evidence}, {@code LogIntegral}).
+ * seed, repeated to tell its error. Over s² and the participants' g the integrals are nested
+ * ({@code Evidence}, {@code LogIntegral}).
  *
  * <p>In: a {@link org.selectiverenderer.statistics.anova.Design} and options. Out: {@link
  * org.selectiverenderer.statistics.bayes.EffectEvidence} of each effect. Uses {@code

@@ -22,8 +22,9 @@ import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
 
 /**
- * Reads measurements in long form, one row for each subject and combination of levels of the
- * within factors, into a design. Levels are in the order of the file. A subject whose data are not complete is left out.
+ * Reads measurements in long form, one row for each subject and combination of levels of the within
+ * factors, into a design. Levels are in the order of the file. A subject whose data are not
+ * complete is left out.
  */
 public final class ObservationsReader {
   /**
@@ -127,8 +128,7 @@ public final class ObservationsReader {
     columns.within().forEach(name -> single(table, name, levels(name)));
     List<Subject> complete = new ArrayList<>();
     subjects.forEach((id, gathered) -> complete(id, gathered, within, between, complete));
-    Design design =
-        new Design(columns.measure(), within, between, columns.covariates(), complete);
+    Design design = new Design(columns.measure(), within, between, columns.covariates(), complete);
     return Optional.of(new Observations(source, design, exclusions.list()));
   }
 

@@ -47,8 +47,7 @@ public record NoncentralT(double df) {
           Math.exp(-z * z / 2)
               * (s == 0
                   ? 1
-                  : Gamma.regularizedGammaQ(
-                      df / 2, df * s * s / 2, PRECISION, Integer.MAX_VALUE));
+                  : Gamma.regularizedGammaQ(df / 2, df * s * s / 2, PRECISION, Integer.MAX_VALUE));
     }
     return Math.min(1, sum * Z_STEP / Math.sqrt(2 * Math.PI));
   }

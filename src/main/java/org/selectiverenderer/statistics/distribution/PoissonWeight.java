@@ -23,8 +23,7 @@ final class PoissonWeight {
     if (j == 0 || mean == 0) {
       return j == 0 ? Math.exp(-mean) : 0;
     }
-    return Math.exp(-deviance((j - mean) / mean) * mean - stirling(j))
-        / Math.sqrt(2 * Math.PI * j);
+    return Math.exp(-deviance((j - mean) / mean) * mean - stirling(j)) / Math.sqrt(2 * Math.PI * j);
   }
 
   /** (1 + t) log(1 + t) - t, from its series where the terms cancel. */

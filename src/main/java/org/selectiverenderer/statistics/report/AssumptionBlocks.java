@@ -39,8 +39,7 @@ final class AssumptionBlocks {
                     List.of(
                         "equal covariances (Box's M)",
                         "χ²(%s) = %s"
-                            .formatted(
-                                figures.df(test.df()), figures.number(test.chiSquared(), 3)),
+                            .formatted(figures.df(test.df()), figures.number(test.chiSquared(), 3)),
                         figures.p(test.p(), Optional.empty()))));
     for (ShapiroWilk test : found.shapiro()) {
       rows.add(

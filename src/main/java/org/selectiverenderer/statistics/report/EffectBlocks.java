@@ -36,9 +36,7 @@ final class EffectBlocks {
     all.addAll(anova.effects());
     Map<List<Factor>, List<Effect>> strata = new LinkedHashMap<>();
     for (Effect effect : all) {
-      strata
-          .computeIfAbsent(effect.term().within(), within -> new ArrayList<>())
-          .add(effect);
+      strata.computeIfAbsent(effect.term().within(), within -> new ArrayList<>()).add(effect);
     }
     strata.forEach(
         (within, own) -> {
@@ -156,7 +154,10 @@ final class EffectBlocks {
                 figures.p(effect.correctedP(found.greenhouseGeisser()), effect.flaw()),
                 figures.number(found.huynhFeldt(), 3),
                 figures.p(effect.correctedP(found.huynhFeldt()), effect.flaw()),
-                effect.correction().map(used -> used.by().word().toUpperCase(Locale.ROOT)).orElse("none")));
+                effect
+                    .correction()
+                    .map(used -> used.by().word().toUpperCase(Locale.ROOT))
+                    .orElse("none")));
       }
     }
     return new Table(
@@ -193,7 +194,13 @@ final class EffectBlocks {
     return new Table(
         "Absence of effects: equivalence (ηp² < %s) and Bayes factors"
             .formatted(figures.number(anova.options().etaBound(), 2)),
-        List.of("effect", "p of difference", "p of equivalence", "conclusion", "BF01 (JZS)", "beside the others"),
+        List.of(
+            "effect",
+            "p of difference",
+            "p of equivalence",
+            "conclusion",
+            "BF01 (JZS)",
+            "beside the others"),
         rows,
         notes);
   }
@@ -201,9 +208,7 @@ final class EffectBlocks {
   private static String bayes(
       EffectEvidence.Factor found, TableFigures figures, Optional<String> reason) {
     return figures.bayes(found.bf01(), reason)
-        + (found.error() > 0
-            ? " ± %s %%".formatted(figures.number(100 * found.error(), 1))
-            : "");
+        + (found.error() > 0 ? " ± %s %%".formatted(figures.number(100 * found.error(), 1)) : "");
   }
 
   /** How much the prior's width matters; empty where there are no Bayes factors. */
@@ -220,9 +225,7 @@ final class EffectBlocks {
         .forEach(point -> header.add("r = " + figures.number(point.scale(), 2)));
     for (EffectEvidence found : evidence) {
       List<String> row = new ArrayList<>(List.of(found.term().name()));
-      found
-          .robustness()
-          .forEach(point -> row.add(figures.bayes(point.bf01(), Optional.empty())));
+      found.robustness().forEach(point -> row.add(figures.bayes(point.bf01(), Optional.empty())));
       rows.add(row);
     }
     return Optional.of(

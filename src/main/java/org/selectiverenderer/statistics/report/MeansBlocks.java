@@ -49,8 +49,7 @@ final class MeansBlocks {
     List<List<String>> rows = new ArrayList<>();
     for (MarginalMean mean : anova.means()) {
       List<String> row = new ArrayList<>();
-      factors.forEach(
-          factor -> row.add(mean.levels().getOrDefault(factor.name(), "all")));
+      factors.forEach(factor -> row.add(mean.levels().getOrDefault(factor.name(), "all")));
       row.add(figures.number(mean.mean(), 3));
       row.add(figures.number(mean.standardError(), 3));
       row.add("[" + figures.number(mean.low(), 3) + ", " + figures.number(mean.high(), 3) + "]");
@@ -61,7 +60,9 @@ final class MeansBlocks {
     List<String> notes = new ArrayList<>(figures.notes());
     if (!anova.design().covariates().isEmpty()) {
       notes.add(
-          "At the means of the covariates: " + String.join(", ", anova.design().covariates()) + ".");
+          "At the means of the covariates: "
+              + String.join(", ", anova.design().covariates())
+              + ".");
     }
     return new Table("Estimated marginal means", header, rows, notes);
   }
@@ -118,8 +119,6 @@ final class MeansBlocks {
         + pair.at()
             .map(level -> " at " + level)
             .orElse(
-                pair.factor().contains(" x ")
-                    ? ", differences of differences"
-                    : ", over all else");
+                pair.factor().contains(" x ") ? ", differences of differences" : ", over all else");
   }
 }

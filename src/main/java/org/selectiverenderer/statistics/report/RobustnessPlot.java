@@ -90,10 +90,7 @@ final class RobustnessPlot {
       double y = Math.rint(y(power, low, high));
       canvas.rectangle(
           LEFT, y, WIDTH - LEFT - RIGHT, 1, power == 0 ? ChartColour.GREY : ChartColour.GRID);
-      String number =
-          power >= 0
-              ? "1" + "0".repeat(power)
-              : "1/1" + "0".repeat(-power);
+      String number = power >= 0 ? "1" + "0".repeat(power) : "1/1" + "0".repeat(-power);
       canvas.text(number, LEFT - 7 - plain.width(number), y + 4, plain, ChartColour.FAINT_INK);
     }
     for (double r : new double[] {0.25, 0.5, 0.75, 1, 1.25, 1.5}) {

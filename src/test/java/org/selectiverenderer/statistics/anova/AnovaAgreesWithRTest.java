@@ -18,7 +18,8 @@ import org.selectiverenderer.statistics.GoldenTable;
  * sets; src/test/scripts/README.md tells how the files were made.
  */
 class AnovaAgreesWithRTest {
-  private static final AnovaOptions OPTIONS = AnovaOptions.DEFAULT.withRawBound(0.5).withSphericity(SphericityChoice.NONE);
+  private static final AnovaOptions OPTIONS =
+      AnovaOptions.DEFAULT.withRawBound(0.5).withSphericity(SphericityChoice.NONE);
   private static final double TOLERANCE = 1e-8;
 
   @Test

@@ -180,7 +180,9 @@ class AnovaTest {
         "y", new Factor("level", List.of("all")), new Factor("group", names), subjects);
   }
 
-  /** A mean of ten thousand standard deviations and groups as far apart took minutes, then failed. */
+  /**
+   * A mean of ten thousand standard deviations and groups as far apart took minutes, then failed.
+   */
   @Test
   @Timeout(20)
   void aVeryClearEffectHasAllItsFigures() {

@@ -37,8 +37,7 @@ class FactorsAgreeWithRTest {
     Map<String, Map<String, Double>> ours = new LinkedHashMap<>();
     data.forEach(
         (set, rows) -> ours.put(set, figures(Anova.of(design(rows), AnovaOptions.DEFAULT))));
-    List<CSVRecord> golden =
-        GoldenTable.read(FactorsAgreeWithRTest.class, "factors-golden.csv.gz");
+    List<CSVRecord> golden = GoldenTable.read(FactorsAgreeWithRTest.class, "factors-golden.csv.gz");
     List<String> differences = new ArrayList<>();
     for (CSVRecord row : golden) {
       double theirs = Double.parseDouble(row.get("value"));

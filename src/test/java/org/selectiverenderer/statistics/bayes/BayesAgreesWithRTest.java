@@ -129,7 +129,8 @@ class BayesAgreesWithRTest {
 
   /**
    * The wider the prior, the more it speaks for the null where there is no effect, and the curve
-   * goes through the width asked for. {@code 1 / exp(oneWayAOV.Fstat(0.576, 18, 3, rscale = r)$bf)}.
+   * goes through the width asked for. {@code 1 / exp(oneWayAOV.Fstat(0.576, 18, 3, rscale =
+   * r)$bf)}.
    */
   @ParameterizedTest
   @CsvSource({"0.2, 1.975571", "0.5, 4.546136", "1, 12.34605"})
@@ -140,7 +141,8 @@ class BayesAgreesWithRTest {
         BayesianAnova.withRobustness(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
             .get(0);
     assertThat(found.bf01()).isEqualTo(bf01, within(bf01 * 1e-6));
-    assertThat(found.robustness()).isSortedAccordingTo((a, b) -> Double.compare(a.bf01(), b.bf01()));
+    assertThat(found.robustness())
+        .isSortedAccordingTo((a, b) -> Double.compare(a.bf01(), b.bf01()));
     assertThat(found.robustness())
         .filteredOn(point -> point.scale() == 0.5)
         .singleElement()
@@ -166,7 +168,8 @@ class BayesAgreesWithRTest {
     assertThat(once.error()).isBetween(1e-6, 0.01);
     EffectEvidence other = interaction(design, 2);
     assertThat(other.bf01()).isNotEqualTo(once.bf01());
-    assertThat(other.bf01() / once.bf01()).isEqualTo(1, within(6 * once.error() + 6 * other.error()));
+    assertThat(other.bf01() / once.bf01())
+        .isEqualTo(1, within(6 * once.error() + 6 * other.error()));
   }
 
   @Test
