@@ -21,6 +21,9 @@ import org.selectiverenderer.statistics.report.Block.Table;
 
 /** The tables of effects: F, sphericity, what speaks for their absence. */
 final class EffectBlocks {
+  /** Errors of Bayes factors up to this share would be written as 0.0 %. */
+  private static final double SHOWN = 5e-4;
+
   private final Anova anova;
   private final List<EffectEvidence> evidence;
 
@@ -175,7 +178,7 @@ final class EffectBlocks {
     for (int i = 0; i < anova.effects().size(); i++) {
       Effect effect = anova.effects().get(i);
       EffectEvidence found = evidence.get(i);
-      sampled |= found.error() > 0 || found.beside().error() > 0;
+      sampled |= found.error() > SHOWN || found.beside().error() > SHOWN;
       rows.add(
           List.of(
               effect.name(),
@@ -208,7 +211,9 @@ final class EffectBlocks {
   private static String bayes(
       EffectEvidence.Factor found, TableFigures figures, Optional<String> reason) {
     return figures.bayes(found.bf01(), reason)
-        + (found.error() > 0 ? " ± %s %%".formatted(figures.number(100 * found.error(), 1)) : "");
+        + (found.error() > SHOWN
+            ? " ± %s %%".formatted(figures.number(100 * found.error(), 1))
+            : "");
   }
 
   /** How much the prior's width matters; empty where there are no Bayes factors. */

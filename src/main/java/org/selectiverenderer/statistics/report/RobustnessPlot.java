@@ -20,7 +20,7 @@ final class RobustnessPlot {
   private static final int TOP = 28;
   private static final int PLOT = 230;
   private static final int LINE = 17;
-  private static final int BOTTOM = 44;
+  private static final int BOTTOM = 52;
 
   /** The axis ends there: what is beyond is as good as certain. */
   private static final int MOST_TENS = 6;
