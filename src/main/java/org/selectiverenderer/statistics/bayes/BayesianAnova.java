@@ -13,7 +13,7 @@ import org.selectiverenderer.statistics.anova.Term;
 
 /** Bayes factors of the effects of an analysis. */
 public final class BayesianAnova {
-  private static final EffectEvidence.Factor NONE = new EffectEvidence.Factor(Double.NaN, 0);
+  private static final EffectEvidence.Ratio NONE = new EffectEvidence.Ratio(Double.NaN, 0);
 
   private final Anova anova;
   private final List<Term> terms;
@@ -79,7 +79,7 @@ public final class BayesianAnova {
   }
 
   /** Of a model against the same and a term. */
-  private static EffectEvidence.Factor factor(
+  private static EffectEvidence.Ratio factor(
       ModelEvidence models, Set<Term> without, Term term, double scale) {
     Set<Term> with = new HashSet<>(without);
     with.add(term);
@@ -88,7 +88,7 @@ public final class BayesianAnova {
       batches[batch] = Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
     }
     double mean = StatUtils.mean(batches);
-    return new EffectEvidence.Factor(
+    return new EffectEvidence.Ratio(
         mean,
         batches.length == 1 ? 0 : Math.sqrt(StatUtils.variance(batches) / batches.length) / mean);
   }

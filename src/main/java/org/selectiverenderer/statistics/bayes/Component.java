@@ -12,16 +12,16 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
  * @param columns of the terms, rows of the space
  * @param data rows of the space x contrasts
  */
-record Component(List<Column> columns, RealMatrix data) {
+record Component(List<TermColumns> columns, RealMatrix data) {
   private static final double RANK = 1e-9;
 
   Component {
     columns = List.copyOf(columns);
   }
 
-  static Component of(List<Column> columns, RealMatrix data) {
+  static Component of(List<TermColumns> columns, RealMatrix data) {
     RealMatrix all = columns.get(0).matrix();
-    for (Column column : columns.subList(1, columns.size())) {
+    for (TermColumns column : columns.subList(1, columns.size())) {
       RealMatrix wider =
           MatrixUtils.createRealMatrix(
               all.getRowDimension(),
@@ -39,7 +39,7 @@ record Component(List<Column> columns, RealMatrix data) {
         found.getU().getSubMatrix(0, all.getRowDimension() - 1, 0, rank - 1).transpose();
     return new Component(
         columns.stream()
-            .map(column -> new Column(column.term(), space.multiply(column.matrix())))
+            .map(column -> new TermColumns(column.term(), space.multiply(column.matrix())))
             .toList(),
         space.multiply(data));
   }
@@ -58,7 +58,7 @@ record Component(List<Column> columns, RealMatrix data) {
    * Minus the deviance's halves at some g: the log-determinant of I + sum of g_t A_t A_t', and the
    * sum of squares of the data in units of it.
    */
-  double[] at(List<Column> terms, double[] logG) {
+  double[] at(List<TermColumns> terms, double[] logG) {
     RealMatrix v = MatrixUtils.createRealIdentityMatrix(data.getRowDimension());
     for (int t = 0; t < terms.size(); t++) {
       RealMatrix a = terms.get(t).matrix();

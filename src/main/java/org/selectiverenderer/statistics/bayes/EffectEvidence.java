@@ -12,14 +12,14 @@ import org.selectiverenderer.statistics.anova.Term;
  *     effects are large, {@code alone} takes them for error
  * @param robustness {@code alone} with other widths of the prior, in ascending order
  */
-public record EffectEvidence(Term term, Factor alone, Factor beside, List<Point> robustness) {
+public record EffectEvidence(Term term, Ratio alone, Ratio beside, List<Point> robustness) {
   /**
    * A Bayes factor.
    *
    * @param bf01 above 1 speaks for no effect; not a number where there is none
    * @param error of bf01, a share of it: 0 where the integral is not by Monte Carlo
    */
-  public record Factor(double bf01, double error) {}
+  public record Ratio(double bf01, double error) {}
 
   /**
    * A Bayes factor with one width of the prior.

@@ -19,11 +19,11 @@ final class ImportanceSample {
   private static final double WIDER = 1.2;
 
   private final Component component;
-  private final List<Column> terms;
+  private final List<TermColumns> terms;
   private final Scale scale;
   private final double r;
 
-  ImportanceSample(Component component, List<Column> terms, Scale scale, double r) {
+  ImportanceSample(Component component, List<TermColumns> terms, Scale scale, double r) {
     this.component = component;
     this.terms = terms;
     this.scale = scale;

@@ -131,9 +131,9 @@ final class ModelEvidence {
   }
 
   private Nodes nodes(Stratum stratum, Component component, Set<Term> model, int batch) {
-    List<Column> terms =
+    List<TermColumns> terms =
         component.columns().stream().filter(column -> model.contains(column.term())).toList();
-    Set<Term> own = Set.copyOf(terms.stream().map(Column::term).toList());
+    Set<Term> own = Set.copyOf(terms.stream().map(TermColumns::term).toList());
     boolean drawn = terms.size() > 2;
     return nodes
         .computeIfAbsent(component, any -> new HashMap<>())

@@ -25,7 +25,8 @@ record Nodes(
     return new Nodes(0, zero, zero, zero, new double[] {component.sum()});
   }
 
-  static Nodes of(Component component, List<Column> terms, double[][] logG, double[] logWeights) {
+  static Nodes of(
+      Component component, List<TermColumns> terms, double[][] logG, double[] logWeights) {
     double[] weights = logWeights.clone();
     double[] inverses = new double[logG.length];
     double[] determinants = new double[logG.length];
@@ -43,7 +44,7 @@ record Nodes(
   }
 
   /** All combinations of points in equal steps. */
-  static Nodes grid(Component component, List<Column> terms, Scale scale, double leastPrior) {
+  static Nodes grid(Component component, List<TermColumns> terms, Scale scale, double leastPrior) {
     List<double[]> points = List.of(new double[] {});
     double volume = 0;
     for (int t = 0; t < terms.size(); t++) {
@@ -103,7 +104,7 @@ record Nodes(
     /** Beyond it, matrices lose their digits. */
     private static final double MOST = 27;
 
-    static Range of(Component component, Column term, Scale scale, double leastPrior) {
+    static Range of(Component component, TermColumns term, Scale scale, double leastPrior) {
       double falls = 1.0 + (double) component.width() * term.matrix().getColumnDimension();
       double low = Math.log(leastPrior * leastPrior / (2 * NEGLIGIBLE) / scale.average());
       double signal = component.sum() / (scale.variance() * term.size());

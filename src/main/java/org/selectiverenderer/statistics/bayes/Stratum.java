@@ -63,15 +63,15 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     int compared =
         within.stream().mapToInt(factor -> factor.levels().size()).reduce(1, Math::multiplyExact);
     double length = Math.sqrt((double) design.within().levels().size() / compared);
-    List<Column> columns = new ArrayList<>();
+    List<TermColumns> columns = new ArrayList<>();
     for (Term term : terms) {
       RealMatrix coded = coding(design, term).scalarMultiply(length);
-      columns.add(new Column(term, space.multiply(roots).multiply(coded)));
+      columns.add(new TermColumns(term, space.multiply(roots).multiply(coded)));
     }
     RealMatrix data = space.multiply(roots).multiply(means);
     List<Component> components = new ArrayList<>();
     double outside = square(data);
-    for (List<Column> connected : connected(columns)) {
+    for (List<TermColumns> connected : connected(columns)) {
       Component component = Component.of(connected, data);
       components.add(component);
       outside -= component.sum();
@@ -114,11 +114,11 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     return q.getSubMatrix(0, groups - 1, 1, groups - 1).transpose();
   }
 
-  private static List<List<Column>> connected(List<Column> columns) {
-    List<List<Column>> found = new ArrayList<>();
-    for (Column column : columns) {
-      List<Column> own = new ArrayList<>();
-      for (List<Column> set : List.copyOf(found)) {
+  private static List<List<TermColumns>> connected(List<TermColumns> columns) {
+    List<List<TermColumns>> found = new ArrayList<>();
+    for (TermColumns column : columns) {
+      List<TermColumns> own = new ArrayList<>();
+      for (List<TermColumns> set : List.copyOf(found)) {
         if (!set.stream().allMatch(column::orthogonalTo)) {
           own.addAll(set);
           found.remove(set);

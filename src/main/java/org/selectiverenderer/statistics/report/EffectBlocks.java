@@ -209,7 +209,7 @@ final class EffectBlocks {
   }
 
   private static String bayes(
-      EffectEvidence.Factor found, TableFigures figures, Optional<String> reason) {
+      EffectEvidence.Ratio found, TableFigures figures, Optional<String> reason) {
     return figures.bayes(found.bf01(), reason)
         + (found.error() > SHOWN
             ? " ± %s %%".formatted(figures.number(100 * found.error(), 1))

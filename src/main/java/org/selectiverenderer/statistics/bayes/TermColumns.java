@@ -8,10 +8,10 @@ import org.selectiverenderer.statistics.anova.Term;
  *
  * @param matrix dimensions of the space x degrees of freedom of the term among groups
  */
-record Column(Term term, RealMatrix matrix) {
+record TermColumns(Term term, RealMatrix matrix) {
   private static final double ORTHOGONAL = 1e-9;
 
-  boolean orthogonalTo(Column other) {
+  boolean orthogonalTo(TermColumns other) {
     RealMatrix products = matrix.transpose().multiply(other.matrix);
     return products.getFrobeniusNorm()
         <= ORTHOGONAL * matrix.getFrobeniusNorm() * other.matrix.getFrobeniusNorm();
