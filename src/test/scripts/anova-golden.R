@@ -38,8 +38,10 @@ effect <- function(set, name, ss, sse, df1, df2, ges = NA) {
   put(set, key("df1"), df1); put(set, key("df2"), df2)
   put(set, key("F"), f); put(set, key("p"), pf(f, df1, df2, lower.tail = FALSE))
   put(set, key("pes"), ss / (ss + sse)); put(set, key("ges"), ges)
-  ci <- eta_interval(f, df1, df2)
-  put(set, key("low"), ci[1]); put(set, key("high"), ci[2])
+  if (name != "intercept") {
+    ci <- eta_interval(f, df1, df2)
+    put(set, key("low"), ci[1]); put(set, key("high"), ci[2])
+  }
   put(set, key("equivalence"), pf(f, df1, df2, ETA / (1 - ETA) * (df1 + df2 + 1)))
 }
 
@@ -108,8 +110,6 @@ for (set in 1:200) {
   if (kind == "oneway") {
     table <- fit$Anova; sse <- table["Residuals", "Sum Sq"]; df2 <- table["Residuals", "Df"]
     for (e in c("(Intercept)", "group")) effect(set, named[[e]], table[e, "Sum Sq"], sse, table[e, "Df"], df2, ges_of(e))
-    full <- lm(value ~ group, d); null <- lm(value ~ 1, d)
-    put(set, "bic|group", exp((BIC(full) - BIC(null)) / 2))
   } else {
     s <- summary(fit$Anova, multivariate = TRUE)
     u <- s$univariate.tests

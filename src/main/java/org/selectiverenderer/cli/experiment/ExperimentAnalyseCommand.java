@@ -53,7 +53,9 @@ final class ExperimentAnalyseCommand extends CliCommand {
   private @Nullable Path participants;
 
   @Mixin private ScoringChoices scoring = new ScoringChoices();
+  @Mixin private SphericityOption sphericity = new SphericityOption();
   @Mixin private AnovaChoices choices = new AnovaChoices();
+  @Mixin private PriorChoices prior = new PriorChoices();
 
   @Option(
       names = "--format",
@@ -71,7 +73,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    AnovaOptions options = choices.options();
+    AnovaOptions options = prior.in(sphericity.in(choices.options()));
     output.check(new CommandFiles().reads("", responses).reads("--participants", participants));
     Problems problems = new Problems(console()::problem);
     Optional<Roster> roster = Optional.empty();

@@ -2,11 +2,10 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
@@ -33,12 +32,16 @@ import picocli.CommandLine.Parameters;
       "Analyses the variance of a table in long form, with one row for each "
           + "participant and level.",
       "The design is mixed with both --within and --between, repeated measures with "
-          + "--within alone, one-way with --between alone."
+          + "--within alone, between participants with --between alone. Each of them, and "
+          + "--covariate, may be given several times."
     },
     footer =
         "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant"
             + " --within object_type --between condition")
 final class ExperimentAnovaCommand extends CliCommand {
+  /** More have too many interactions for anyone to read. */
+  private static final int MOST_FACTORS = 5;
+
   private enum Format {
     text,
     json,
@@ -65,16 +68,29 @@ final class ExperimentAnovaCommand extends CliCommand {
   @Option(
       names = "--within",
       paramLabel = "COL",
-      description = "column of the factor whose levels each participant was measured at")
-  private @Nullable String within;
+      description = "column of a factor at whose levels each participant was measured; repeatable")
+  private List<String> within = new ArrayList<>();
 
   @Option(
       names = "--between",
       paramLabel = "COL",
-      description = "column of the factor that divides the participants")
-  private @Nullable String between;
+      description = "column of a factor that divides the participants; repeatable")
+  private List<String> between = new ArrayList<>();
 
+  @Option(
+      names = "--covariate",
+      paramLabel = "COL",
+      description =
+          "column of a number of each participant whose linear effect is taken out of the "
+              + "others (analysis of covariance, equal slopes in all groups); repeatable")
+  private List<String> covariates = new ArrayList<>();
+
+  @Option(names = "--correction", paramLabel = "C", description = "the same as --sphericity")
+  private SphericityOption.@Nullable Words correction;
+
+  @Mixin private SphericityOption sphericity = new SphericityOption();
   @Mixin private AnovaChoices choices = new AnovaChoices();
+  @Mixin private PriorChoices prior = new PriorChoices();
 
   @Option(
       names = "--format",
@@ -90,24 +106,30 @@ final class ExperimentAnovaCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    if (within == null && between == null) {
+    if (within.isEmpty() && between.isEmpty() && covariates.isEmpty()) {
       throw CommandFailure.usage("no factor given; name one with --within, --between or both");
     }
-    List<String> columns =
-        Stream.of(measure, subject, within, between).filter(Objects::nonNull).toList();
+    List<String> columns = new ArrayList<>(List.of(measure, subject));
+    columns.addAll(within);
+    columns.addAll(between);
+    columns.addAll(covariates);
     if (columns.stream().map(name -> name.toLowerCase(Locale.ROOT)).distinct().count()
         < columns.size()) {
       throw CommandFailure.usage(
-          "--dv, --subject, --within and --between must be different columns");
+          "--dv, --subject, --within, --between and --covariate must be different columns");
     }
-    AnovaOptions options = choices.options();
+    if (within.size() + between.size() > MOST_FACTORS) {
+      throw CommandFailure.usage(
+          "at most %d factors can be analysed together; leave some out".formatted(MOST_FACTORS));
+    }
+    AnovaOptions options =
+        prior.in(sphericity.in(choices.options(), Optional.ofNullable(correction)));
     output.check(new CommandFiles().reads("", data));
     Problems problems = new Problems(console()::problem);
     Optional<Observations> read =
         ObservationsReader.read(
             data,
-            new ObservationsReader.Columns(
-                measure, subject, Optional.ofNullable(within), Optional.ofNullable(between)),
+            new ObservationsReader.Columns(measure, subject, within, between, covariates),
             problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;

@@ -180,6 +180,7 @@ final class ExperimentSimulateCommand extends CliCommand {
   private Dependent dependent = Dependent.dprime;
 
   @Mixin private ScoringChoices scoring = new ScoringChoices();
+  @Mixin private SphericityOption sphericity = new SphericityOption();
   @Mixin private AnovaChoices choices = new AnovaChoices();
 
   @Option(
@@ -197,7 +198,7 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    AnovaOptions options = choices.options();
+    AnovaOptions options = sphericity.in(choices.options());
     check();
     StudyModel model =
         new StudyModel(

@@ -1,6 +1,5 @@
 package org.selectiverenderer.statistics.anova;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -8,7 +7,7 @@ import java.util.Optional;
  * An analysis of variance and all that stands beside it.
  *
  * @param intercept the mean of all against 0
- * @param effects between, within and interaction, those that the design has
+ * @param effects those of the between factors, then of the within ones and of both
  * @param descriptives of the cells, and over the groups
  * @param bound of TOST, in the measure's units
  */
@@ -39,21 +38,13 @@ public record Anova(
       throw new IllegalArgumentException(obstacle.get());
     }
     CellStatistics cells = CellStatistics.of(design);
-    List<Effect> effects = new ArrayList<>();
-    for (EffectKind kind : EffectKind.values()) {
-      boolean tested =
-          kind != EffectKind.INTERCEPT
-              && (!kind.ofGroups() || design.between().varies())
-              && (!kind.ofContrasts() || design.within().varies());
-      if (tested) {
-        effects.add(Effect.of(kind, name(kind, design), cells, options));
-      }
-    }
+    List<Effect> effects =
+        Term.of(design).stream().map(term -> Effect.of(term, design, cells, options)).toList();
     MeanContrasts contrasts = new MeanContrasts(design, cells, options);
     return new Anova(
         design,
         options,
-        Effect.of(EffectKind.INTERCEPT, "intercept", cells, options),
+        Effect.of(Term.INTERCEPT, design, cells, options),
         effects,
         Descriptive.of(design),
         contrasts.means(),
@@ -61,17 +52,13 @@ public record Anova(
         contrasts.bound());
   }
 
-  private static String name(EffectKind kind, Design design) {
-    return switch (kind) {
-      case INTERCEPT -> "intercept";
-      case BETWEEN -> design.between().name();
-      case WITHIN -> design.within().name();
-      case INTERACTION -> design.within().name() + " x " + design.between().name();
-    };
-  }
-
-  /** The effect of that kind, if the design has it. */
+  /** The first effect of that kind, if the design has one. */
   public Optional<Effect> effect(EffectKind kind) {
     return effects.stream().filter(effect -> effect.kind() == kind).findFirst();
+  }
+
+  /** What the model leaves of the scores. */
+  public Residuals residuals() {
+    return Residuals.of(CellStatistics.of(design));
   }
 }

@@ -10,7 +10,9 @@ package org.selectiverenderer.statistics.anova;
  *     own units
  * @param rawBound whether the bound is in the measure's units
  * @param etaBound smallest partial eta squared that would matter
- * @param priorScale of the JZS Bayes factor
+ * @param priorScale of the JZS Bayes factor of a comparison
+ * @param sphericity what is done where it is lacking
+ * @param prior of the Bayes factors of effects
  */
 public record AnovaOptions(
     double alpha,
@@ -19,27 +21,53 @@ public record AnovaOptions(
     double differenceBound,
     boolean rawBound,
     double etaBound,
-    double priorScale) {
+    double priorScale,
+    SphericityChoice sphericity,
+    EffectPrior prior) {
   /**
    * Half a standard deviation and a partial eta squared of 0.06 are the middle of Cohen's 1988
-   * conventions; the prior's scale is that of Morey and Rouder's BayesFactor.
+   * conventions; the priors' scales are those of Morey and Rouder's BayesFactor.
    */
   public static final AnovaOptions DEFAULT =
-      new AnovaOptions(0.05, 0.95, 0.90, 0.5, false, 0.06, Math.sqrt(2) / 2);
+      new AnovaOptions(
+          0.05,
+          0.95,
+          0.90,
+          0.5,
+          false,
+          0.06,
+          Math.sqrt(2) / 2,
+          SphericityChoice.AUTO,
+          EffectPrior.MEDIUM);
 
   /** With TOST's bound in the measure's own units. */
   public AnovaOptions withRawBound(double bound) {
-    return new AnovaOptions(alpha, confidence, etaConfidence, bound, true, etaBound, priorScale);
+    return with(bound, true, etaBound, sphericity, prior);
   }
 
   /** With TOST's bound in standard deviations. */
   public AnovaOptions withStandardBound(double bound) {
-    return new AnovaOptions(alpha, confidence, etaConfidence, bound, false, etaBound, priorScale);
+    return with(bound, false, etaBound, sphericity, prior);
   }
 
   /** With another bound of partial eta squared. */
   public AnovaOptions withEtaBound(double bound) {
+    return with(differenceBound, rawBound, bound, sphericity, prior);
+  }
+
+  /** With another answer to a lack of sphericity. */
+  public AnovaOptions withSphericity(SphericityChoice choice) {
+    return with(differenceBound, rawBound, etaBound, choice, prior);
+  }
+
+  /** With another prior of the Bayes factors of effects. */
+  public AnovaOptions withPrior(EffectPrior effects) {
+    return with(differenceBound, rawBound, etaBound, sphericity, effects);
+  }
+
+  private AnovaOptions with(
+      double bound, boolean raw, double eta, SphericityChoice choice, EffectPrior effects) {
     return new AnovaOptions(
-        alpha, confidence, etaConfidence, differenceBound, rawBound, bound, priorScale);
+        alpha, confidence, etaConfidence, bound, raw, eta, priorScale, choice, effects);
   }
 }

@@ -1,49 +1,174 @@
 package org.selectiverenderer.statistics.anova;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import java.util.Optional;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
 
-/** Means and error of a design: all that its tests are made of. */
+/**
+ * The multivariate linear model of a design, of which all its tests are made: y = X B + e, a row
+ * for each subject, a column for each combination of within levels. X has an indicator of each
+ * group and the covariates, less their means over all subjects; B holds the groups' means at those
+ * means of the covariates (without covariates simply their means), and the covariates' slopes.
+ */
 final class CellStatistics {
-  private final int[] sizes;
-  private final double[][] means;
-  private final RealMatrix error;
-  private final int errorDf;
+  /** A covariate with a smaller share of its sum of squares left over is told by the others. */
+  private static final double REDUNDANT = 1e-10;
 
-  private CellStatistics(int[] sizes, double[][] means, RealMatrix error, int errorDf) {
+  private final int[] sizes;
+  private final RealMatrix coefficients;
+  private final RealMatrix inverse;
+  private final RealMatrix residuals;
+  private final double[] leverages;
+
+  private CellStatistics(
+      int[] sizes,
+      RealMatrix coefficients,
+      RealMatrix inverse,
+      RealMatrix residuals,
+      double[] leverages) {
     this.sizes = sizes;
-    this.means = means;
-    this.error = error;
-    this.errorDf = errorDf;
+    this.coefficients = coefficients;
+    this.inverse = inverse;
+    this.residuals = residuals;
+    this.leverages = leverages;
   }
 
   static CellStatistics of(Design design) {
-    int groups = design.between().levels().size();
-    int levels = design.within().levels().size();
-    int[] sizes = new int[groups];
-    double[][] means = new double[groups][levels];
-    double[][] error = new double[levels][levels];
-    for (int group = 0; group < groups; group++) {
-      List<Subject> subjects = design.group(group);
-      sizes[group] = subjects.size();
-      for (Subject subject : subjects) {
-        for (int level = 0; level < levels; level++) {
-          means[group][level] += subject.values().get(level) / sizes[group];
-        }
-      }
-      for (Subject subject : subjects) {
-        for (int a = 0; a < levels; a++) {
-          for (int b = 0; b < levels; b++) {
-            error[a][b] +=
-                (subject.values().get(a) - means[group][a])
-                    * (subject.values().get(b) - means[group][b]);
-          }
-        }
+    int[] sizes = sizes(design);
+    double[][] y = scores(design);
+    double[][] means = groupMeans(design, sizes, y);
+    RealMatrix inverse = MatrixUtils.createRealMatrix(sizes.length, sizes.length);
+    for (int group = 0; group < sizes.length; group++) {
+      inverse.setEntry(group, group, 1.0 / sizes[group]);
+    }
+    CellStatistics cells =
+        new CellStatistics(
+            sizes,
+            MatrixUtils.createRealMatrix(means),
+            inverse,
+            MatrixUtils.createRealMatrix(inside(design, y, means)),
+            design.subjects().stream()
+                .mapToDouble(subject -> 1.0 / sizes[subject.group()])
+                .toArray());
+    return design.covariates().isEmpty() ? cells : cells.adjusted(design);
+  }
+
+  /** With slopes from the deviations within groups, and means at the covariates' means. */
+  private CellStatistics adjusted(Design design) {
+    int groups = sizes.length;
+    double[][] x = covariates(design);
+    double[][] xMeans = groupMeans(design, sizes, x);
+    RealMatrix own = MatrixUtils.createRealMatrix(inside(design, x, xMeans));
+    RealMatrix centres = MatrixUtils.createRealMatrix(xMeans);
+    RealMatrix spread = MatrixUtils.inverse(own.transpose().multiply(own));
+    RealMatrix slopes = spread.multiply(own.transpose()).multiply(residuals);
+    RealMatrix cross = centres.multiply(spread).scalarMultiply(-1);
+    int size = groups + own.getColumnDimension();
+    RealMatrix all = MatrixUtils.createRealMatrix(size, size);
+    all.setSubMatrix(
+        inverse.add(centres.multiply(spread).multiply(centres.transpose())).getData(), 0, 0);
+    all.setSubMatrix(cross.getData(), 0, groups);
+    all.setSubMatrix(cross.transpose().getData(), groups, 0);
+    all.setSubMatrix(spread.getData(), groups, groups);
+    RealMatrix both = MatrixUtils.createRealMatrix(size, levels());
+    both.setSubMatrix(coefficients.subtract(centres.multiply(slopes)).getData(), 0, 0);
+    both.setSubMatrix(slopes.getData(), groups, 0);
+    double[] drawn = leverages.clone();
+    for (int i = 0; i < drawn.length; i++) {
+      RealVector row = own.getRowVector(i);
+      drawn[i] += row.dotProduct(spread.operate(row));
+    }
+    return new CellStatistics(sizes, both, all, residuals.subtract(own.multiply(slopes)), drawn);
+  }
+
+  private static int[] sizes(Design design) {
+    int[] sizes = new int[design.between().levels().size()];
+    design.subjects().forEach(subject -> sizes[subject.group()]++);
+    return sizes;
+  }
+
+  private static double[][] scores(Design design) {
+    return design.subjects().stream()
+        .map(subject -> array(subject.values()))
+        .toArray(double[][]::new);
+  }
+
+  /** The first covariate that is constant within all groups, or told by those before it. */
+  static Optional<String> redundantCovariate(Design design) {
+    if (design.covariates().isEmpty()) {
+      return Optional.empty();
+    }
+    double[][] x = covariates(design);
+    RealMatrix inside =
+        MatrixUtils.createRealMatrix(inside(design, x, groupMeans(design, sizes(design), x)));
+    RealMatrix raw = MatrixUtils.createRealMatrix(x);
+    for (int column = 0; column < design.covariates().size(); column++) {
+      RealMatrix first = inside.getSubMatrix(0, x.length - 1, 0, column);
+      RealMatrix products = first.transpose().multiply(first);
+      double left =
+          column == 0
+              ? products.getEntry(0, 0)
+              : new LUDecomposition(products, 0).getDeterminant()
+                  / new LUDecomposition(products.getSubMatrix(0, column - 1, 0, column - 1), 0)
+                      .getDeterminant();
+      double whole = raw.getColumnVector(column).dotProduct(raw.getColumnVector(column));
+      if (!(left > REDUNDANT * whole)) {
+        return Optional.of(design.covariates().get(column));
       }
     }
-    return new CellStatistics(
-        sizes, means, new Array2DRowRealMatrix(error, false), design.subjects().size() - groups);
+    return Optional.empty();
+  }
+
+  /** A row for each subject: the covariates less their means over all subjects. */
+  private static double[][] covariates(Design design) {
+    double[][] x =
+        design.subjects().stream()
+            .map(subject -> array(subject.covariates()))
+            .toArray(double[][]::new);
+    for (int column = 0; column < design.covariates().size(); column++) {
+      double mean = 0;
+      for (double[] row : x) {
+        mean += row[column] / x.length;
+      }
+      for (double[] row : x) {
+        row[column] -= mean;
+      }
+    }
+    return x;
+  }
+
+  private static double[][] groupMeans(Design design, int[] sizes, double[][] rows) {
+    double[][] means = new double[sizes.length][rows[0].length];
+    for (int i = 0; i < rows.length; i++) {
+      int group = design.subjects().get(i).group();
+      for (int column = 0; column < rows[i].length; column++) {
+        means[group][column] += rows[i][column] / sizes[group];
+      }
+    }
+    return means;
+  }
+
+  /** Deviations from the groups' means. */
+  private static double[][] inside(Design design, double[][] rows, double[][] means) {
+    List<double[]> inside = new ArrayList<>();
+    for (int i = 0; i < rows.length; i++) {
+      double[] row = rows[i].clone();
+      double[] mean = means[design.subjects().get(i).group()];
+      for (int column = 0; column < row.length; column++) {
+        row[column] -= mean[column];
+      }
+      inside.add(row);
+    }
+    return inside.toArray(double[][]::new);
+  }
+
+  private static double[] array(List<Double> values) {
+    return values.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
   int groups() {
@@ -51,7 +176,7 @@ final class CellStatistics {
   }
 
   int levels() {
-    return means[0].length;
+    return coefficients.getColumnDimension();
   }
 
   int size(int group) {
@@ -59,64 +184,46 @@ final class CellStatistics {
   }
 
   int subjects() {
-    int sum = 0;
-    for (int size : sizes) {
-      sum += size;
-    }
-    return sum;
+    return Arrays.stream(sizes).sum();
   }
 
-  /** Means of a group at the levels of the within factor. */
+  /** Means of a group at the combinations of within levels, at the means of the covariates. */
   double[] means(int group) {
-    return means[group].clone();
+    return coefficients.getRow(group);
   }
 
-  /** Sums of squares and products of the within levels around the group's means. */
+  /** B: the groups' means, then the covariates' slopes. */
+  RealMatrix coefficients() {
+    return coefficients;
+  }
+
+  /** (X'X)^-1; without covariates it has 1 / n of the groups on its diagonal. */
+  RealMatrix inverse() {
+    return inverse;
+  }
+
+  /** Sums of squares and products of the residuals. */
   RealMatrix error() {
-    return error;
+    return residuals.transpose().multiply(residuals);
   }
 
-  /** Subjects less groups. */
+  /** A row for each subject. */
+  double[][] residuals() {
+    return residuals.getData();
+  }
+
+  /** Of the subjects. */
+  double[] leverages() {
+    return leverages.clone();
+  }
+
+  /** Subjects less groups and covariates. */
   int errorDf() {
-    return errorDf;
+    return subjects() - coefficients.getRowDimension();
   }
 
   /** The pooled covariance of the within levels. */
   RealMatrix covariance() {
-    return error.scalarMultiply(1.0 / errorDf);
-  }
-
-  /** Means with equal weight for each group, whatever its size: those of type III sums. */
-  double[] unweightedMeans() {
-    double[] mean = new double[levels()];
-    for (double[] group : means) {
-      for (int level = 0; level < mean.length; level++) {
-        mean[level] += group[level] / means.length;
-      }
-    }
-    return mean;
-  }
-
-  /** Means with equal weight for each subject. */
-  double[] weightedMeans() {
-    double[] mean = new double[levels()];
-    for (int group = 0; group < groups(); group++) {
-      for (int level = 0; level < mean.length; level++) {
-        mean[level] += means[group][level] * sizes[group] / subjects();
-      }
-    }
-    return mean;
-  }
-
-  /**
-   * What the unweighted mean's variance is divided by: g times the harmonic mean of the group sizes
-   * (Maxwell and Delaney 2004, 7.4), which is the number of subjects when balanced.
-   */
-  double effectiveSubjects() {
-    double sum = 0;
-    for (int size : sizes) {
-      sum += 1.0 / size;
-    }
-    return groups() * groups() / sum;
+    return error().scalarMultiply(1.0 / errorDf());
   }
 }

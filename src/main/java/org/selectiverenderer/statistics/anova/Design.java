@@ -2,56 +2,99 @@ package org.selectiverenderer.statistics.anova;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.Counted;
 
 /**
- * What was measured on whom: each subject belongs to one level of the between factor and was
- * measured once at every level of the within factor. With one level of either it is a one-way or a
- * repeated-measures design.
+ * What was measured on whom: each subject belongs to one combination of levels of the between
+ * factors (a group) and was measured once at every combination of levels of the within factors.
+ * Combinations are numbered with the last factor's level changing fastest.
  *
  * @param measure the dependent variable's name
+ * @param withinFactors one or more; a design without has one of one level
+ * @param betweenFactors one or more; a design without has one of one level
+ * @param covariates names of what was measured once on each subject and is held constant
  * @param subjects of any number per group
  */
-public record Design(String measure, Factor within, Factor between, List<Subject> subjects) {
+public record Design(
+    String measure,
+    List<Factor> withinFactors,
+    List<Factor> betweenFactors,
+    List<String> covariates,
+    List<Subject> subjects) {
   public Design {
+    withinFactors = List.copyOf(withinFactors);
+    betweenFactors = List.copyOf(betweenFactors);
+    covariates = List.copyOf(covariates);
     subjects = List.copyOf(subjects);
+    int levels = Factor.crossed(withinFactors).levels().size();
+    int groups = Factor.crossed(betweenFactors).levels().size();
     for (Subject subject : subjects) {
-      if (subject.values().size() != within.levels().size()
+      if (subject.values().size() != levels
           || subject.group() < 0
-          || subject.group() >= between.levels().size()
-          || !subject.values().stream().allMatch(Double::isFinite)) {
+          || subject.group() >= groups
+          || subject.covariates().size() != covariates.size()
+          || !Stream.concat(subject.values().stream(), subject.covariates().stream())
+              .allMatch(Double::isFinite)) {
         throw new IllegalArgumentException("subject " + subject.id() + " does not fit the design");
       }
     }
   }
 
-  /** The subjects of a level of the between factor. */
+  /** A design with at most one factor of each sort and no covariate. */
+  public Design(String measure, Factor within, Factor between, List<Subject> subjects) {
+    this(measure, List.of(within), List.of(between), List.of(), subjects);
+  }
+
+  /** The within factors as one. */
+  public Factor within() {
+    return Factor.crossed(withinFactors);
+  }
+
+  /** The between factors as one; its levels are the groups. */
+  public Factor between() {
+    return Factor.crossed(betweenFactors);
+  }
+
+  /** The factors that have something to compare, those within first. */
+  public List<Factor> factors() {
+    return Stream.concat(withinFactors.stream(), betweenFactors.stream())
+        .filter(Factor::varies)
+        .toList();
+  }
+
+  /** The subjects of a group. */
   public List<Subject> group(int level) {
     return subjects.stream().filter(subject -> subject.group() == level).toList();
   }
 
   /** Why these data cannot be analysed, empty when they can: a sentence without its full stop. */
   public Optional<String> obstacle() {
-    int groups = between.levels().size();
-    int values = within.levels().size();
-    for (int level = 0; level < groups; level++) {
+    Factor groups = between();
+    for (int level = 0; level < groups.levels().size(); level++) {
       if (group(level).isEmpty()) {
         return Optional.of(
             "there is no participant with complete data in the group "
-                + between.levels().get(level));
+                + groups.levels().get(level));
       }
     }
-    if (groups < 2 && values < 2) {
+    if (factors().isEmpty() && covariates.isEmpty()) {
       return Optional.of(
-          "there is one group and one level of " + within.name() + " only: nothing to compare");
+          "there is one group and one level of " + within().name() + " only: nothing to compare");
     }
-    return subjects.size() <= groups
-        ? Optional.of(
-            "%s in %s %s no degrees of freedom for the error"
-                .formatted(
-                    Counted.of(subjects.size(), "participant"),
-                    Counted.of(groups, "group"),
-                    subjects.size() == 1 ? "leaves" : "leave"))
-        : Optional.empty();
+    if (subjects.size() <= groups.levels().size() + covariates.size()) {
+      return Optional.of(
+          "%s in %s%s %s no degrees of freedom for the error"
+              .formatted(
+                  Counted.of(subjects.size(), "participant"),
+                  Counted.of(groups.levels().size(), "group"),
+                  covariates.isEmpty() ? "" : " with " + Counted.of(covariates.size(), "covariate"),
+                  subjects.size() == 1 ? "leaves" : "leave"));
+    }
+    return CellStatistics.redundantCovariate(this)
+        .map(
+            name ->
+                "the covariate %s says nothing that the groups%s do not: leave it out"
+                    .formatted(name, covariates.size() > 1 ? " and the other covariates" : ""));
   }
 }

@@ -14,28 +14,33 @@ import org.selectiverenderer.statistics.distribution.Tails;
 /**
  * A row of a table of F. What is not defined is not a number; {@link #flaw} says why.
  *
- * @param name the factor's, or {@code within x between}
+ * @param df1 of the effect, as designed
+ * @param df2 of the error, as designed
  * @param f mean square of the effect over that of its error
+ * @param correction of the degrees of freedom, where there is one: then p, the intervals and the
+ *     equivalence test are of the corrected ones
+ * @param p of F with {@link #testDf1} and {@link #testDf2} degrees of freedom
+ * @param partialEta partial eta squared; no interval for the intercept, whose size means nothing
+ * @param omega partial omega squared
  * @param sphericity of effects on three or more within levels
  * @param multivariate of effects on within levels, in the order of {@link MultivariateStatistic}
- * @param bayesFactor BF01 from BIC
  * @param flaw why something is not defined: a sentence without its full stop
  */
 public record Effect(
-    EffectKind kind,
-    String name,
+    Term term,
     double ss,
     double errorSs,
     double df1,
     double df2,
     double f,
+    Optional<CorrectedDf> correction,
     double p,
     EffectSize partialEta,
     EffectSize generalisedEta,
+    EffectSize omega,
     Optional<Sphericity> sphericity,
     List<MultivariateTest> multivariate,
     OmnibusEquivalence equivalence,
-    double bayesFactor,
     Optional<String> flaw) {
   /** Below these shares of the scores' size and spread an error's sum of squares is rounding. */
   private static final double SIZE_ROUNDING = 1e-20;
@@ -44,6 +49,16 @@ public record Effect(
 
   public Effect {
     multivariate = List.copyOf(multivariate);
+  }
+
+  /** The factors', joined by {@code x}; those within come first. */
+  public String name() {
+    return term.name();
+  }
+
+  /** What sort of effect it is. */
+  public EffectKind kind() {
+    return term.kind();
   }
 
   /** Mean square. */
@@ -56,13 +71,28 @@ public record Effect(
     return errorSs / df2;
   }
 
+  /** The effect's degrees of freedom of the test, corrected where they are. */
+  public double testDf1() {
+    return correction.map(CorrectedDf::df1).orElse(df1);
+  }
+
+  /** The error's degrees of freedom of the test, corrected where they are. */
+  public double testDf2() {
+    return correction.map(CorrectedDf::df2).orElse(df2);
+  }
+
   /** p with degrees of freedom multiplied by an epsilon of {@link Sphericity}. */
   public double correctedP(double epsilon) {
     return Double.isFinite(f) ? Tails.f(f, df1 * epsilon, df2 * epsilon) : Double.NaN;
   }
 
-  static Effect of(EffectKind kind, String name, CellStatistics cells, AnovaOptions options) {
-    Hypothesis h = Hypothesis.of(kind, cells);
+  /** p as if there were sphericity. */
+  public double uncorrectedP() {
+    return correctedP(1);
+  }
+
+  static Effect of(Term term, Design design, CellStatistics cells, AnovaOptions options) {
+    Hypothesis h = Hypothesis.of(term, design, cells);
     double size = 0;
     for (int group = 0; group < cells.groups(); group++) {
       for (double mean : cells.means(group)) {
@@ -72,30 +102,37 @@ public record Effect(
     boolean constant =
         h.errorSum() <= SIZE_ROUNDING * size + SPREAD_ROUNDING * cells.error().getTrace();
     double f = constant ? Double.NaN : h.sum() / h.df1() / (h.errorSum() / h.df2());
-    EtaSquared eta = new EtaSquared(cells, options.etaConfidence());
-    NoncentralF.Interval noncentrality = eta.noncentrality(h, f);
-    List<MultivariateTest> multivariate =
-        kind.ofContrasts() && !constant ? multivariate(h) : List.of();
-    boolean singular = kind.ofContrasts() && multivariate.isEmpty();
-    double independent = (double) cells.subjects() * h.dimensions();
+    boolean contrasts = !term.within().isEmpty();
+    Optional<Sphericity> sphericity =
+        h.dimensions() > 1 && contrasts && !constant
+            ? Optional.of(Sphericity.of(h))
+            : Optional.empty();
+    Optional<CorrectedDf> correction =
+        sphericity.flatMap(
+            found -> options.sphericity().corrected(found, h.df1(), h.df2(), options.alpha()));
+    double df1 = correction.map(CorrectedDf::df1).orElse(h.df1());
+    double df2 = correction.map(CorrectedDf::df2).orElse(h.df2());
+    EffectSizes sizes = new EffectSizes(h, f, df1, df2, cells, options.etaConfidence());
+    boolean bounds = !constant && term.kind() != EffectKind.INTERCEPT;
+    NoncentralF.Interval noncentrality =
+        bounds ? sizes.noncentrality() : new NoncentralF.Interval(Double.NaN, Double.NaN);
+    List<MultivariateTest> multivariate = contrasts && !constant ? multivariate(h) : List.of();
     return new Effect(
-        kind,
-        name,
+        term,
         h.sum(),
         h.errorSum(),
         h.df1(),
         h.df2(),
         f,
-        constant ? Double.NaN : Tails.f(f, h.df1(), h.df2()),
-        constant ? undefined(options) : eta.partial(h, noncentrality),
-        constant ? undefined(options) : eta.generalised(h, noncentrality),
-        h.dimensions() > 1 && kind.ofContrasts() && !constant
-            ? Optional.of(Sphericity.of(h))
-            : Optional.empty(),
+        correction,
+        constant ? Double.NaN : Tails.f(f, df1, df2),
+        constant ? undefined(options) : sizes.partialEta(noncentrality),
+        constant ? undefined(options) : sizes.generalisedEta(noncentrality),
+        constant ? undefined(options) : sizes.omega(noncentrality),
+        sphericity,
         multivariate,
-        OmnibusEquivalence.of(f, h.df1(), h.df2(), options.etaBound()),
-        constant ? Double.NaN : BayesFactors.bic(h.sum(), h.errorSum(), h.df1(), independent),
-        flaw(constant, singular));
+        OmnibusEquivalence.of(f, df1, df2, options.etaBound()),
+        flaw(constant, contrasts && multivariate.isEmpty()));
   }
 
   private static Optional<String> flaw(boolean constant, boolean singular) {

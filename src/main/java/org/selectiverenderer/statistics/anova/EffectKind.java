@@ -1,23 +1,15 @@
 package org.selectiverenderer.statistics.anova;
 
-/** The effects of a design with one between and one within factor. */
+/** The sorts of effects. */
 public enum EffectKind {
   /** That the mean of all is not 0. */
   INTERCEPT,
-  /** Of the between factor. */
+  /** Of between factors. */
   BETWEEN,
-  /** Of the within factor. */
+  /** Of within factors. */
   WITHIN,
   /** Of both on each other. */
-  INTERACTION;
-
-  /** Whether the within levels' contrasts are tested, else their average. */
-  boolean ofContrasts() {
-    return this == WITHIN || this == INTERACTION;
-  }
-
-  /** Whether groups are compared with each other, else their common mean with 0. */
-  boolean ofGroups() {
-    return this == BETWEEN || this == INTERACTION;
-  }
+  INTERACTION,
+  /** Of a covariate, alone or on the effect of within factors. */
+  COVARIATE
 }

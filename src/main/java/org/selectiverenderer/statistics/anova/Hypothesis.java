@@ -2,44 +2,49 @@ package org.selectiverenderer.statistics.anova;
 
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
-import org.apache.commons.math3.linear.RealVector;
 
 /**
  * Sums of squares and products of an effect and of its error, in transformed within levels.
  *
- * <p>Type III (marginal) sums of a design with one between factor have closed forms. The common
- * mean is tested with equal weight for each group: H = m m' g² / sum(1/n_j), m the unweighted mean
- * of the group means. The groups are compared around the weighted mean, as no other between factor
- * has to be held constant (Maxwell and Delaney 2004, chapters 7 and 14; SPSS GLM, SSTYPE(3)).
+ * <p>The effect is the hypothesis L B M = 0 about the model's coefficients: the rows of L compare
+ * groups, or take their mean with equal weights, or pick a covariate's slope; the columns of M
+ * compare or average within levels. Its sums are (L B M)' (L (X'X)^-1 L')^-1 (L B M), those of type
+ * III where every combination of levels has a subject (Searle 1987, Linear Models for Unbalanced
+ * Data, chapter 9; Maxwell and Delaney 2004, chapters 7 and 14; SPSS GLM, SSTYPE(3)).
  *
  * @param effect dimensions x dimensions
  * @param error dimensions x dimensions
- * @param effectDf 1, or groups - 1
- * @param errorDf subjects - groups
+ * @param effectDf rows of L
+ * @param errorDf subjects - groups - covariates
  */
 record Hypothesis(RealMatrix effect, RealMatrix error, int effectDf, int errorDf) {
-  static Hypothesis of(EffectKind kind, CellStatistics cells) {
-    RealMatrix m =
-        kind.ofContrasts()
-            ? Transformation.contrasts(cells.levels())
-            : Transformation.average(cells.levels());
+  static Hypothesis of(Term term, Design design, CellStatistics cells) {
+    RealMatrix m = Transformation.of(design.withinFactors(), term.within()::contains);
+    RealMatrix l = rows(term, design, cells);
+    RealMatrix estimate = l.multiply(cells.coefficients()).multiply(m);
+    RealMatrix spread = l.multiply(cells.inverse()).multiply(l.transpose());
+    RealMatrix effect =
+        estimate.transpose().multiply(MatrixUtils.inverse(spread)).multiply(estimate);
     RealMatrix error = m.transpose().multiply(cells.error()).multiply(m);
-    if (!kind.ofGroups()) {
-      RealVector mean = m.preMultiply(MatrixUtils.createRealVector(cells.unweightedMeans()));
-      RealMatrix effect = mean.outerProduct(mean).scalarMultiply(cells.effectiveSubjects());
-      return new Hypothesis(effect, error, 1, cells.errorDf());
-    }
-    RealMatrix effect = error.scalarMultiply(0);
-    RealVector centre = MatrixUtils.createRealVector(cells.weightedMeans());
-    for (int group = 0; group < cells.groups(); group++) {
-      RealVector mean = MatrixUtils.createRealVector(cells.means(group)).subtract(centre);
-      RealVector distance = m.preMultiply(mean);
-      effect = effect.add(distance.outerProduct(distance).scalarMultiply(cells.size(group)));
-    }
-    return new Hypothesis(effect, error, cells.groups() - 1, cells.errorDf());
+    return new Hypothesis(effect, error, l.getRowDimension(), cells.errorDf());
   }
 
-  /** 1 for the average, levels - 1 for the contrasts. */
+  private static RealMatrix rows(Term term, Design design, CellStatistics cells) {
+    int columns = cells.groups() + design.covariates().size();
+    if (term.covariate().isPresent()) {
+      RealMatrix slope = MatrixUtils.createRealMatrix(1, columns);
+      int index = design.covariates().indexOf(term.covariate().get());
+      slope.setEntry(0, cells.groups() + index, 1);
+      return slope;
+    }
+    RealMatrix groups =
+        Transformation.of(design.betweenFactors(), term.between()::contains).transpose();
+    RealMatrix rows = MatrixUtils.createRealMatrix(groups.getRowDimension(), columns);
+    rows.setSubMatrix(groups.getData(), 0, 0);
+    return rows;
+  }
+
+  /** 1 for the average, as many as contrasts for those. */
   int dimensions() {
     return effect.getColumnDimension();
   }

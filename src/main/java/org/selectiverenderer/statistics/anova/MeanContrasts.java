@@ -1,17 +1,21 @@
 package org.selectiverenderer.statistics.anova;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * Weighted sums of cell means, with the error of the multivariate model: var(sum of w_jk m_jk) =
- * sum over groups of w_j' S w_j / n_j, S the pooled covariance of the within levels on N - g
- * degrees of freedom. No sphericity is assumed (Maxwell and Delaney 2004, 14.6; Searle, Speed and
+ * Weighted sums of cell means, with the error of the multivariate model: u' B w has the variance u'
+ * (X'X)^-1 u times w' S w, u the weights of the groups, w those of the within levels, S their
+ * pooled covariance. No sphericity is assumed (Maxwell and Delaney 2004, 14.6; Searle, Speed and
  * Milliken 1980).
  */
 final class MeanContrasts {
@@ -36,115 +40,116 @@ final class MeanContrasts {
     return options.rawBound() ? options.differenceBound() : options.differenceBound() * deviation;
   }
 
-  /** All marginal means: of the groups, of the within levels, of the cells. */
+  /** The mean of all, then those of every term's combinations of levels. */
   List<MarginalMean> means() {
     List<MarginalMean> means = new ArrayList<>();
-    means.add(mean(-1, -1));
-    for (int group = 0; cells.groups() > 1 && group < cells.groups(); group++) {
-      means.add(mean(group, -1));
-    }
-    for (int level = 0; cells.levels() > 1 && level < cells.levels(); level++) {
-      means.add(mean(-1, level));
-    }
-    if (cells.groups() > 1 && cells.levels() > 1) {
-      for (int level = 0; level < cells.levels(); level++) {
-        for (int group = 0; group < cells.groups(); group++) {
-          means.add(mean(group, level));
-        }
+    for (Term term : Stream.concat(Stream.of(Term.INTERCEPT), Term.of(design).stream()).toList()) {
+      if (term.covariate().isEmpty()) {
+        combinations(term).forEach(levels -> means.add(mean(term, levels)));
       }
     }
     return means;
   }
 
-  private MarginalMean mean(int group, int level) {
-    double[][] weights = weights(group, level);
-    double mean = sum(weights);
-    double error = standardError(weights);
-    double half = Tails.tQuantile(options.confidence(), cells.errorDf()) * error;
-    return new MarginalMean(
-        level < 0 ? Optional.empty() : Optional.of(design.within().levels().get(level)),
-        group < 0 ? Optional.empty() : Optional.of(design.between().levels().get(group)),
-        mean,
-        error,
-        cells.errorDf(),
-        mean - half,
-        mean + half);
-  }
-
-  /**
-   * All pairs of levels, in families that Holm holds to one level of error each: of groups over
-   * all, of within levels over all, of groups at each within level, of within levels in each group.
-   */
-  List<Comparison> comparisons() {
-    List<Comparison> all = new ArrayList<>(groups(-1));
-    all.addAll(levels(-1));
-    if (cells.groups() > 1 && cells.levels() > 1) {
-      for (int level = 0; level < cells.levels(); level++) {
-        all.addAll(groups(level));
+  /** The last factor's level changes fastest. */
+  private static List<Map<Factor, Integer>> combinations(Term term) {
+    List<Map<Factor, Integer>> all = List.of(Map.of());
+    for (Factor factor : Stream.concat(term.within().stream(), term.between().stream()).toList()) {
+      List<Map<Factor, Integer>> longer = new ArrayList<>();
+      for (Map<Factor, Integer> before : all) {
+        for (int level = 0; level < factor.levels().size(); level++) {
+          Map<Factor, Integer> next = new LinkedHashMap<>(before);
+          next.put(factor, level);
+          longer.add(next);
+        }
       }
-      for (int group = 0; group < cells.groups(); group++) {
-        all.addAll(levels(group));
-      }
-      all.addAll(interactions());
+      all = longer;
     }
     return all;
   }
 
-  private List<Comparison> groups(int level) {
+  private MarginalMean mean(Term term, Map<Factor, Integer> levels) {
+    Map<Factor, double[]> weights = new LinkedHashMap<>();
+    Map<String, String> names = new LinkedHashMap<>();
+    levels.forEach(
+        (factor, level) -> {
+          weights.put(factor, at(factor, level));
+          names.put(factor.name(), factor.levels().get(level));
+        });
+    RealVector groups = weights(design.betweenFactors(), weights);
+    RealVector within = weights(design.withinFactors(), weights);
+    double mean = estimate(groups, within);
+    double error = standardError(groups, within);
+    double half = Tails.tQuantile(options.confidence(), cells.errorDf()) * error;
+    return new MarginalMean(term, names, mean, error, cells.errorDf(), mean - half, mean + half);
+  }
+
+  /**
+   * All pairs of levels, in families: of each factor over all; then for each two factors of either
+   * at each level of the other, and differences of differences.
+   */
+  List<Comparison> comparisons() {
+    List<Factor> factors =
+        Stream.concat(design.betweenFactors().stream(), design.withinFactors().stream())
+            .filter(Factor::varies)
+            .toList();
+    List<Comparison> all = new ArrayList<>();
+    factors.forEach(factor -> all.addAll(pairs(factor, Map.of(), Optional.empty())));
+    for (int i = 0; i < factors.size(); i++) {
+      for (int j = i + 1; j < factors.size(); j++) {
+        Factor one = factors.get(i);
+        Factor other = factors.get(j);
+        all.addAll(pairsAtEach(one, other));
+        all.addAll(pairsAtEach(other, one));
+        all.addAll(interactions(one, other));
+      }
+    }
+    return all;
+  }
+
+  private List<Comparison> pairsAtEach(Factor factor, Factor at) {
+    List<Comparison> all = new ArrayList<>();
+    for (int level = 0; level < at.levels().size(); level++) {
+      all.addAll(pairs(factor, Map.of(at, at(at, level)), Optional.of(at.levels().get(level))));
+    }
+    return all;
+  }
+
+  private List<Comparison> pairs(Factor factor, Map<Factor, double[]> where, Optional<String> at) {
     List<Comparison> family = new ArrayList<>();
-    for (int a = 0; a < cells.groups(); a++) {
-      for (int b = a + 1; b < cells.groups(); b++) {
-        double na = cells.size(a);
-        double nb = cells.size(b);
-        family.add(
-            comparison(
-                design.between().name(),
-                level < 0 ? Optional.empty() : Optional.of(design.within().levels().get(level)),
-                design.between().levels().get(a),
-                design.between().levels().get(b),
-                minus(weights(a, level), weights(b, level)),
-                na * nb / (na + nb)));
+    int levels = factor.levels().size();
+    for (int a = 0; a < levels; a++) {
+      for (int b = a + 1; b < levels; b++) {
+        Map<Factor, double[]> weights = new LinkedHashMap<>(where);
+        weights.put(factor, difference(factor, a, b));
+        String first = factor.levels().get(a);
+        String second = factor.levels().get(b);
+        family.add(comparison(factor.name(), at, first, second, weights, levels));
       }
     }
     return adjusted(family);
   }
 
-  private List<Comparison> levels(int group) {
+  /** The difference of two levels of the other factor at one level less that at another. */
+  private List<Comparison> interactions(Factor one, Factor other) {
+    boolean swapped = design.withinFactors().contains(other);
+    boolean alike = design.withinFactors().contains(one) == swapped;
+    String name =
+        swapped && !alike ? other.name() + " x " + one.name() : one.name() + " x " + other.name();
     List<Comparison> family = new ArrayList<>();
-    for (int a = 0; a < cells.levels(); a++) {
-      for (int b = a + 1; b < cells.levels(); b++) {
-        family.add(
-            comparison(
-                design.within().name(),
-                group < 0 ? Optional.empty() : Optional.of(design.between().levels().get(group)),
-                design.within().levels().get(a),
-                design.within().levels().get(b),
-                minus(weights(group, a), weights(group, b)),
-                group < 0 ? cells.effectiveSubjects() : cells.size(group)));
-      }
-    }
-    return adjusted(family);
-  }
-
-  /** The difference of two levels in one group less that in another. */
-  private List<Comparison> interactions() {
-    List<Comparison> family = new ArrayList<>();
-    List<String> levels = design.within().levels();
-    for (int a = 0; a < cells.groups(); a++) {
-      for (int b = a + 1; b < cells.groups(); b++) {
-        for (int j = 0; j < cells.levels(); j++) {
-          for (int k = j + 1; k < cells.levels(); k++) {
-            double na = cells.size(a);
-            double nb = cells.size(b);
-            String pair = " (" + levels.get(j) + " − " + levels.get(k) + ")";
+    for (int a = 0; a < one.levels().size(); a++) {
+      for (int b = a + 1; b < one.levels().size(); b++) {
+        for (int j = 0; j < other.levels().size(); j++) {
+          for (int k = j + 1; k < other.levels().size(); k++) {
+            String pair = " (" + other.levels().get(j) + " − " + other.levels().get(k) + ")";
             family.add(
                 comparison(
-                    design.within().name() + " x " + design.between().name(),
+                    name,
                     Optional.empty(),
-                    design.between().levels().get(a) + pair,
-                    design.between().levels().get(b) + pair,
-                    minus(minus(weights(a, j), weights(a, k)), minus(weights(b, j), weights(b, k))),
-                    na * nb / (na + nb)));
+                    one.levels().get(a) + pair,
+                    one.levels().get(b) + pair,
+                    Map.of(one, difference(one, a, b), other, difference(other, j, k)),
+                    0));
           }
         }
       }
@@ -157,10 +162,12 @@ final class MeanContrasts {
       Optional<String> at,
       String first,
       String second,
-      double[][] weights,
-      double n) {
-    double difference = sum(weights);
-    double error = standardError(weights);
+      Map<Factor, double[]> weights,
+      int means) {
+    RealVector groups = weights(design.betweenFactors(), weights);
+    RealVector within = weights(design.withinFactors(), weights);
+    double difference = estimate(groups, within);
+    double error = standardError(groups, within);
     double df = cells.errorDf();
     double half = Tails.tQuantile(options.confidence(), df) * error;
     // A difference of equal scores, as rounding leaves it, has no t.
@@ -179,59 +186,69 @@ final class MeanContrasts {
         difference + half,
         t,
         constant ? none : Tails.tTwoSided(t, df),
-        none,
-        deviation == 0 ? none : difference / deviation,
+        new Comparison.Family(1, means, none),
+        deviation,
+        options.confidence(),
         constant ? new Tost(bound(), none, none, none) : Tost.of(difference, error, df, bound()),
-        constant ? none : BayesFactors.jzs(t, df, n, options.priorScale()));
+        constant ? none : JzsT.nullFactor(t, df, 1 / spread(groups), options.priorScale()));
   }
 
   private static List<Comparison> adjusted(List<Comparison> family) {
     double[] holm = Holm.adjusted(family.stream().map(Comparison::p).toList());
     for (int i = 0; i < holm.length; i++) {
-      family.set(i, family.get(i).withHolm(holm[i]));
+      family.set(i, family.get(i).inFamily(family.size(), holm[i]));
     }
     return family;
   }
 
-  /** Of a cell; -1 stands for all groups or all levels with equal weights. */
-  private double[][] weights(int group, int level) {
-    double[][] weights = new double[cells.groups()][cells.levels()];
-    for (int g = 0; g < weights.length; g++) {
-      for (int k = 0; k < weights[g].length; k++) {
-        double ofGroup = group < 0 ? 1.0 / weights.length : group == g ? 1 : 0;
-        double ofLevel = level < 0 ? 1.0 / weights[g].length : level == k ? 1 : 0;
-        weights[g][k] = ofGroup * ofLevel;
-      }
-    }
+  private static double[] at(Factor factor, int level) {
+    double[] weights = new double[factor.levels().size()];
+    weights[level] = 1;
     return weights;
   }
 
-  private static double[][] minus(double[][] a, double[][] b) {
-    for (int group = 0; group < a.length; group++) {
-      for (int level = 0; level < a[group].length; level++) {
-        a[group][level] -= b[group][level];
-      }
-    }
-    return a;
+  private static double[] difference(Factor factor, int first, int second) {
+    double[] weights = at(factor, first);
+    weights[second] = -1;
+    return weights;
   }
 
-  private double sum(double[][] weights) {
+  /** Over the combinations of levels; a factor that is not mentioned has equal weights. */
+  private static RealVector weights(List<Factor> factors, Map<Factor, double[]> mentioned) {
+    double[] all = {1};
+    for (Factor factor : factors) {
+      int levels = factor.levels().size();
+      double[] equal = new double[levels];
+      Arrays.fill(equal, 1.0 / levels);
+      double[] own = mentioned.getOrDefault(factor, equal);
+      double[] longer = new double[all.length * levels];
+      for (int i = 0; i < longer.length; i++) {
+        longer[i] = all[i / levels] * own[i % levels];
+      }
+      all = longer;
+    }
+    return MatrixUtils.createRealVector(all);
+  }
+
+  private double estimate(RealVector groups, RealVector within) {
     double sum = 0;
-    for (int group = 0; group < weights.length; group++) {
-      double[] means = cells.means(group);
-      for (int level = 0; level < means.length; level++) {
-        sum += weights[group][level] * means[level];
+    for (int group = 0; group < cells.groups(); group++) {
+      double weight = groups.getEntry(group);
+      if (weight != 0) {
+        sum += weight * MatrixUtils.createRealVector(cells.means(group)).dotProduct(within);
       }
     }
     return sum;
   }
 
-  private double standardError(double[][] weights) {
-    double variance = 0;
-    for (int group = 0; group < weights.length; group++) {
-      RealVector w = MatrixUtils.createRealVector(weights[group]);
-      variance += w.dotProduct(covariance.operate(w)) / cells.size(group);
-    }
-    return Math.sqrt(Math.max(0, variance));
+  /** u' (X'X)^-1 u: one over the number of subjects that such a mean is worth. */
+  private double spread(RealVector groups) {
+    RealMatrix inverse = cells.inverse().getSubMatrix(0, cells.groups() - 1, 0, cells.groups() - 1);
+    return groups.dotProduct(inverse.operate(groups));
+  }
+
+  private double standardError(RealVector groups, RealVector within) {
+    double variance = within.dotProduct(covariance.operate(within));
+    return Math.sqrt(Math.max(0, variance * spread(groups)));
   }
 }

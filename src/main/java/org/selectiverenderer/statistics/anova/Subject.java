@@ -5,11 +5,18 @@ import java.util.List;
 /**
  * A participant's complete data.
  *
- * @param group index of the level of the between factor
- * @param values finite, one for each level of the within factor
+ * @param group index of the combination of the between factors' levels
+ * @param values finite, one for each combination of the within factors' levels
+ * @param covariates finite, one for each of the design
  */
-public record Subject(String id, int group, List<Double> values) {
+public record Subject(String id, int group, List<Double> values, List<Double> covariates) {
   public Subject {
     values = List.copyOf(values);
+    covariates = List.copyOf(covariates);
+  }
+
+  /** Of a design without covariates. */
+  public Subject(String id, int group, List<Double> values) {
+    this(id, group, values, List.of());
   }
 }

@@ -1,14 +1,18 @@
 package org.selectiverenderer.statistics.anova;
 
+import java.util.List;
+import java.util.function.Predicate;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
- * Orthonormal transformations of the within levels: their average, and the contrasts between them
- * (Helmert's, of unit length; which ones makes no difference to any test here). Maxwell and Delaney
- * 2004, Designing Experiments and Analyzing Data, chapters 13 and 14.
+ * Orthonormal columns over the levels of a factor, and over the combinations of several: their
+ * average, and the contrasts between them (Helmert's, of unit length; which ones makes no
+ * difference to any test here). Maxwell and Delaney 2004, Designing Experiments and Analyzing Data,
+ * chapters 13 and 14.
  */
-final class Transformation {
+public final class Transformation {
   private Transformation() {}
 
   /** One column. Sums of squares of it are those that SPSS prints for "Average" (thesis Fig 94). */
@@ -27,5 +31,34 @@ final class Transformation {
       columns.setEntry(column + 1, column, (column + 1) / length);
     }
     return columns;
+  }
+
+  /**
+   * Orthonormal columns over the combinations of the factors' levels, the last factor's changing
+   * fastest: contrasts of some factors, averages of the others.
+   *
+   * @param compared whether a factor's contrasts are taken, not its average
+   */
+  public static RealMatrix of(List<Factor> factors, Predicate<Factor> compared) {
+    RealMatrix all = MatrixUtils.createRealIdentityMatrix(1);
+    for (Factor factor : factors) {
+      int levels = factor.levels().size();
+      all = product(all, compared.test(factor) ? contrasts(levels) : average(levels));
+    }
+    return all;
+  }
+
+  /** Kronecker's product. */
+  private static RealMatrix product(RealMatrix a, RealMatrix b) {
+    int rows = b.getRowDimension();
+    int columns = b.getColumnDimension();
+    RealMatrix product =
+        new Array2DRowRealMatrix(a.getRowDimension() * rows, a.getColumnDimension() * columns);
+    for (int i = 0; i < a.getRowDimension(); i++) {
+      for (int j = 0; j < a.getColumnDimension(); j++) {
+        product.setSubMatrix(b.scalarMultiply(a.getEntry(i, j)).getData(), i * rows, j * columns);
+      }
+    }
+    return product;
   }
 }

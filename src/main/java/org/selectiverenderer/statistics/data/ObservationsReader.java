@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.csv.CsvColumns;
 import org.selectiverenderer.base.csv.CsvNumbers;
 import org.selectiverenderer.base.csv.CsvRow;
@@ -23,28 +22,52 @@ import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
 
 /**
- * Reads measurements in long form, one row for each subject and level of the within factor, into a
- * design. Levels are in the order of the file. A subject whose data are not complete is left out.
+ * Reads measurements in long form, one row for each subject and combination of levels of the within
+ * factors, into a design. Levels are in the order of the file. A subject whose data are not
+ * complete is left out.
  */
 public final class ObservationsReader {
   /**
    * The columns of a file.
    *
-   * @param within empty for designs without a within factor
-   * @param between empty for designs without a between factor
+   * @param within of the within factors, as many as the design has
+   * @param between of the between factors
+   * @param covariates of what was measured once on each subject
    */
   public record Columns(
-      String measure, String subject, Optional<String> within, Optional<String> between) {}
+      String measure,
+      String subject,
+      List<String> within,
+      List<String> between,
+      List<String> covariates) {
+    public Columns {
+      within = List.copyOf(within);
+      between = List.copyOf(between);
+      covariates = List.copyOf(covariates);
+    }
+
+    /** Of a design with at most one factor of each sort. */
+    public Columns(
+        String measure, String subject, Optional<String> within, Optional<String> between) {
+      this(
+          measure,
+          subject,
+          within.map(List::of).orElse(List.of()),
+          between.map(List::of).orElse(List.of()),
+          List.of());
+    }
+  }
 
   private static final String ONLY = "all";
 
   private static final class Gathered {
     final Location location;
-    final String group;
-    final Map<String, Double> values = new HashMap<>();
+    final List<String> group;
+    final Map<List<String>, Double> values = new HashMap<>();
+    final Map<String, Double> covariates = new HashMap<>();
     boolean usable = true;
 
-    Gathered(Location location, String group) {
+    Gathered(Location location, List<String> group) {
       this.location = location;
       this.group = group;
     }
@@ -53,8 +76,7 @@ public final class ObservationsReader {
   private final Columns columns;
   private final Exclusions exclusions;
   private final Map<String, Gathered> subjects = new LinkedHashMap<>();
-  private final Set<String> levels = new LinkedHashSet<>();
-  private final Set<String> groups = new LinkedHashSet<>();
+  private final Map<String, Set<String>> levels = new LinkedHashMap<>();
 
   private ObservationsReader(Columns columns, Problems problems) {
     this.columns = columns;
@@ -84,8 +106,9 @@ public final class ObservationsReader {
 
   private List<String> wanted() {
     List<String> wanted = new ArrayList<>(List.of(columns.subject(), columns.measure()));
-    columns.within().ifPresent(wanted::add);
-    columns.between().ifPresent(wanted::add);
+    wanted.addAll(columns.within());
+    wanted.addAll(columns.between());
+    wanted.addAll(columns.covariates());
     return wanted;
   }
 
@@ -99,55 +122,68 @@ public final class ObservationsReader {
       return Optional.empty();
     }
     table.rows().forEach(this::row);
-    Factor within = new Factor(columns.within().orElse("level"), list(levels));
-    Factor between = new Factor(columns.between().orElse("group"), list(groups));
-    columns.between().ifPresent(name -> single(table, name, between));
-    columns.within().ifPresent(name -> single(table, name, within));
+    List<Factor> within = factors(columns.within(), "level");
+    List<Factor> between = factors(columns.between(), "group");
+    columns.between().forEach(name -> single(table, name, levels(name)));
+    columns.within().forEach(name -> single(table, name, levels(name)));
     List<Subject> complete = new ArrayList<>();
     subjects.forEach((id, gathered) -> complete(id, gathered, within, between, complete));
-    Design design = new Design(columns.measure(), within, between, complete);
+    Design design = new Design(columns.measure(), within, between, columns.covariates(), complete);
     return Optional.of(new Observations(source, design, exclusions.list()));
   }
 
-  private void single(CsvTable table, String column, Factor factor) {
-    if (!factor.varies()) {
+  private List<String> levels(String column) {
+    return List.copyOf(levels.getOrDefault(column, Set.of()));
+  }
+
+  private List<Factor> factors(List<String> names, String none) {
+    return names.isEmpty()
+        ? List.of(new Factor(none, List.of(ONLY)))
+        : names.stream()
+            .map(name -> new Factor(name, levels(name).isEmpty() ? List.of(ONLY) : levels(name)))
+            .toList();
+  }
+
+  private void single(CsvTable table, String column, List<String> found) {
+    if (found.size() == 1) {
       exclusions.warning(
           table.location(column),
           "",
-          "%s has only one level, %s; its effect is not tested"
-              .formatted(column, factor.levels().get(0)));
+          "%s has only one level, %s; its effect is not tested".formatted(column, found.get(0)));
     }
-  }
-
-  private static List<String> list(Set<String> names) {
-    return names.isEmpty() ? List.of(ONLY) : List.copyOf(names);
   }
 
   private void row(CsvRow row) {
     String id = row.cell(columns.subject());
-    String level = columns.within().map(row::cell).orElse(ONLY);
-    String group = columns.between().map(row::cell).orElse(ONLY);
-    @Nullable String lacking =
-        id.isEmpty()
-            ? columns.subject()
-            : level.isEmpty()
-                ? columns.within().orElseThrow()
-                : group.isEmpty() ? columns.between().orElseThrow() : null;
-    if (lacking != null) {
+    List<String> wanted = new ArrayList<>(List.of(columns.subject()));
+    wanted.addAll(columns.within());
+    wanted.addAll(columns.between());
+    Optional<String> lacking =
+        wanted.stream().filter(column -> row.cell(column).isEmpty()).findFirst();
+    if (lacking.isPresent()) {
       exclusions.error(
-          row.location(lacking), id, "the " + lacking + " is missing; the row is left out");
+          row.location(lacking.get()),
+          id,
+          "the " + lacking.get() + " is missing; the row is left out");
       return;
     }
-    levels.add(level);
-    groups.add(group);
-    Gathered gathered = subjects.computeIfAbsent(id, first -> new Gathered(row.location(), group));
-    if (!gathered.group.equals(group)) {
-      spoil(
-          gathered,
-          row.location(columns.between().orElseThrow()),
-          id,
-          "is in the group %s here and in %s before".formatted(group, gathered.group));
+    for (String column : wanted.subList(1, wanted.size())) {
+      levels.computeIfAbsent(column, first -> new LinkedHashSet<>()).add(row.cell(column));
     }
+    List<String> level = columns.within().stream().map(row::cell).toList();
+    List<String> group = columns.between().stream().map(row::cell).toList();
+    Gathered gathered = subjects.computeIfAbsent(id, first -> new Gathered(row.location(), group));
+    for (int i = 0; i < group.size(); i++) {
+      if (!gathered.group.get(i).equals(group.get(i))) {
+        spoil(
+            gathered,
+            row.location(columns.between().get(i)),
+            id,
+            "is in the group %s here and in %s before"
+                .formatted(group.get(i), gathered.group.get(i)));
+      }
+    }
+    columns.covariates().forEach(name -> covariate(row, id, gathered, name));
     if (row.cell(columns.measure()).isEmpty()) {
       return; // told of when the subject turns out incomplete
     }
@@ -159,8 +195,36 @@ public final class ObservationsReader {
           gathered,
           row.location(columns.measure()),
           id,
-          "a second value" + columns.within().map(name -> " at " + name + " " + level).orElse(""));
+          "a second value" + (level.isEmpty() ? "" : " at " + named(level)));
     }
+  }
+
+  private void covariate(CsvRow row, String id, Gathered gathered, String name) {
+    if (row.cell(name).isEmpty()) {
+      return; // in one of the subject's rows is enough
+    }
+    OptionalDouble value =
+        CsvNumbers.number(row, name, (at, message) -> spoil(gathered, at, id, message));
+    if (value.isPresent()) {
+      Double before = gathered.covariates.putIfAbsent(name, value.getAsDouble());
+      if (before != null && before != value.getAsDouble()) {
+        spoil(
+            gathered,
+            row.location(name),
+            id,
+            "another %s than in a row before; a covariate is one number for each participant"
+                .formatted(name));
+      }
+    }
+  }
+
+  /** {@code type one, size small}. */
+  private String named(List<String> level) {
+    List<String> words = new ArrayList<>();
+    for (int i = 0; i < level.size(); i++) {
+      words.add(columns.within().get(i) + " " + level.get(i));
+    }
+    return String.join(", ", words);
   }
 
   private void spoil(Gathered gathered, Location location, String id, String reason) {
@@ -169,26 +233,63 @@ public final class ObservationsReader {
   }
 
   private void complete(
-      String id, Gathered gathered, Factor within, Factor between, List<Subject> complete) {
+      String id,
+      Gathered gathered,
+      List<Factor> within,
+      List<Factor> between,
+      List<Subject> complete) {
     if (!gathered.usable) {
       return;
     }
+    List<List<String>> cells = columns.within().isEmpty() ? List.of(List.of()) : cells(within);
     List<String> wanting =
-        within.levels().stream().filter(level -> !gathered.values.containsKey(level)).toList();
-    if (!wanting.isEmpty()) {
+        cells.stream()
+            .filter(cell -> !gathered.values.containsKey(cell))
+            .map(cell -> String.join(", ", cell))
+            .toList();
+    List<String> unknown =
+        columns.covariates().stream()
+            .filter(name -> !gathered.covariates.containsKey(name))
+            .toList();
+    if (!wanting.isEmpty() || !unknown.isEmpty()) {
       exclusions.warning(
           gathered.location,
           id,
           "has no "
-              + columns.measure()
-              + (within.varies() ? " at " + String.join(", ", wanting) : "")
+              + (wanting.isEmpty()
+                  ? String.join(", ", unknown)
+                  : columns.measure()
+                      + (cells.size() > 1 ? " at " + String.join("; ", wanting) : ""))
               + "; the participant is left out");
       return;
+    }
+    int group = 0;
+    for (int i = 0; i < gathered.group.size(); i++) {
+      List<String> own = between.get(i).levels();
+      group = group * own.size() + own.indexOf(gathered.group.get(i));
     }
     complete.add(
         new Subject(
             id,
-            between.levels().indexOf(gathered.group),
-            within.levels().stream().map(gathered.values::get).toList()));
+            group,
+            cells.stream().map(gathered.values::get).toList(),
+            columns.covariates().stream().map(gathered.covariates::get).toList()));
+  }
+
+  /** All combinations of levels, the last factor's changing fastest. */
+  private static List<List<String>> cells(List<Factor> factors) {
+    List<List<String>> cells = List.of(List.of());
+    for (Factor factor : factors) {
+      List<List<String>> longer = new ArrayList<>();
+      for (List<String> before : cells) {
+        for (String level : factor.levels()) {
+          List<String> next = new ArrayList<>(before);
+          next.add(level);
+          longer.add(next);
+        }
+      }
+      cells = longer;
+    }
+    return cells;
   }
 }

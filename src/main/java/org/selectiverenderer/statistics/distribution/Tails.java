@@ -2,6 +2,7 @@ package org.selectiverenderer.statistics.distribution;
 
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.special.Beta;
+import org.apache.commons.math3.special.Erf;
 import org.apache.commons.math3.special.Gamma;
 
 /**
@@ -41,6 +42,11 @@ public final class Tails {
   /** P(X &gt; x) for chi-squared with df degrees of freedom. */
   public static double chiSquared(double x, double df) {
     return x <= 0 ? 1 : Gamma.regularizedGammaQ(df / 2, x / 2, PRECISION, Integer.MAX_VALUE);
+  }
+
+  /** P(Z &gt; z) for a standard normal Z. */
+  public static double normal(double z) {
+    return Erf.erfc(z / Math.sqrt(2)) / 2;
   }
 
   /**

@@ -1,6 +1,6 @@
 /**
  * Distributions that Commons Math lacks or is not exact enough for: tails of F and t without
- * cancellation, and the noncentral F with its inversion.
+ * cancellation, the noncentral F and t with their inversions, Tukey's studentized range.
  *
  * <p>In and out: numbers. Uses Commons Math only.
  */

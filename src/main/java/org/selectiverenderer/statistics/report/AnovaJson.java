@@ -7,6 +7,7 @@ import java.util.Locale;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Comparison;
+import org.selectiverenderer.statistics.anova.CorrectedDf;
 import org.selectiverenderer.statistics.anova.Descriptive;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Effect;
@@ -15,6 +16,9 @@ import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.MarginalMean;
 import org.selectiverenderer.statistics.anova.MultivariateTest;
 import org.selectiverenderer.statistics.anova.Sphericity;
+import org.selectiverenderer.statistics.assumption.Assumptions;
+import org.selectiverenderer.statistics.bayes.BayesianAnova;
+import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.data.Exclusion;
 
 /** An analysis of variance as JSON; docs/statistics.md lists the keys. */
@@ -25,16 +29,30 @@ final class AnovaJson {
     json.put("measure", anova.design().measure());
     factor(json, "within", anova.design().within());
     factor(json, "between", anova.design().between());
+    ArrayNode factors = json.putArray("factors");
+    for (Factor factor : anova.design().factors()) {
+      ObjectNode node = factors.addObject().put("name", factor.name());
+      node.put("kind", anova.design().withinFactors().contains(factor) ? "within" : "between");
+      factor.levels().forEach(node.putArray("levels")::add);
+    }
+    anova.design().covariates().forEach(json.putArray("covariates")::add);
     json.put("participants", anova.design().subjects().size());
     effect(anova.intercept(), json.putObject("intercept"));
     ArrayNode effects = json.putArray("effects");
-    anova.effects().forEach(effect -> effect(effect, effects.addObject()));
+    List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
+    for (int i = 0; i < anova.effects().size(); i++) {
+      ObjectNode node = effects.addObject();
+      effect(anova.effects().get(i), node);
+      evidence(evidence.get(i), node);
+      BayesianAnova.obstacle(anova).ifPresent(reason -> node.put("bf01_undefined", reason));
+    }
     descriptives(anova.design(), json);
     ArrayNode means = json.putArray("marginal_means");
     anova.means().forEach(mean -> mean(mean, means.addObject()));
     JsonNumbers.put(json, "equivalence_bound", anova.bound());
     ArrayNode comparisons = json.putArray("comparisons");
     anova.comparisons().forEach(pair -> comparison(pair, comparisons.addObject()));
+    AssumptionsJson.write(Assumptions.of(anova), json.putObject("assumptions"));
   }
 
   static void options(AnovaOptions options, ObjectNode json) {
@@ -45,10 +63,14 @@ final class AnovaJson {
     json.put("equivalence_bound_unit", options.rawBound() ? "measure" : "sd");
     JsonNumbers.put(json, "equivalence_eta2", options.etaBound());
     JsonNumbers.put(json, "jzs_scale", options.priorScale());
+    JsonNumbers.put(json, "prior_fixed", options.prior().fixed());
+    JsonNumbers.put(json, "prior_random", options.prior().random());
+    json.put("seed", options.prior().seed());
     json.put("sums_of_squares", "type III");
-    json.put("bayes_factor_effects", "BIC (Wagenmakers 2007; Masson 2011), BF01");
+    json.put("sphericity_correction", options.sphericity().word());
+    json.put("bayes_factor_effects", "JZS (Rouder et al. 2012), BF01");
     json.put("bayes_factor_comparisons", "JZS (Rouder et al. 2009), BF01");
-    json.put("post_hoc", "Holm");
+    json.put("post_hoc", "Holm, Bonferroni, Tukey");
   }
 
   static void exclusions(List<Exclusion> exclusions, ObjectNode json) {
@@ -99,8 +121,10 @@ final class AnovaJson {
     JsonNumbers.put(json, "error_ms", effect.errorMs());
     JsonNumbers.put(json, "F", effect.f());
     JsonNumbers.put(json, "p", effect.p());
+    effect.correction().ifPresent(correction -> correction(effect, correction, json));
     size(json, "partial_eta2", effect.partialEta());
     size(json, "generalized_eta2", effect.generalisedEta());
+    size(json, "partial_omega2", effect.omega());
     if (effect.sphericity().isPresent()) {
       Sphericity found = effect.sphericity().get();
       ObjectNode node = json.putObject("sphericity");
@@ -118,8 +142,28 @@ final class AnovaJson {
     ObjectNode equivalence = json.putObject("equivalence");
     JsonNumbers.put(equivalence, "partial_eta2_bound", effect.equivalence().bound());
     JsonNumbers.put(equivalence, "p", effect.equivalence().p());
-    JsonNumbers.put(json, "bf01_bic", effect.bayesFactor());
     effect.flaw().ifPresent(flaw -> json.put("undefined", flaw));
+  }
+
+  private static void correction(Effect effect, CorrectedDf correction, ObjectNode json) {
+    JsonNumbers.put(json, "p_uncorrected", effect.uncorrectedP());
+    ObjectNode node = json.putObject("sphericity_correction").put("by", correction.by().word());
+    JsonNumbers.put(node, "epsilon", correction.epsilon());
+    JsonNumbers.put(node, "df1", correction.df1());
+    JsonNumbers.put(node, "df2", correction.df2());
+  }
+
+  private static void evidence(EffectEvidence evidence, ObjectNode json) {
+    JsonNumbers.put(json, "bf01", evidence.bf01());
+    JsonNumbers.put(json, "bf01_error", evidence.error());
+    JsonNumbers.put(json, "bf01_beside", evidence.beside().bf01());
+    JsonNumbers.put(json, "bf01_beside_error", evidence.beside().error());
+    ArrayNode points = json.putArray("bf01_robustness");
+    for (EffectEvidence.Point point : evidence.robustness()) {
+      ObjectNode node = points.addObject();
+      JsonNumbers.put(node, "prior_fixed", point.scale());
+      JsonNumbers.put(node, "bf01", point.bf01());
+    }
   }
 
   private static void size(ObjectNode json, String key, EffectSize size) {
@@ -147,6 +191,8 @@ final class AnovaJson {
 
   private static void mean(MarginalMean mean, ObjectNode json) {
     json.put("within", mean.within().orElse(null)).put("between", mean.between().orElse(null));
+    ObjectNode levels = json.putObject("levels");
+    mean.levels().forEach(levels::put);
     JsonNumbers.put(json, "mean", mean.mean());
     JsonNumbers.put(json, "se", mean.standardError());
     JsonNumbers.put(json, "df", mean.df());
@@ -165,7 +211,9 @@ final class AnovaJson {
     JsonNumbers.put(json, "df", pair.df());
     JsonNumbers.put(json, "p", pair.p());
     JsonNumbers.put(json, "p_holm", pair.holm());
-    JsonNumbers.put(json, "d", pair.d());
+    JsonNumbers.put(json, "p_bonferroni", pair.bonferroni());
+    JsonNumbers.put(json, "p_tukey", pair.tukey().orElse(Double.NaN));
+    size(json, "d", pair.d());
     JsonNumbers.put(json, "tost_lower_t", pair.tost().lowerT());
     JsonNumbers.put(json, "tost_upper_t", pair.tost().upperT());
     JsonNumbers.put(json, "tost_p", pair.tost().p());

@@ -6,6 +6,8 @@ import java.util.List;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.bayes.BayesianAnova;
+import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.report.Block.Items;
 import org.selectiverenderer.statistics.report.Block.Picture;
@@ -18,7 +20,8 @@ public final class AnovaReport {
 
   /** Tables for a terminal. */
   public static String text(Anova anova, List<Exclusion> exclusions) {
-    return TextPage.of(title(anova), blocks(anova, exclusions), true);
+    return TextPage.of(
+        title(anova), blocks(anova, BayesianAnova.withRobustness(anova), exclusions), true);
   }
 
   /** One page that loads nothing. */
@@ -28,7 +31,14 @@ public final class AnovaReport {
         new Picture(
             "Estimated marginal means with 95 % intervals (pooled error), and each participant.",
             new MeansPlot().svg(anova, anova.design().measure())));
-    blocks.addAll(blocks(anova, exclusions));
+    List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
+    RobustnessPlot.svg(evidence)
+        .ifPresent(
+            svg ->
+                blocks.add(
+                    new Picture(
+                        "How much the Bayes factors depend on the width of their prior.", svg)));
+    blocks.addAll(blocks(anova, evidence, exclusions));
     return HtmlPage.of(title(anova), blocks);
   }
 
@@ -45,8 +55,9 @@ public final class AnovaReport {
     return "Analysis of variance of " + anova.design().measure();
   }
 
-  private static List<Block> blocks(Anova anova, List<Exclusion> exclusions) {
-    List<Block> blocks = new ArrayList<>(AnovaBlocks.of(anova));
+  private static List<Block> blocks(
+      Anova anova, List<EffectEvidence> evidence, List<Exclusion> exclusions) {
+    List<Block> blocks = new ArrayList<>(AnovaBlocks.of(anova, evidence));
     blocks.add(new Section("Methods", false, List.of(new Items(Methods.of(anova.options())))));
     if (!exclusions.isEmpty()) {
       blocks.add(exclusions(exclusions));

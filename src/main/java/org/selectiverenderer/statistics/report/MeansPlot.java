@@ -31,7 +31,13 @@ final class MeansPlot {
   private static final double DODGE = 26;
   private static final double SPREAD = 8;
   private static final List<ChartColour> LINES =
-      List.of(ChartColour.BLUE, ChartColour.GREEN, ChartColour.VERMILION, ChartColour.ORANGE);
+      List.of(
+          ChartColour.BLUE,
+          ChartColour.GREEN,
+          ChartColour.VERMILION,
+          ChartColour.ORANGE,
+          ChartColour.SKY,
+          ChartColour.PURPLE);
 
   private final SizedFont plain;
   private final SizedFont bold;
@@ -69,8 +75,7 @@ final class MeansPlot {
       levels = design.within().levels().size();
       means =
           anova.means().stream()
-              .filter(mean -> mean.within().isPresent() == levels > 1)
-              .filter(mean -> mean.between().isPresent() == groups > 1)
+              .filter(mean -> mean.levels().size() == design.factors().size())
               .toList();
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;

@@ -29,15 +29,13 @@ final class Methods {
             : "±%s pooled standard deviations of a cell"
                 .formatted(number(options.differenceBound()));
     return List.of(
-        "Analysis of variance with type III sums of squares; where a within factor "
-            + "has three or more levels, Greenhouse-Geisser and Huynh-Feldt (Lecoutre) "
-            + "corrections and the multivariate tests are given beside F.",
+        "Analysis of variance with type III sums of squares. " + sphericity(options),
         ("Intervals: %s %% for means and differences, %s %% for η² (noncentral F; Steiger 2004; they"
                 + " are of the population's value and lie below the sample's where F is very"
                 + " small).")
             .formatted(percent(options.confidence()), percent(options.etaConfidence())),
-        "Comparisons use the pooled error of the multivariate model; p (Holm) keeps "
-            + "each family of comparisons at α = "
+        "Comparisons use the pooled error of the multivariate model; p (Holm), p (Bonf.) and p (Tukey)"
+            + " keep each family of comparisons at α = "
             + number(options.alpha())
             + ". Nothing is corrected across measures, areas and levels of confidence: of effects that do"
             + " not exist, that share comes out below α.",
@@ -47,9 +45,35 @@ final class Methods {
             + " (Schuirmann 1987), its counterpart for effects with the bound ηp² < "
             + number(options.etaBound())
             + " (Campbell and Lakens 2021), and Bayes factors for the null hypothesis (BF01 > 1"
-            + " speaks for it): BIC-based for effects (Wagenmakers 2007; Masson 2011), JZS with scale "
-            + number(options.priorScale())
-            + " for comparisons (Rouder et al. 2009).");
+            + " speaks for it).",
+        ("Bayes factors are of Jeffreys, Zellner and Siow. Of effects (Rouder et al. 2012): those that"
+                + " the effect contains (an interaction's main effects) against the same and it;"
+                + " “beside the others”: all effects that do not contain it, against the same and it."
+                + " The prior's width is %s for effects and, where there are within factors, %s for"
+                + " participants, who are a random factor of every model. They assume sphericity. Of"
+                + " comparisons (Rouder et al. 2009): width %s.")
+            .formatted(
+                number(options.prior().fixed()),
+                number(options.prior().random()),
+                number(options.priorScale())));
+  }
+
+  private static String sphericity(AnovaOptions options) {
+    String rule =
+        switch (options.sphericity()) {
+          case AUTO ->
+              ("degrees of freedom are multiplied by ε where Greenhouse-Geisser's ε is at most 0.75 or"
+                      + " Mauchly's test has p < %s: by Greenhouse-Geisser's ε up to 0.75, else by"
+                      + " Huynh-Feldt's (Lecoutre)")
+                  .formatted(number(options.alpha()));
+          case GREENHOUSE_GEISSER -> "degrees of freedom are multiplied by Greenhouse-Geisser's ε";
+          case HUYNH_FELDT -> "degrees of freedom are multiplied by Huynh-Feldt's ε (Lecoutre)";
+          case NONE -> "degrees of freedom are not corrected for a lack of sphericity";
+        };
+    return "For effects on three or more within levels %s; p, intervals and equivalence tests are of"
+            .formatted(rule)
+        + " those degrees of freedom. The multivariate tests, which need no sphericity, are given"
+        + " beside F.";
   }
 
   private static String percent(double share) {

@@ -10,6 +10,8 @@ import java.util.Set;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.bayes.BayesianAnova;
+import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.report.Block.Items;
@@ -91,7 +93,14 @@ final class StudyBlocks {
       if (!analysis.notes().isEmpty()) {
         details.add(new Items(analysis.notes()));
       }
-      analysis.anova().ifPresent(anova -> details.addAll(AnovaBlocks.of(anova)));
+      analysis
+          .anova()
+          .ifPresent(
+              anova -> {
+                List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
+                RobustnessPlot.svg(evidence).ifPresent(svg -> details.add(robustness(svg)));
+                details.addAll(AnovaBlocks.of(anova, evidence));
+              });
       blocks.add(new Section("Details: " + title(analysis), true, details));
     }
     return new Section("Area: " + area, false, blocks);
@@ -105,6 +114,10 @@ final class StudyBlocks {
                 analysis.measure().meaning(),
                 anova.design().subjects().size()),
         plot.svg(anova, title(analysis)));
+  }
+
+  private static Picture robustness(String svg) {
+    return new Picture("How much the Bayes factors depend on the width of their prior.", svg);
   }
 
   private static String title(AreaAnalysis analysis) {
@@ -136,7 +149,10 @@ final class StudyBlocks {
                 String.valueOf(analysis.design().subjects().size())));
         continue;
       }
-      for (Effect effect : analysis.anova().get().effects()) {
+      Anova anova = analysis.anova().get();
+      List<EffectEvidence> evidence = BayesianAnova.of(anova);
+      for (int i = 0; i < anova.effects().size(); i++) {
+        Effect effect = anova.effects().get(i);
         rows.add(
             List.of(
                 name,
@@ -145,7 +161,7 @@ final class StudyBlocks {
                 figures.p(effect.p(), effect.flaw()),
                 figures.interval(effect.partialEta(), effect.flaw()),
                 figures.p(effect.equivalence().p(), effect.flaw()),
-                figures.bayes(effect.bayesFactor(), effect.flaw()),
+                figures.bayes(evidence.get(i).bf01(), effect.flaw()),
                 String.valueOf(analysis.design().subjects().size())));
       }
     }
@@ -159,7 +175,7 @@ final class StudyBlocks {
             "ηp² [90 % CI]",
             "p (ηp² < %s)"
                 .formatted(String.format(Locale.ROOT, "%.2f", study.options().etaBound())),
-            "BF01 (BIC)",
+            "BF01 (JZS)",
             "n"),
         rows,
         notes(analyses, figures));
@@ -184,7 +200,9 @@ final class StudyBlocks {
     return Double.isFinite(effect.f())
         ? "F(%s, %s) = %s"
             .formatted(
-                figures.df(effect.df1()), figures.df(effect.df2()), figures.number(effect.f(), 3))
+                figures.df(effect.testDf1()),
+                figures.df(effect.testDf2()),
+                figures.number(effect.f(), 3))
         : figures.number(effect.f(), 3, effect.flaw());
   }
 }

@@ -36,6 +36,11 @@ final class TableFigures {
     return Double.isFinite(value) && value < 0.001 ? "< 0.001" : number(value, 3, reason);
   }
 
+  /** A p in a sentence: {@code = 0.012} or {@code < 0.001}. */
+  String equalP(double value) {
+    return value < 0.001 ? "< 0.001" : "= " + number(value, 3);
+  }
+
   /** Degrees of freedom: whole where they are. */
   String df(double value) {
     return value == Math.rint(value) ? number(value, 0) : number(value, 2);
@@ -62,7 +67,10 @@ final class TableFigures {
     if (!Double.isFinite(value)) {
       return dash(reason.orElse(UNDEFINED));
     }
-    return value >= 1000 || value < 0.001 && value > 0
+    if (value == 0) {
+      return "< 1e-300";
+    }
+    return value >= 1000 || value < 0.001
         ? String.format(Locale.ROOT, "%.1e", value)
         : number(value, value < 0.1 ? 3 : 2);
   }

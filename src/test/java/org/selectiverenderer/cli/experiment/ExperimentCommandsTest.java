@@ -66,6 +66,63 @@ class ExperimentCommandsTest extends CommandRun {
     assertThat(text(out)).contains("type", "Pillai's trace").doesNotContain("type x group");
   }
 
+  /** Two within factors of two levels, two groups, an age: eight participants. */
+  @Test
+  void anovaOfSeveralFactorsAndACovariate() throws IOException {
+    StringBuilder table = new StringBuilder("id,type,size,group,age,score\n");
+    for (int i = 0; i < 8; i++) {
+      for (int cell = 0; cell < 4; cell++) {
+        table.append(
+            "%d,%s,%s,%s,%d,%.3f\n"
+                .formatted(
+                    i,
+                    cell < 2 ? "c" : "i",
+                    cell % 2 == 0 ? "small" : "large",
+                    i < 4 ? "high" : "low",
+                    20 + i * i % 7,
+                    Math.sin(i * 4.0 + cell * cell)));
+      }
+    }
+    Files.writeString(Path.of(data), table);
+    String[] design = {"--within", "type", "--within", "size", "--between", "group"};
+    List<String> options = new ArrayList<>(List.of(design));
+    options.addAll(List.of("--covariate", "age", "--correction", "gg", "--format", "json"));
+    assertThat(anova(options.toArray(String[]::new))).isZero();
+    JsonNode json = new ObjectMapper().readTree(out.toByteArray());
+    assertThat(json.get("effects").findValuesAsText("effect"))
+        .containsExactly(
+            "group",
+            "age",
+            "type",
+            "type x group",
+            "type x age",
+            "size",
+            "size x group",
+            "size x age",
+            "type x size",
+            "type x size x group",
+            "type x size x age");
+    assertThat(json.get("effects").get(0).get("bf01_undefined").asText()).contains("covariates");
+    assertThat(json.get("options").get("sphericity_correction").asText()).isEqualTo("gg");
+    assertThat(json.get("descriptives").get(0).get("within").asText()).isEqualTo("c, small");
+    out.reset();
+    options = new ArrayList<>(List.of(design));
+    options.addAll(List.of("--prior", "0.707", "--format", "json"));
+    assertThat(anova(options.toArray(String[]::new))).isZero();
+    json = new ObjectMapper().readTree(out.toByteArray());
+    assertThat(json.get("effects")).hasSize(7);
+    for (JsonNode effect : json.get("effects")) {
+      assertThat(effect.get("bf01").asDouble()).isPositive();
+      assertThat(effect.get("bf01_robustness")).hasSize(7);
+    }
+    assertThat(json.get("options").get("prior_fixed").asDouble()).isEqualTo(0.707);
+    assertThat(json.get("assumptions").get("levene")).hasSize(4);
+    out.reset();
+    assertThat(anova("--between", "group", "--covariate", "group")).isEqualTo(2);
+    assertThat(anova("--within", "type", "--prior", "0")).isEqualTo(2);
+    assertThat(text(err)).contains("--prior must be a number from 0.01 to 10");
+  }
+
   @Test
   void anovaOfABadTableIsStatusOneAndNamesThePlace() throws IOException {
     Files.writeString(Path.of(data), Files.readString(Path.of(data)).replace("0.7", "\"0,7\""));

@@ -81,6 +81,45 @@ class ObservationsReaderTest {
     assertThat(problems.list()).singleElement().asString().contains("the header lacks type");
   }
 
+  @Test
+  void severalFactorsAndCovariatesMakeOneRowOfEachSubject() {
+    Observations found =
+        ObservationsReader.parse(
+                "d.csv",
+                "id,sex,group,type,size,age,score\n"
+                    + "p,f,x,one,big,30,1\np,f,x,one,small,,2\np,f,x,two,big,30,3\n"
+                    + "p,f,x,two,small,30,4\n"
+                    + "q,m,x,two,small,41,8\nq,m,x,two,big,41,7\nq,m,x,one,small,41,6\n"
+                    + "q,m,x,one,big,41,5\n"
+                    + "r,m,y,one,big,50,1\nr,m,y,one,small,50,1\nr,m,y,two,big,51,1\n"
+                    + "r,m,y,two,small,50,1\n"
+                    + "s,f,y,one,big,50,1\ns,f,y,one,small,50,1\n"
+                    + "t,f,y,one,big,,1\nt,f,y,one,small,,2\nt,f,y,two,big,,3\n"
+                    + "t,f,y,two,small,,4\n",
+                new Columns(
+                    "score",
+                    "id",
+                    List.of("type", "size"),
+                    List.of("sex", "group"),
+                    List.of("age")),
+                problems)
+            .orElseThrow();
+    assertThat(found.design().subjects())
+        .containsExactly(
+            new Subject("p", 0, List.of(1.0, 2.0, 3.0, 4.0), List.of(30.0)),
+            new Subject("q", 2, List.of(5.0, 6.0, 7.0, 8.0), List.of(41.0)));
+    assertThat(found.design().within().levels())
+        .containsExactly("one, big", "one, small", "two, big", "two, small");
+    assertThat(problems.list())
+        .extracting(Object::toString)
+        .containsExactly(
+            "d.csv:12:15: participant r: another age than in a row before; a covariate is one number"
+                + " for each participant; the participant is left out",
+            "d.csv:14:1: participant s: has no score at two, big; two, small; the participant is left"
+                + " out",
+            "d.csv:16:1: participant t: has no age; the participant is left out");
+  }
+
   private Observations parse(String text) {
     return ObservationsReader.parse("d.csv", text, MIXED, problems).orElseThrow();
   }

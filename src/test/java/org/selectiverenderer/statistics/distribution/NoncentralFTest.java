@@ -3,8 +3,12 @@ package org.selectiverenderer.statistics.distribution;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Tails against R 4.2.2; the noncentral F against its series in 40 digits (mpmath), as R's own pf
@@ -40,5 +44,34 @@ class NoncentralFTest {
     assertThat(Tails.f(0, 2, 5)).isEqualTo(1);
     assertThat(Tails.f(Double.POSITIVE_INFINITY, 2, 5)).isZero();
     assertThat(Tails.t(-2, 7) + Tails.t(2, 7)).isEqualTo(1, EXACT);
+  }
+
+  /** {@code pf(f, df1, df2, ncp)} of R 4.2.2, which is right there. */
+  @Test
+  void largeNoncentralities() {
+    assertThat(new NoncentralF(1, 51).cumulative(5000, 5000))
+        .isEqualTo(0.474054341202617, within(1e-9));
+    assertThat(new NoncentralF(2, 20).cumulative(1e4, 15000))
+        .isEqualTo(0.776121839356996, within(1e-9));
+    assertThat(new NoncentralF(3, 100).cumulative(300, 1000))
+        .isEqualTo(0.229064465293128, within(1e-9));
+    assertThat(new NoncentralF(2, 51).cumulative(40, 100))
+        .isEqualTo(0.193817238780197, within(1e-9));
+  }
+
+  /**
+   * F of a mean that is ten thousand, a hundred million standard deviations: what R cannot do. The
+   * noncentral chi-squared is then as good as its noncentrality, so that l chi / df2 = f.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e5, 5.4e9, 1e13, 1e17})
+  @Timeout(10)
+  void hugeFHaveTheirInterval(double f) {
+    NoncentralF.Interval interval = new NoncentralF(1, 51).interval(f, 0.9);
+    double low = new ChiSquaredDistribution(null, 51).inverseCumulativeProbability(0.05);
+    double high = new ChiSquaredDistribution(null, 51).inverseCumulativeProbability(0.95);
+    double rest = 10 / Math.sqrt(f);
+    assertThat(interval.low() / f).isEqualTo(low / 51, within(1e-9 + rest));
+    assertThat(interval.high() / f).isEqualTo(high / 51, within(1e-9 + rest));
   }
 }

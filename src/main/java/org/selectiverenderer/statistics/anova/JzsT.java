@@ -1,26 +1,15 @@
 package org.selectiverenderer.statistics.anova;
 
-/** Evidence of the data for the null hypothesis: BF01 above 1 speaks for no difference. */
-final class BayesFactors {
+/**
+ * The Bayes factor of a comparison: evidence of the data for the null hypothesis. BF01 above 1
+ * speaks for no difference.
+ */
+final class JzsT {
   private static final double FIRST = -30;
   private static final double STEP = 0.04;
   private static final double LAST = 4;
 
-  private BayesFactors() {}
-
-  /**
-   * BF01 of an effect from the difference of the BIC of the models without and with it: exp((n
-   * ln(SSE1 / SSE0) + k ln n) / 2), k the effect's degrees of freedom (Wagenmakers 2007,
-   * Psychonomic Bulletin and Review 14; Masson 2011, Behavior Research Methods 43). SSE1 is the
-   * effect's error, SSE0 that and the effect; the prior is the one that BIC implies, unit
-   * information.
-   *
-   * @param n independent observations: subjects for an effect of groups, subjects times (levels -
-   *     1) for one within subjects (Masson 2011)
-   */
-  static double bic(double sum, double errorSum, double df1, double n) {
-    return Math.exp((n * Math.log(errorSum / (sum + errorSum)) + df1 * Math.log(n)) / 2);
-  }
+  private JzsT() {}
 
   /**
    * BF01 of a t by Jeffreys, Zellner and Siow: the standardised difference is Cauchy distributed
@@ -34,7 +23,7 @@ final class BayesFactors {
    * @param n effective size: n1 n2 / (n1 + n2) for two groups, the number of pairs for pairs
    * @param scale of the prior, 0.707 as a rule
    */
-  static double jzs(double t, double df, double n, double scale) {
+  static double nullFactor(double t, double df, double n, double scale) {
     double power = -(df + 1) / 2;
     double nullLog = power * Math.log1p(t * t / df);
     double shift = n * scale * scale;

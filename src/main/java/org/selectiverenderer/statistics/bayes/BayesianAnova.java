@@ -1,0 +1,95 @@
+package org.selectiverenderer.statistics.bayes;
+
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.apache.commons.math3.stat.StatUtils;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.anova.EffectPrior;
+import org.selectiverenderer.statistics.anova.Term;
+
+/** Bayes factors of the effects of an analysis. */
+public final class BayesianAnova {
+  private static final EffectEvidence.Ratio NONE = new EffectEvidence.Ratio(Double.NaN, 0);
+
+  private final Anova anova;
+  private final List<Term> terms;
+
+  private BayesianAnova(Anova anova) {
+    this.anova = anova;
+    terms = anova.effects().stream().map(Effect::term).toList();
+  }
+
+  /** Why a design has no Bayes factors of effects, empty when it has: without its full stop. */
+  public static Optional<String> obstacle(Anova anova) {
+    return anova.design().covariates().isEmpty()
+        ? Optional.empty()
+        : Optional.of("Bayes factors of effects are not computed in designs with covariates");
+  }
+
+  /**
+   * Of each effect, in order, with the prior of the analysis's options.
+   *
+   * @return not numbers where {@link #obstacle} says why, and where there is no F
+   */
+  public static List<EffectEvidence> of(Anova anova) {
+    return new BayesianAnova(anova).evidence(List.of());
+  }
+
+  /** The same, and with {@link EffectPrior#ROBUSTNESS other widths} of the prior. */
+  public static List<EffectEvidence> withRobustness(Anova anova) {
+    return new BayesianAnova(anova).evidence(EffectPrior.ROBUSTNESS);
+  }
+
+  private List<EffectEvidence> evidence(List<Double> scales) {
+    boolean defined =
+        obstacle(anova).isEmpty()
+            && anova.effects().stream().allMatch(effect -> Double.isFinite(effect.f()));
+    if (!defined) {
+      return terms.stream().map(term -> new EffectEvidence(term, NONE, NONE, List.of())).toList();
+    }
+    ModelEvidence models = new ModelEvidence(anova.design(), terms, anova.options().prior());
+    return terms.stream().map(term -> of(term, models, scales)).toList();
+  }
+
+  private EffectEvidence of(Term term, ModelEvidence models, List<Double> scales) {
+    Set<Term> contained = new HashSet<>();
+    Set<Term> others = new HashSet<>();
+    for (Term other : terms) {
+      if (!other.equals(term) && other.isIn(term)) {
+        contained.add(other);
+      }
+      if (!term.isIn(other)) {
+        others.add(other);
+      }
+    }
+    double fixed = anova.options().prior().fixed();
+    List<EffectEvidence.Point> points =
+        scales.stream()
+            .sorted(Comparator.naturalOrder())
+            .map(
+                scale ->
+                    new EffectEvidence.Point(scale, factor(models, contained, term, scale).bf01()))
+            .toList();
+    return new EffectEvidence(
+        term, factor(models, contained, term, fixed), factor(models, others, term, fixed), points);
+  }
+
+  /** Of a model against the same and a term. */
+  private static EffectEvidence.Ratio factor(
+      ModelEvidence models, Set<Term> without, Term term, double scale) {
+    Set<Term> with = new HashSet<>(without);
+    with.add(term);
+    double[] batches = new double[models.batches()];
+    for (int batch = 0; batch < batches.length; batch++) {
+      batches[batch] = Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
+    }
+    double mean = StatUtils.mean(batches);
+    return new EffectEvidence.Ratio(
+        mean,
+        batches.length == 1 ? 0 : Math.sqrt(StatUtils.variance(batches) / batches.length) / mean);
+  }
+}

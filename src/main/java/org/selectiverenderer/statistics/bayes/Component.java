@@ -1,0 +1,75 @@
+package org.selectiverenderer.statistics.bayes;
+
+import java.util.List;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
+
+/**
+ * Terms whose columns are not orthogonal, in the space that they span together.
+ *
+ * @param columns of the terms, rows of the space
+ * @param data rows of the space x contrasts
+ */
+record Component(List<TermColumns> columns, RealMatrix data) {
+  private static final double RANK = 1e-9;
+
+  Component {
+    columns = List.copyOf(columns);
+  }
+
+  static Component of(List<TermColumns> columns, RealMatrix data) {
+    RealMatrix all = columns.get(0).matrix();
+    for (TermColumns column : columns.subList(1, columns.size())) {
+      RealMatrix wider =
+          MatrixUtils.createRealMatrix(
+              all.getRowDimension(),
+              all.getColumnDimension() + column.matrix().getColumnDimension());
+      wider.setSubMatrix(all.getData(), 0, 0);
+      wider.setSubMatrix(column.matrix().getData(), 0, all.getColumnDimension());
+      all = wider;
+    }
+    SingularValueDecomposition found = new SingularValueDecomposition(all);
+    int rank = 0;
+    for (double value : found.getSingularValues()) {
+      rank += value > RANK * found.getNorm() ? 1 : 0;
+    }
+    RealMatrix space =
+        found.getU().getSubMatrix(0, all.getRowDimension() - 1, 0, rank - 1).transpose();
+    return new Component(
+        columns.stream()
+            .map(column -> new TermColumns(column.term(), space.multiply(column.matrix())))
+            .toList(),
+        space.multiply(data));
+  }
+
+  /** Sum of squares of the data in it. */
+  double sum() {
+    return Stratum.square(data);
+  }
+
+  /** Contrasts. */
+  int width() {
+    return data.getColumnDimension();
+  }
+
+  /**
+   * Minus the deviance's halves at some g: the log-determinant of I + sum of g_t A_t A_t', and the
+   * sum of squares of the data in units of it.
+   */
+  double[] at(List<TermColumns> terms, double[] logG) {
+    RealMatrix v = MatrixUtils.createRealIdentityMatrix(data.getRowDimension());
+    for (int t = 0; t < terms.size(); t++) {
+      RealMatrix a = terms.get(t).matrix();
+      v = v.add(a.multiply(a.transpose()).scalarMultiply(Math.exp(logG[t])));
+    }
+    CholeskyDecomposition root = new CholeskyDecomposition(v, 1e-6, 0);
+    double determinant = 0;
+    for (int i = 0; i < v.getRowDimension(); i++) {
+      determinant += 2 * Math.log(root.getL().getEntry(i, i));
+    }
+    RealMatrix solved = root.getSolver().solve(data);
+    return new double[] {determinant, data.transpose().multiply(solved).getTrace()};
+  }
+}

@@ -1,0 +1,44 @@
+package org.selectiverenderer.statistics.bayes;
+
+import java.util.List;
+import org.selectiverenderer.statistics.anova.Term;
+
+/**
+ * What the data say for the null hypothesis about an effect.
+ *
+ * @param alone the effect and those that it contains (an interaction's main effects) against those
+ *     that it contains
+ * @param beside all effects that do not contain it against the same and the effect: where other
+ *     effects are large, {@code alone} takes them for error
+ * @param robustness {@code alone} with other widths of the prior, in ascending order
+ */
+public record EffectEvidence(Term term, Ratio alone, Ratio beside, List<Point> robustness) {
+  /**
+   * A Bayes factor.
+   *
+   * @param bf01 above 1 speaks for no effect; not a number where there is none
+   * @param error of bf01, a share of it: 0 where the integral is not by Monte Carlo
+   */
+  public record Ratio(double bf01, double error) {}
+
+  /**
+   * A Bayes factor with one width of the prior.
+   *
+   * @param scale of the factors' effects
+   */
+  public record Point(double scale, double bf01) {}
+
+  public EffectEvidence {
+    robustness = List.copyOf(robustness);
+  }
+
+  /** Of the effect and those that it contains against those. */
+  public double bf01() {
+    return alone.bf01();
+  }
+
+  /** Of {@link #bf01}. */
+  public double error() {
+    return alone.error();
+  }
+}

@@ -1,0 +1,154 @@
+package org.selectiverenderer.statistics.bayes;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.EffectPrior;
+import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.Term;
+
+/** The evidence of models of one design's data; what models share is computed once. */
+final class ModelEvidence {
+  private record NodeKey(Set<Term> terms, int batch) {}
+
+  private record ModelKey(Set<Term> model, double scale, int batch) {}
+
+  private final List<Stratum> strata = new ArrayList<>();
+  private final EffectPrior prior;
+  private final int levels;
+  private final Scale scale;
+  private final double dimensions;
+  private final double averageDimensions;
+  private final boolean sampled;
+  private final Map<Component, Map<NodeKey, Nodes>> nodes = new IdentityHashMap<>();
+  private final Map<ModelKey, Double> found = new HashMap<>();
+
+  ModelEvidence(Design design, List<Term> terms, EffectPrior prior) {
+    this.prior = prior;
+    levels = design.within().levels().size();
+    List<List<Factor>> withins = new ArrayList<>(List.of(List.of()));
+    terms.stream()
+        .map(Term::within)
+        .distinct()
+        .filter(within -> !within.isEmpty())
+        .forEach(withins::add);
+    for (List<Factor> within : withins) {
+      strata.add(
+          Stratum.of(
+              design,
+              within,
+              terms.stream().filter(term -> term.within().equals(within)).toList()));
+    }
+    dimensions = strata.stream().mapToInt(Stratum::dimensions).sum();
+    averageDimensions = strata.get(0).dimensions();
+    scale = scale();
+    sampled =
+        strata.stream()
+            .flatMap(stratum -> stratum.components().stream())
+            .anyMatch(component -> component.columns().size() > 2);
+  }
+
+  /**
+   * The error's variance where it is estimated: within participants if they repeat, else between.
+   */
+  private Scale scale() {
+    double rest = 0;
+    double all = 0;
+    double free = 0;
+    for (Stratum stratum : levels > 1 ? strata.subList(1, strata.size()) : strata) {
+      rest += stratum.rest();
+      all += stratum.sum();
+      free += stratum.dimensions();
+    }
+    double variance = Math.max(rest, all * 1e-16) / free;
+    double average = levels > 1 ? strata.get(0).sum() / averageDimensions / variance : 1;
+    return new Scale(variance, Math.max(1, average));
+  }
+
+  /** How many times {@link #log} has something else to say: 1, if it is exact. */
+  int batches() {
+    return sampled ? ImportanceSample.BATCHES : 1;
+  }
+
+  /**
+   * Logarithm of the evidence, up to a constant that all models of the design share.
+   *
+   * @param fixed scale of the prior of the model's terms
+   */
+  double log(Set<Term> model, double fixed, int batch) {
+    return found.computeIfAbsent(
+        new ModelKey(model, fixed, batch), key -> integrated(model, fixed, batch));
+  }
+
+  private double integrated(Set<Term> model, double fixed, int batch) {
+    List<List<Nodes>> tables = new ArrayList<>();
+    for (Stratum stratum : strata) {
+      tables.add(
+          stratum.components().stream()
+              .map(component -> nodes(stratum, component, model, batch))
+              .toList());
+    }
+    double[] start = {Math.log(scale.average() / levels)};
+    return new LogIntegral(
+            logVariance -> {
+              double variance = Math.exp(logVariance);
+              double contrasts = -dimensions / 2 * logVariance;
+              for (int i = 1; i < strata.size(); i++) {
+                contrasts += log(strata.get(i), tables.get(i), fixed, variance, 1);
+              }
+              if (levels == 1) {
+                return contrasts + log(strata.get(0), tables.get(0), fixed, variance, 1);
+              }
+              LogIntegral inner =
+                  new LogIntegral(logG -> averages(tables.get(0), fixed, variance, logG), start[0]);
+              double value = inner.value();
+              start[0] = inner.peak();
+              return contrasts + value;
+            },
+            Math.log(scale.variance()))
+        .value();
+  }
+
+  /** The averages, given the participants' g. */
+  private double averages(List<Nodes> tables, double fixed, double variance, double logG) {
+    double factor = 1 + levels * Math.exp(logG);
+    return InverseGamma.logDensity(logG, prior.random())
+        - averageDimensions / 2 * Math.log(factor)
+        + log(strata.get(0), tables, fixed, variance, factor);
+  }
+
+  private static double log(
+      Stratum stratum, List<Nodes> tables, double fixed, double variance, double factor) {
+    double log = -stratum.rest() / (2 * variance * factor);
+    for (Nodes table : tables) {
+      log += table.log(variance, factor, fixed);
+    }
+    return log;
+  }
+
+  private Nodes nodes(Stratum stratum, Component component, Set<Term> model, int batch) {
+    List<TermColumns> terms =
+        component.columns().stream().filter(column -> model.contains(column.term())).toList();
+    Set<Term> own = Set.copyOf(terms.stream().map(TermColumns::term).toList());
+    boolean drawn = terms.size() > 2;
+    return nodes
+        .computeIfAbsent(component, any -> new HashMap<>())
+        .computeIfAbsent(
+            new NodeKey(own, drawn ? batch : 0),
+            key -> {
+              if (terms.isEmpty()) {
+                return Nodes.none(component);
+              }
+              Scale here = stratum.average() ? scale : new Scale(scale.variance(), 1);
+              double least = Math.min(prior.fixed(), EffectPrior.ROBUSTNESS.get(0));
+              return drawn
+                  ? new ImportanceSample(component, terms, here, prior.fixed())
+                      .nodes(prior.seed(), batch)
+                  : Nodes.grid(component, terms, here, least);
+            });
+  }
+}

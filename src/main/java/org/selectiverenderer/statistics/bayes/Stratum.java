@@ -1,0 +1,142 @@
+package org.selectiverenderer.statistics.bayes;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.QRDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.anova.Term;
+import org.selectiverenderer.statistics.anova.Transformation;
+
+/**
+ * The data in the average of the within levels, or in the contrasts of a set of within factors.
+ *
+ * @param average whether it is the average, from which the mean of all is taken out
+ * @param components what hangs together; their spaces are orthogonal
+ * @param dimensions of the data
+ * @param rest sum of squares outside of the components' spaces
+ */
+record Stratum(boolean average, List<Component> components, int dimensions, double rest) {
+  Stratum {
+    components = List.copyOf(components);
+  }
+
+  /**
+   * The stratum of a set of within factors.
+   *
+   * @param within none: the average
+   * @param terms of the design with just these within factors
+   */
+  static Stratum of(Design design, List<Factor> within, List<Term> terms) {
+    RealMatrix contrasts = Transformation.of(design.withinFactors(), within::contains);
+    int groups = design.between().levels().size();
+    int[] sizes = new int[groups];
+    design.subjects().forEach(subject -> sizes[subject.group()]++);
+    RealMatrix scores = scores(design, contrasts);
+    RealMatrix means = new Array2DRowRealMatrix(groups, contrasts.getColumnDimension());
+    RealMatrix roots = new Array2DRowRealMatrix(groups, groups);
+    for (int i = 0; i < design.subjects().size(); i++) {
+      int group = design.subjects().get(i).group();
+      for (int column = 0; column < means.getColumnDimension(); column++) {
+        means.addToEntry(group, column, scores.getEntry(i, column) / sizes[group]);
+      }
+    }
+    double rest = 0;
+    for (int i = 0; i < design.subjects().size(); i++) {
+      for (int column = 0; column < means.getColumnDimension(); column++) {
+        double mean = means.getEntry(design.subjects().get(i).group(), column);
+        rest += Math.pow(scores.getEntry(i, column) - mean, 2);
+      }
+    }
+    for (int group = 0; group < groups; group++) {
+      roots.setEntry(group, group, Math.sqrt(sizes[group]));
+    }
+    RealMatrix space = MatrixUtils.createRealIdentityMatrix(groups);
+    boolean average = within.isEmpty();
+    if (average) {
+      space = complement(roots);
+    }
+    int compared =
+        within.stream().mapToInt(factor -> factor.levels().size()).reduce(1, Math::multiplyExact);
+    double length = Math.sqrt((double) design.within().levels().size() / compared);
+    List<TermColumns> columns = new ArrayList<>();
+    for (Term term : terms) {
+      RealMatrix coded = coding(design, term).scalarMultiply(length);
+      columns.add(new TermColumns(term, space.multiply(roots).multiply(coded)));
+    }
+    RealMatrix data = space.multiply(roots).multiply(means);
+    List<Component> components = new ArrayList<>();
+    double outside = square(data);
+    for (List<TermColumns> connected : connected(columns)) {
+      Component component = Component.of(connected, data);
+      components.add(component);
+      outside -= component.sum();
+    }
+    int dimensions =
+        (design.subjects().size() - (average ? 1 : 0)) * contrasts.getColumnDimension();
+    return new Stratum(average, components, dimensions, rest + Math.max(0, outside));
+  }
+
+  private static RealMatrix scores(Design design, RealMatrix contrasts) {
+    RealMatrix scores =
+        new Array2DRowRealMatrix(design.subjects().size(), contrasts.getRowDimension());
+    for (int i = 0; i < design.subjects().size(); i++) {
+      Subject subject = design.subjects().get(i);
+      scores.setRow(i, subject.values().stream().mapToDouble(Double::doubleValue).toArray());
+    }
+    return scores.multiply(contrasts);
+  }
+
+  /** Contrasts of the term's between factors, and ones for the others: they repeat. */
+  private static RealMatrix coding(Design design, Term term) {
+    double repeats = 1;
+    for (Factor factor : design.betweenFactors()) {
+      if (!term.between().contains(factor)) {
+        repeats *= factor.levels().size();
+      }
+    }
+    return Transformation.of(design.betweenFactors(), term.between()::contains)
+        .scalarMultiply(Math.sqrt(repeats));
+  }
+
+  /** Orthonormal rows that are orthogonal to the mean of all. */
+  private static RealMatrix complement(RealMatrix roots) {
+    int groups = roots.getRowDimension();
+    RealMatrix mean = new Array2DRowRealMatrix(groups, 1).scalarAdd(1);
+    RealMatrix q = new QRDecomposition(roots.multiply(mean)).getQ();
+    if (groups == 1) {
+      return new Array2DRowRealMatrix(1, 1);
+    }
+    return q.getSubMatrix(0, groups - 1, 1, groups - 1).transpose();
+  }
+
+  private static List<List<TermColumns>> connected(List<TermColumns> columns) {
+    List<List<TermColumns>> found = new ArrayList<>();
+    for (TermColumns column : columns) {
+      List<TermColumns> own = new ArrayList<>();
+      for (List<TermColumns> set : List.copyOf(found)) {
+        if (!set.stream().allMatch(column::orthogonalTo)) {
+          own.addAll(set);
+          found.remove(set);
+        }
+      }
+      own.add(column);
+      found.add(own);
+    }
+    return found;
+  }
+
+  static double square(RealMatrix matrix) {
+    double norm = matrix.getFrobeniusNorm();
+    return norm * norm;
+  }
+
+  /** Sum of squares of all of it but the mean of all. */
+  double sum() {
+    return rest + components.stream().mapToDouble(Component::sum).sum();
+  }
+}

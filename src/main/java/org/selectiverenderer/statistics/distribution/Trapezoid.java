@@ -1,0 +1,37 @@
+package org.selectiverenderer.statistics.distribution;
+
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * Integrals over the whole line of functions that fall off at both ends: sums in equal steps, which
+ * for smooth functions converge faster than any power of the step (Trefethen and Weideman 2014,
+ * SIAM Review 56).
+ */
+final class Trapezoid {
+  private static final double NEGLIGIBLE = 1e-19;
+  private static final int MOST = 100_000;
+
+  private Trapezoid() {}
+
+  /**
+   * The integral, summed from the middle outwards until terms are negligible.
+   *
+   * @param middle where the function is near its largest
+   * @param step a third of the function's narrowest feature, or less
+   */
+  static double of(DoubleUnaryOperator function, double middle, double step) {
+    double sum = function.applyAsDouble(middle);
+    for (int side = -1; side <= 1; side += 2) {
+      double largest = 0;
+      for (int i = 1; i < MOST; i++) {
+        double term = function.applyAsDouble(middle + side * i * step);
+        sum += term;
+        largest = Math.max(largest, term);
+        if (term <= NEGLIGIBLE * Math.max(largest, sum) && i * step > 1) {
+          break;
+        }
+      }
+    }
+    return sum * step;
+  }
+}
