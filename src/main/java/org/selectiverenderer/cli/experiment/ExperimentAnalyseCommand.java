@@ -52,6 +52,12 @@ final class ExperimentAnalyseCommand extends CliCommand {
               + "of others are left out")
   private @Nullable Path participants;
 
+  @Option(
+      names = "--counterbalanced",
+      description =
+          "takes objects that are present for some participants and absent for others as meant")
+  private boolean counterbalanced;
+
   @Mixin private ScoringChoices scoring = new ScoringChoices();
   @Mixin private AnovaChoices choices = new AnovaChoices();
 
@@ -81,7 +87,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
         return ExitStatus.PROBLEMS;
       }
     }
-    Optional<Responses> found = ResponsesReader.read(responses, roster, problems);
+    Optional<Responses> found = ResponsesReader.read(responses, roster, counterbalanced, problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

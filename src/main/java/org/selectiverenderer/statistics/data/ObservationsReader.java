@@ -55,10 +55,16 @@ public final class ObservationsReader {
   private final Map<String, Gathered> subjects = new LinkedHashMap<>();
   private final Set<String> levels = new LinkedHashSet<>();
   private final Set<String> groups = new LinkedHashSet<>();
+  private final Lookalikes ids;
+  private final Lookalikes levelNames;
+  private final Lookalikes groupNames;
 
   private ObservationsReader(Columns columns, Problems problems) {
     this.columns = columns;
     exclusions = new Exclusions(problems, "the row");
+    ids = new Lookalikes(columns.subject());
+    levelNames = new Lookalikes(columns.within().orElse(ONLY));
+    groupNames = new Lookalikes(columns.between().orElse(ONLY));
   }
 
   /**
@@ -70,8 +76,10 @@ public final class ObservationsReader {
   public static Optional<Observations> read(Path path, Columns columns, Problems problems)
       throws IOException {
     ObservationsReader reader = new ObservationsReader(columns, problems);
-    return CsvTable.read(path, reader.form(), reader.exclusions)
-        .flatMap(table -> reader.observations(path.getFileName().toString(), table));
+    byte[] content = CsvTable.bytes(path);
+    SourceFile source = SourceFile.of(path.getFileName().toString(), content);
+    return CsvTable.parse(path.toString(), content, reader.form(), reader.exclusions)
+        .flatMap(table -> reader.observations(source, table));
   }
 
   /** Reads a text of that file name. */
@@ -79,7 +87,7 @@ public final class ObservationsReader {
       String file, String text, Columns columns, Problems problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
     return CsvTable.parse(file, text, reader.form(), reader.exclusions)
-        .flatMap(table -> reader.observations(file, table));
+        .flatMap(table -> reader.observations(SourceFile.of(file, text), table));
   }
 
   private List<String> wanted() {
@@ -93,12 +101,13 @@ public final class ObservationsReader {
     return CsvColumns.of(wanted());
   }
 
-  private Optional<Observations> observations(String source, CsvTable table) {
+  private Optional<Observations> observations(SourceFile source, CsvTable table) {
     List<String> wanted = wanted();
     if (!table.require(wanted, "a table with the columns " + String.join(", ", wanted))) {
       return Optional.empty();
     }
     table.rows().forEach(this::row);
+    lookAlike();
     Factor within = new Factor(columns.within().orElse("level"), list(levels));
     Factor between = new Factor(columns.between().orElse("group"), list(groups));
     columns.between().ifPresent(name -> single(table, name, between));
@@ -107,6 +116,14 @@ public final class ObservationsReader {
     subjects.forEach((id, gathered) -> complete(id, gathered, within, between, complete));
     Design design = new Design(columns.measure(), within, between, complete);
     return Optional.of(new Observations(source, design, exclusions.list()));
+  }
+
+  /** Names that are probably one name, spelled in two ways. */
+  private void lookAlike() {
+    ids.tell(exclusions, "they count as two participants");
+    levelNames.tell(exclusions, "they are analysed as two levels");
+    groupNames.tell(exclusions, "they are analysed as two groups");
+    groupNames.tellLone(exclusions);
   }
 
   private void single(CsvTable table, String column, Factor factor) {
@@ -140,6 +157,9 @@ public final class ObservationsReader {
     }
     levels.add(level);
     groups.add(group);
+    ids.add(id, id, row.location(columns.subject()));
+    columns.within().ifPresent(name -> levelNames.add(level, id, row.location(name)));
+    columns.between().ifPresent(name -> groupNames.add(group, id, row.location(name)));
     Gathered gathered = subjects.computeIfAbsent(id, first -> new Gathered(row.location(), group));
     if (!gathered.group.equals(group)) {
       spoil(

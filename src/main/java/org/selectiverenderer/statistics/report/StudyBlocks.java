@@ -55,7 +55,7 @@ final class StudyBlocks {
             String.join(", ", groups),
             Counted.of(study.responses().usable().size(), "usable answer"),
             String.join(", ", study.areas()),
-            study.responses().source());
+            study.responses().source().name());
   }
 
   private Block exclusions() {

@@ -37,7 +37,7 @@ public final class StudyReport {
   /** Everything, for programs. */
   public static String json(StudyAnalysis study) {
     ObjectNode json = JsonTree.object();
-    json.put("source", study.responses().source());
+    json.put("source", study.responses().source().name());
     ObjectNode options = json.putObject("options");
     options.put("correction", key(study.scoring().correction()));
     options.put("guessing", key(study.scoring().guessing()));
