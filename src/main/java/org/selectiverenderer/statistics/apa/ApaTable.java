@@ -86,10 +86,10 @@ public record ApaTable(
     return out.append("\\end{table}\n").toString();
   }
 
-  /** Cells alone, without title and note. */
+  /** Cells alone, without title and note; a minus is a hyphen, as programs read it. */
   public String csv() {
     CsvText table = new CsvText().row(header);
-    rows.forEach(table::row);
+    rows.forEach(row -> table.row(row.stream().map(cell -> cell.replace('−', '-')).toList()));
     return table.toString();
   }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.selectiverenderer.statistics.anova.Comparison;
 import org.selectiverenderer.statistics.anova.Descriptive;
 import org.selectiverenderer.statistics.anova.Effect;
@@ -197,7 +196,10 @@ public final class ApaTables {
                   score.fit().distance().value(), score.fit().distance().standardError(), false),
               withError(score.fit().area().value(), score.fit().area().standardError(), true),
               withError(score.fit().slope().value(), score.fit().slope().standardError(), false),
-              fit(score)));
+              Double.isFinite(score.fit().g2())
+                  ? "%s (%d)".formatted(ApaNumber.of(score.fit().g2(), 2), score.fit().df())
+                  : ApaNumber.NONE,
+              ApaNumber.p(score.fit().fitP())));
     }
     return new ApaTable(
         "ratings",
@@ -211,7 +213,8 @@ public final class ApaTables {
             "d_a (SE)",
             "A_z (SE)",
             "Slope (SE)",
-            "G²"),
+            "G² (df)",
+            "p"),
         2,
         rows,
         "Ratings of all participants of a condition taken together; standard errors leave out that"
@@ -225,17 +228,5 @@ public final class ApaTables {
     return share
         ? ApaNumber.share(value, 2) + " (" + ApaNumber.share(error, 2) + ")"
         : ApaNumber.of(value, 2) + " (" + ApaNumber.of(error, 2) + ")";
-  }
-
-  private static String fit(RatingScore score) {
-    if (!Double.isFinite(score.fit().g2())) {
-      return ApaNumber.NONE;
-    }
-    Optional<String> p =
-        score.fit().df() > 0
-            ? Optional.of(", " + ApaNumber.withP("p", score.fit().fitP()))
-            : Optional.empty();
-    return "(%d) = %s%s"
-        .formatted(score.fit().df(), ApaNumber.of(score.fit().g2(), 2), p.orElse(""));
   }
 }

@@ -20,9 +20,7 @@ final class MissingBlocks {
   /** Participants of an area and level without a score. */
   record Gap(String area, ConfidenceLevel level, int without, int participants) {
     String sentence() {
-      return ("%s, %s: %d of %d participants have no score; the notes below the area's effects name"
-              + " them.")
-          .formatted(area, level.title(), without, participants);
+      return "%s, %s: %d of %d.".formatted(area, level.title(), without, participants);
     }
   }
 
@@ -38,7 +36,10 @@ final class MissingBlocks {
     if (gaps.isEmpty()) {
       blocks.add(new Paragraph("Participants: each has every score."));
     } else {
-      blocks.add(new Paragraph("Participants without a score, who are left out of its analyses:"));
+      blocks.add(
+          new Paragraph(
+              "Participants without a score, who are left out of its analyses; the notes below an"
+                  + " area's effects name them:"));
       blocks.add(new Items(gaps.stream().map(Gap::sentence).toList()));
     }
     return blocks;

@@ -69,27 +69,24 @@ final class RocPlot {
       canvas.dots(points, 3.2, colour, 1);
       double base = TOP + SIDE + FOOT + LINE * (i + 0.7);
       canvas.dots(List.of(new double[] {LEFT + 6, base - 4}), 4, colour, 1);
-      String name = plain.fit(label(score), WIDTH - LEFT - 22);
-      canvas.text(name, LEFT + 18, base, plain, ChartColour.INK);
+      String figures = figures(score);
+      double room = WIDTH - LEFT - 22 - plain.width(figures);
+      canvas.text(
+          plain.fit(score.condition(), room) + figures, LEFT + 18, base, plain, ChartColour.INK);
     }
     return canvas.finish();
   }
 
-  private static String label(RatingScore score) {
-    String label = score.condition() + " (n = " + score.participants() + ")";
-    if (!Double.isFinite(score.roc().area())) {
-      return label;
+  /** What stands behind the condition's name. */
+  private static String figures(RatingScore score) {
+    StringBuilder text = new StringBuilder(" (n = " + score.participants() + ")");
+    if (Double.isFinite(score.roc().area())) {
+      text.append(String.format(Locale.ROOT, ": AUC %.2f", score.roc().area()));
     }
-    label += String.format(Locale.ROOT, ": AUC %.2f", score.roc().area());
-    return score.fit().flaw().isPresent()
-        ? label
-        : label
-            + String.format(
-                    Locale.ROOT,
-                    ", d_a %.2f, slope %.2f",
-                    score.fit().distance().value(),
-                    score.fit().slope().value())
-                .replace('-', '\u2212');
+    if (score.fit().flaw().isEmpty()) {
+      text.append(String.format(Locale.ROOT, ", d_a %.2f", score.fit().distance().value()));
+    }
+    return text.toString().replace('-', '\u2212');
   }
 
   private void axes(SvgCanvas canvas) {

@@ -30,6 +30,7 @@ options(contrasts = c("contr.sum", "contr.poly"))
 decimals <- function(x, n = 3) formatC(x, digits = n, format = "f")
 
 rate <- function(count, total) {
+  if (total == 0) return(NaN)
   switch(correction,
     loglinear = (count + 0.5) / (total + 1),
     half = pmin(1 - 0.5 / total, pmax(0.5 / total, count / total)),
@@ -153,7 +154,11 @@ mixed_probit <- function(d) {
 }
 
 show <- function(table, digits = 3) {
-  for (i in which(vapply(table, is.double, TRUE))) table[[i]] <- formatC(table[[i]], digits = digits, format = "f")
+  for (name in names(table)[vapply(table, is.double, TRUE)]) {
+    x <- table[[name]]
+    table[[name]] <- if (grepl("^df", name)) format(x) else formatC(x, digits = digits, format = "f")
+    if (grepl("^p\\b", name)) table[[name]][!is.na(x) & x < 0.001] <- "< .001"
+  }
   print(table, row.names = FALSE)
 }
 
@@ -167,9 +172,9 @@ for (area in areas) {
     s <- droplevels(s)
     cat("\n", name, ", n = ", nlevels(s$participant), "\n", sep = "")
     means <- do.call(rbind, lapply(split(s, list(s$type, s$condition), drop = TRUE), function(x) data.frame(
-      type = x$type[1], condition = x$condition[1], n = nrow(x), d_prime = mean(x$d_prime), sd = sd(x$d_prime),
-      log_beta = mean(x$log_beta), sd_ = sd(x$log_beta), c = mean(x$c), sd__ = sd(x$c))))
-    names(means) <- sub("_+$", "", names(means))
+      type = x$type[1], condition = x$condition[1], n = nrow(x), d_prime = mean(x$d_prime),
+      sd_d_prime = sd(x$d_prime), log_beta = mean(x$log_beta), sd_log_beta = sd(x$log_beta), c = mean(x$c),
+      sd_c = sd(x$c))))
     show(means)
     for (measure in c("d_prime", "log_beta", "c")) {
       e <- tryCatch(effects_of(s, measure), error = function(e) { cat("  ", measure, ": ", conditionMessage(e), "\n", sep = ""); NULL })
@@ -188,8 +193,8 @@ for (area in areas) {
     if (nrow(both)) {
       cat("\nEffects on sensitivity, all answers:\n")
       show(both)
-      cat("Where the two differ, believe the mixed probit: it corrects no rates and knows how many\n",
-        "answers each rate is of.\n", sep = "")
+      cat("Where the two differ, prefer the mixed probit: it corrects no rates, and weighs each\n",
+        "participant by how many answers there are.\n", sep = "")
     }
   }
 }
