@@ -6,7 +6,7 @@ import java.util.Locale;
  * Numbers as the Publication Manual writes them (7th edition, 6.36): no zero before the point of
  * what cannot exceed 1, such as p and proportions; a minus sign, not a hyphen.
  */
-public final class ApaNumber {
+final class ApaNumber {
   /** What is not defined. */
   public static final String NONE = "–";
 

@@ -10,7 +10,7 @@ import org.selectiverenderer.statistics.anova.Design;
  * @param design of the subjects with complete data; it may still have an {@link Design#obstacle}
  * @param exclusions what is not in it
  */
-public record Observations(SourceFile source, Design design, List<Exclusion> exclusions) {
+public record Observations(DataFile source, Design design, List<Exclusion> exclusions) {
   public Observations {
     exclusions = List.copyOf(exclusions);
   }

@@ -77,7 +77,7 @@ public final class ObservationsReader {
       throws IOException {
     ObservationsReader reader = new ObservationsReader(columns, problems);
     byte[] content = CsvTable.bytes(path);
-    SourceFile source = SourceFile.of(path.getFileName().toString(), content);
+    DataFile source = DataFile.of(path.getFileName().toString(), content);
     return CsvTable.parse(path.toString(), content, reader.form(), reader.exclusions)
         .flatMap(table -> reader.observations(source, table));
   }
@@ -87,7 +87,7 @@ public final class ObservationsReader {
       String file, String text, Columns columns, Problems problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
     return CsvTable.parse(file, text, reader.form(), reader.exclusions)
-        .flatMap(table -> reader.observations(SourceFile.of(file, text), table));
+        .flatMap(table -> reader.observations(DataFile.of(file, text), table));
   }
 
   private List<String> wanted() {
@@ -101,7 +101,7 @@ public final class ObservationsReader {
     return CsvColumns.of(wanted());
   }
 
-  private Optional<Observations> observations(SourceFile source, CsvTable table) {
+  private Optional<Observations> observations(DataFile source, CsvTable table) {
     List<String> wanted = wanted();
     if (!table.require(wanted, "a table with the columns " + String.join(", ", wanted))) {
       return Optional.empty();

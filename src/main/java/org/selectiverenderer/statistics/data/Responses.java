@@ -10,7 +10,7 @@ import org.selectiverenderer.statistics.detection.Response;
  * @param usable answers, in the order of the file
  * @param exclusions what is not among them, and what is wanting
  */
-public record Responses(SourceFile source, List<Response> usable, List<Exclusion> exclusions) {
+public record Responses(DataFile source, List<Response> usable, List<Exclusion> exclusions) {
   public Responses {
     usable = List.copyOf(usable);
     exclusions = List.copyOf(exclusions);

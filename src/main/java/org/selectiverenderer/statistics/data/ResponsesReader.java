@@ -51,7 +51,7 @@ public final class ResponsesReader {
       throws IOException {
     ResponsesReader reader = new ResponsesReader(problems, roster, counterbalanced);
     byte[] content = CsvTable.bytes(path);
-    SourceFile source = SourceFile.of(path.getFileName().toString(), content);
+    DataFile source = DataFile.of(path.getFileName().toString(), content);
     return CsvTable.parse(
             path.toString(), content, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
         .flatMap(table -> reader.responses(source, table));
@@ -62,10 +62,10 @@ public final class ResponsesReader {
       String file, String text, Optional<Roster> roster, Problems problems) {
     ResponsesReader reader = new ResponsesReader(problems, roster, false);
     return CsvTable.parse(file, text, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
-        .flatMap(table -> reader.responses(SourceFile.of(file, text), table));
+        .flatMap(table -> reader.responses(DataFile.of(file, text), table));
   }
 
-  private Optional<Responses> responses(SourceFile source, CsvTable table) {
+  private Optional<Responses> responses(DataFile source, CsvTable table) {
     if (!table.require(ResponseRow.COLUMNS, String.join(",", ResponseRow.COLUMNS))) {
       return Optional.empty();
     }

@@ -6,8 +6,8 @@ import java.util.List;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.Exclusion;
-import org.selectiverenderer.statistics.data.SourceFile;
 import org.selectiverenderer.statistics.report.Block.Items;
 import org.selectiverenderer.statistics.report.Block.Picture;
 import org.selectiverenderer.statistics.report.Block.Section;
@@ -19,7 +19,7 @@ public final class AnovaReport {
 
   /** Tables for a terminal. */
   public static String text(
-      Anova anova, List<Exclusion> exclusions, SourceFile source, Provenance provenance) {
+      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
     blocks.addAll(blocks(anova, exclusions));
     return TextPage.of(title(anova), blocks, true);
@@ -27,7 +27,7 @@ public final class AnovaReport {
 
   /** One page that loads nothing. */
   public static String html(
-      Anova anova, List<Exclusion> exclusions, SourceFile source, Provenance provenance) {
+      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
     blocks.add(
         new Picture(
@@ -39,7 +39,7 @@ public final class AnovaReport {
 
   /** For programs. */
   public static String json(
-      Anova anova, List<Exclusion> exclusions, SourceFile source, Provenance provenance) {
+      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     ObjectNode json = JsonTree.object();
     AnovaJson.write(anova, json);
     provenance.write(source, json);

@@ -5,11 +5,11 @@ import java.time.LocalDate;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.statistics.data.SourceFile;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.report.Block.Paragraph;
 
 /**
- * Who made a report, and when; of what is told by its {@link SourceFile}.
+ * Who made a report, and when; of what is told by its {@link DataFile}.
  *
  * @param program its name
  * @param version of the program
@@ -24,7 +24,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
   }
 
   /** The head of a report. */
-  Paragraph head(SourceFile source) {
+  Paragraph head(DataFile source) {
     return new Paragraph(
         "Made by %s on %s from %s%s."
             .formatted(
@@ -35,7 +35,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
   }
 
   /** Columns that every row of a table for programs has, with their cells. */
-  Map<String, String> cells(SourceFile source) {
+  Map<String, String> cells(DataFile source) {
     Map<String, String> cells = new LinkedHashMap<>();
     cells.put("program", maker());
     cells.put("source", source.name());
@@ -47,7 +47,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
   }
 
   /** The keys {@code source} and {@code made_by}. */
-  void write(SourceFile source, ObjectNode json) {
+  void write(DataFile source, ObjectNode json) {
     json.put("source", source.name());
     source.sha256().ifPresent(sum -> json.put("source_sha256", sum));
     ObjectNode by = JsonTree.object().put("program", program).put("version", version);

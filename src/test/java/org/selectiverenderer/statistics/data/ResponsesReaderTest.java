@@ -278,7 +278,7 @@ class ResponsesReaderTest {
   void theFilesChecksumIsKept(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("r.csv");
     Files.writeString(file, HEADER + CUP);
-    SourceFile source =
+    DataFile source =
         ResponsesReader.read(file, Optional.empty(), false, problems).orElseThrow().source();
     assertThat(source.name()).isEqualTo("r.csv");
     assertThat(source.sha256()).hasValue(Sha256.of(Files.readAllBytes(file)));

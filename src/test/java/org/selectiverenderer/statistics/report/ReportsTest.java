@@ -17,9 +17,9 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 import org.selectiverenderer.statistics.data.ResponsesReader;
-import org.selectiverenderer.statistics.data.SourceFile;
 import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.simulation.ObjectList;
 import org.selectiverenderer.statistics.simulation.SimulatedStudy;
@@ -35,7 +35,7 @@ class ReportsTest {
   static final Provenance MADE =
       new Provenance("selective-renderer", "0.1.0", LocalDate.of(2026, 1, 15), false);
 
-  private static final SourceFile DATA = SourceFile.none("data.csv");
+  private static final DataFile DATA = DataFile.none("data.csv");
   private static final Path GOLDEN =
       Path.of("src/test/resources/org/selectiverenderer/statistics/report");
 
