@@ -61,11 +61,19 @@ public final class CsvTable {
    */
   public static Optional<CsvTable> read(Path path, CsvColumns form, CsvFaults faults)
       throws IOException {
-    String file = path.toString();
+    return parse(path.toString(), bytes(path), form, faults);
+  }
+
+  /**
+   * A file's bytes.
+   *
+   * @throws IOException if it cannot be read, or is a folder
+   */
+  public static byte[] bytes(Path path) throws IOException {
     if (Files.isDirectory(path)) {
-      throw new FileSystemException(file, null, "is a folder, not a file");
+      throw new FileSystemException(path.toString(), null, "is a folder, not a file");
     }
-    return parse(file, Files.readAllBytes(path), form, faults);
+    return Files.readAllBytes(path);
   }
 
   /**

@@ -13,7 +13,9 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.data.Roster;
+import org.selectiverenderer.statistics.report.Provenance;
 import org.selectiverenderer.statistics.report.StudyReport;
+import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.MissingTables;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 import picocli.CommandLine.Command;
@@ -41,6 +43,12 @@ final class ExperimentAnalyseCommand extends CliCommand {
     wide
   }
 
+  private enum Family {
+    none,
+    holm,
+    fdr
+  }
+
   @Parameters(paramLabel = "RESPONSES.csv", description = "table of the answers (.csv)")
   private Path responses = Path.of("");
 
@@ -51,6 +59,12 @@ final class ExperimentAnalyseCommand extends CliCommand {
           "table of the participants, with the columns participant[,condition]; answers "
               + "of others are left out")
   private @Nullable Path participants;
+
+  @Option(
+      names = "--counterbalanced",
+      description =
+          "takes objects that are present for some participants and absent for others as meant")
+  private boolean counterbalanced;
 
   @Mixin private ScoringChoices scoring = new ScoringChoices();
   @Mixin private SphericityOption sphericity = new SphericityOption();
@@ -65,6 +79,17 @@ final class ExperimentAnalyseCommand extends CliCommand {
               + "the scores (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;
 
+  @Option(
+      names = "--family",
+      defaultValue = "none",
+      description =
+          "correction of p over all effects, measures and areas of a level of confidence:"
+              + " ${COMPLETION-CANDIDATES} (Holm 1979; Benjamini and Hochberg 1995) (default:"
+              + " ${DEFAULT-VALUE})")
+  private Family family = Family.none;
+
+  @Mixin private ReportDate date = new ReportDate();
+  @Mixin private StudyOutputs outputs = new StudyOutputs();
   @Mixin private ReportOutput output = new ReportOutput();
 
   ExperimentAnalyseCommand(Console console) {
@@ -74,7 +99,11 @@ final class ExperimentAnalyseCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     AnovaOptions options = prior.in(sphericity.in(choices.options()));
-    output.check(new CommandFiles().reads("", responses).reads("--participants", participants));
+    Provenance provenance = date.provenance();
+    CommandFiles files =
+        new CommandFiles().reads("", responses).reads("--participants", participants);
+    output.check(files);
+    outputs.check();
     Problems problems = new Problems(console()::problem);
     Optional<Roster> roster = Optional.empty();
     if (participants != null) {
@@ -83,19 +112,26 @@ final class ExperimentAnalyseCommand extends CliCommand {
         return ExitStatus.PROBLEMS;
       }
     }
-    Optional<Responses> found = ResponsesReader.read(responses, roster, problems);
+    Optional<Responses> found = ResponsesReader.read(responses, roster, counterbalanced, problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    StudyAnalysis study = StudyAnalysis.of(found.get(), scoring.scoring(), options);
+    FamilyCorrection correction =
+        switch (family) {
+          case none -> FamilyCorrection.NONE;
+          case holm -> FamilyCorrection.HOLM;
+          case fdr -> FamilyCorrection.FDR;
+        };
+    StudyAnalysis study = StudyAnalysis.of(found.get(), scoring.scoring(), options, correction);
     MissingTables.tell(study, problems);
+    outputs.write(study, provenance, files, console());
     output.write(
         switch (format) {
-          case text -> StudyReport.text(study);
-          case json -> StudyReport.json(study);
-          case html -> StudyReport.html(study);
-          case tidy -> StudyReport.tidyCsv(study);
-          case wide -> StudyReport.wideCsv(study);
+          case text -> StudyReport.text(study, provenance);
+          case json -> StudyReport.json(study, provenance);
+          case html -> StudyReport.html(study, provenance);
+          case tidy -> StudyReport.tidyCsv(study, provenance);
+          case wide -> StudyReport.wideCsv(study, provenance);
         },
         console());
     return ExitStatus.of(problems);

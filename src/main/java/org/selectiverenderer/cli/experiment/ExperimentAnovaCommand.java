@@ -20,6 +20,7 @@ import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.data.Observations;
 import org.selectiverenderer.statistics.data.ObservationsReader;
 import org.selectiverenderer.statistics.report.AnovaReport;
+import org.selectiverenderer.statistics.report.Provenance;
 import org.selectiverenderer.statistics.study.MissingTables;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -98,6 +99,7 @@ final class ExperimentAnovaCommand extends CliCommand {
       description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;
 
+  @Mixin private ReportDate date = new ReportDate();
   @Mixin private ReportOutput output = new ReportOutput();
 
   ExperimentAnovaCommand(Console console) {
@@ -124,6 +126,7 @@ final class ExperimentAnovaCommand extends CliCommand {
     }
     AnovaOptions options =
         prior.in(sphericity.in(choices.options(), Optional.ofNullable(correction)));
+    Provenance provenance = date.provenance();
     output.check(new CommandFiles().reads("", data));
     Problems problems = new Problems(console()::problem);
     Optional<Observations> read =
@@ -146,9 +149,9 @@ final class ExperimentAnovaCommand extends CliCommand {
     List<Exclusion> exclusions = read.get().exclusions();
     output.write(
         switch (format) {
-          case text -> AnovaReport.text(anova, exclusions);
-          case json -> AnovaReport.json(anova, exclusions);
-          case html -> AnovaReport.html(anova, exclusions);
+          case text -> AnovaReport.text(anova, exclusions, read.get().source(), provenance);
+          case json -> AnovaReport.json(anova, exclusions, read.get().source(), provenance);
+          case html -> AnovaReport.html(anova, exclusions, read.get().source(), provenance);
         },
         console());
     return ExitStatus.of(problems);

@@ -7,11 +7,11 @@ import java.util.stream.IntStream;
 /**
  * Holm 1979, Scandinavian Journal of Statistics 6: p of several tests, so that one error in all.
  */
-final class Holm {
+public final class Holm {
   private Holm() {}
 
   /** Adjusted p, in the order given: the largest so far of (m - rank) p, at most 1. */
-  static double[] adjusted(List<Double> p) {
+  public static double[] adjusted(List<Double> p) {
     int[] order =
         IntStream.range(0, p.size())
             .boxed()

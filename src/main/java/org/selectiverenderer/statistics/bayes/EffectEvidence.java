@@ -1,6 +1,8 @@
 package org.selectiverenderer.statistics.bayes;
 
 import java.util.List;
+import org.selectiverenderer.statistics.anova.Anova;
+import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.Term;
 
 /**
@@ -30,6 +32,14 @@ public record EffectEvidence(Term term, Ratio alone, Ratio beside, List<Point> r
 
   public EffectEvidence {
     robustness = List.copyOf(robustness);
+  }
+
+  /** The effect that it is about, of the analysis that it comes from. */
+  public Effect of(Anova anova) {
+    return anova.effects().stream()
+        .filter(effect -> effect.term().equals(term))
+        .findFirst()
+        .orElseThrow();
   }
 
   /** Of the effect and those that it contains against those. */

@@ -6,10 +6,11 @@ import org.selectiverenderer.statistics.anova.Design;
 /**
  * Measurements of a file as a design.
  *
+ * @param source the file
  * @param design of the subjects with complete data; it may still have an {@link Design#obstacle}
  * @param exclusions what is not in it
  */
-public record Observations(String source, Design design, List<Exclusion> exclusions) {
+public record Observations(DataFile source, Design design, List<Exclusion> exclusions) {
   public Observations {
     exclusions = List.copyOf(exclusions);
   }

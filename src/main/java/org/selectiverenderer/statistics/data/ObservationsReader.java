@@ -77,10 +77,13 @@ public final class ObservationsReader {
   private final Exclusions exclusions;
   private final Map<String, Gathered> subjects = new LinkedHashMap<>();
   private final Map<String, Set<String>> levels = new LinkedHashMap<>();
+  private final Lookalikes ids;
+  private final Map<String, Lookalikes> names = new LinkedHashMap<>();
 
   private ObservationsReader(Columns columns, Problems problems) {
     this.columns = columns;
     exclusions = new Exclusions(problems, "the row");
+    ids = new Lookalikes(columns.subject());
   }
 
   /**
@@ -92,8 +95,10 @@ public final class ObservationsReader {
   public static Optional<Observations> read(Path path, Columns columns, Problems problems)
       throws IOException {
     ObservationsReader reader = new ObservationsReader(columns, problems);
-    return CsvTable.read(path, reader.form(), reader.exclusions)
-        .flatMap(table -> reader.observations(path.getFileName().toString(), table));
+    byte[] content = CsvTable.bytes(path);
+    DataFile source = DataFile.of(path.getFileName().toString(), content);
+    return CsvTable.parse(path.toString(), content, reader.form(), reader.exclusions)
+        .flatMap(table -> reader.observations(source, table));
   }
 
   /** Reads a text of that file name. */
@@ -101,7 +106,7 @@ public final class ObservationsReader {
       String file, String text, Columns columns, Problems problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
     return CsvTable.parse(file, text, reader.form(), reader.exclusions)
-        .flatMap(table -> reader.observations(file, table));
+        .flatMap(table -> reader.observations(DataFile.of(file, text), table));
   }
 
   private List<String> wanted() {
@@ -116,12 +121,13 @@ public final class ObservationsReader {
     return CsvColumns.of(wanted());
   }
 
-  private Optional<Observations> observations(String source, CsvTable table) {
+  private Optional<Observations> observations(DataFile source, CsvTable table) {
     List<String> wanted = wanted();
     if (!table.require(wanted, "a table with the columns " + String.join(", ", wanted))) {
       return Optional.empty();
     }
     table.rows().forEach(this::row);
+    lookAlike();
     List<Factor> within = factors(columns.within(), "level");
     List<Factor> between = factors(columns.between(), "group");
     columns.between().forEach(name -> single(table, name, levels(name)));
@@ -130,6 +136,19 @@ public final class ObservationsReader {
     subjects.forEach((id, gathered) -> complete(id, gathered, within, between, complete));
     Design design = new Design(columns.measure(), within, between, columns.covariates(), complete);
     return Optional.of(new Observations(source, design, exclusions.list()));
+  }
+
+  /** Names that are probably one name, spelled in two ways. */
+  private void lookAlike() {
+    ids.tell(exclusions, "they count as two participants");
+    names.forEach(
+        (column, found) -> {
+          boolean group = columns.between().contains(column);
+          found.tell(exclusions, "they are analysed as two " + (group ? "groups" : "levels"));
+          if (group) {
+            found.tellLone(exclusions);
+          }
+        });
   }
 
   private List<String> levels(String column) {
@@ -167,8 +186,12 @@ public final class ObservationsReader {
           "the " + lacking.get() + " is missing; the row is left out");
       return;
     }
+    ids.add(id, id, row.location(columns.subject()));
     for (String column : wanted.subList(1, wanted.size())) {
       levels.computeIfAbsent(column, first -> new LinkedHashSet<>()).add(row.cell(column));
+      names
+          .computeIfAbsent(column, Lookalikes::new)
+          .add(row.cell(column), id, row.location(column));
     }
     List<String> level = columns.within().stream().map(row::cell).toList();
     List<String> group = columns.between().stream().map(row::cell).toList();

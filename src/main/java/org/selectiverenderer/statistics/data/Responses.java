@@ -6,11 +6,11 @@ import org.selectiverenderer.statistics.detection.Response;
 /**
  * A study's answers.
  *
- * @param source the file, for reports
+ * @param source the file
  * @param usable answers, in the order of the file
  * @param exclusions what is not among them, and what is wanting
  */
-public record Responses(String source, List<Response> usable, List<Exclusion> exclusions) {
+public record Responses(DataFile source, List<Response> usable, List<Exclusion> exclusions) {
   public Responses {
     usable = List.copyOf(usable);
     exclusions = List.copyOf(exclusions);

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.csv.CsvColumns;
@@ -28,52 +30,90 @@ public final class ResponsesReader {
 
   private final Exclusions exclusions;
   private final Optional<Roster> roster;
+  private final boolean counterbalanced;
 
-  private ResponsesReader(Problems problems, Optional<Roster> roster) {
+  private ResponsesReader(Problems problems, Optional<Roster> roster, boolean counterbalanced) {
     exclusions = new Exclusions(problems, "the answer");
     this.roster = roster;
+    this.counterbalanced = counterbalanced;
   }
 
   /**
    * Reads a file.
    *
    * @param roster those who took part; without one, whoever answers did
+   * @param counterbalanced whether objects are meant to be present for some participants only
    * @return empty when the file is no such table, which is then in {@code problems}
    * @throws IOException if the file cannot be read at all
    */
-  public static Optional<Responses> read(Path path, Optional<Roster> roster, Problems problems)
+  public static Optional<Responses> read(
+      Path path, Optional<Roster> roster, boolean counterbalanced, Problems problems)
       throws IOException {
-    ResponsesReader reader = new ResponsesReader(problems, roster);
-    Optional<CsvTable> table =
-        CsvTable.read(path, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions);
-    return table.flatMap(found -> reader.responses(path.getFileName().toString(), found));
+    ResponsesReader reader = new ResponsesReader(problems, roster, counterbalanced);
+    byte[] content = CsvTable.bytes(path);
+    DataFile source = DataFile.of(path.getFileName().toString(), content);
+    return CsvTable.parse(
+            path.toString(), content, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
+        .flatMap(table -> reader.responses(source, table));
   }
 
-  /** Reads a text of that file name. */
+  /** Reads a text of that file name; objects are not {@code counterbalanced}. */
   public static Optional<Responses> parse(
       String file, String text, Optional<Roster> roster, Problems problems) {
-    ResponsesReader reader = new ResponsesReader(problems, roster);
+    ResponsesReader reader = new ResponsesReader(problems, roster, false);
     return CsvTable.parse(file, text, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
-        .flatMap(table -> reader.responses(file, table));
+        .flatMap(table -> reader.responses(DataFile.of(file, text), table));
   }
 
-  private Optional<Responses> responses(String source, CsvTable table) {
+  private Optional<Responses> responses(DataFile source, CsvTable table) {
     if (!table.require(ResponseRow.COLUMNS, String.join(",", ResponseRow.COLUMNS))) {
       return Optional.empty();
     }
     List<Response> responses = new ArrayList<>();
     Set<Question> rows = new HashSet<>();
+    Map<Response, CsvRow> places = new IdentityHashMap<>();
     for (CsvRow row : table.rows()) {
       rows.add(new Question(row.cell("participant"), row.cell("area"), row.cell("object")));
-      new ResponseRow(row, exclusions).read().ifPresent(responses::add);
+      Optional<Response> read = new ResponseRow(row, exclusions).read();
+      read.ifPresent(
+          response -> {
+            responses.add(response);
+            places.put(response, row);
+          });
     }
-    List<Response> usable = withoutDoubles(ofOneCondition(known(responses)));
+    List<Response> single = withoutDoubles(ofOneCondition(known(responses)));
+    lookAlike(single, places);
+    List<Response> usable =
+        new ObjectCoding(exclusions, counterbalanced).consistent(single, places);
     if (usable.isEmpty()) {
       exclusions.fault(new Location(table.file(), 1, 1), "there is no usable answer");
       return Optional.empty();
     }
     missing(usable, rows);
     return Optional.of(new Responses(source, usable, exclusions.list()));
+  }
+
+  /** Names that are probably one name, spelled in two ways. */
+  private void lookAlike(List<Response> responses, Map<Response, CsvRow> rows) {
+    Lookalikes participants = new Lookalikes("participant");
+    Lookalikes conditions = new Lookalikes("condition");
+    Lookalikes areas = new Lookalikes("area");
+    Map<String, Lookalikes> objects = new LinkedHashMap<>();
+    for (Response response : responses) {
+      CsvRow row = Objects.requireNonNull(rows.get(response));
+      String id = response.participant();
+      participants.add(id, id, row.location("participant"));
+      conditions.add(response.condition(), id, row.location("condition"));
+      areas.add(response.area(), id, row.location("area"));
+      objects
+          .computeIfAbsent(response.area(), area -> new Lookalikes("object"))
+          .add(response.object(), id, row.location("object"));
+    }
+    participants.tell(exclusions, "they count as two participants");
+    conditions.tell(exclusions, "they are analysed as two conditions");
+    conditions.tellLone(exclusions);
+    areas.tell(exclusions, "they are analysed as two areas");
+    objects.values().forEach(of -> of.tell(exclusions, "they count as two objects"));
   }
 
   private List<Response> known(List<Response> responses) {

@@ -5,7 +5,7 @@
  *
  * <p>In: CSV files. Out: {@link org.selectiverenderer.statistics.data.Responses} and {@link
  * org.selectiverenderer.statistics.anova.Design}. Uses {@code statistics.detection}, {@code
- * statistics.anova}, {@code base.csv} and {@code base.problem}.
+ * statistics.anova}, {@code base.csv}, {@code base.files} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.data;

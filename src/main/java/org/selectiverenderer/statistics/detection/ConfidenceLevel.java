@@ -5,17 +5,19 @@ package org.selectiverenderer.statistics.detection;
  * for guessing.
  */
 public enum ConfidenceLevel {
-  ALL("all", "un", 0),
-  MODERATE("3-5", "mod", 3),
-  HIGH("5", "high", 5);
+  ALL("all", "all", "all answers", 0),
+  MODERATE("3-5", "conf. 3–5", "confidence 3–5", 3),
+  HIGH("5", "conf. 5", "confidence 5", 5);
 
   private final String spelling;
   private final String heading;
+  private final String title;
   private final int least;
 
-  ConfidenceLevel(String spelling, String heading, int least) {
+  ConfidenceLevel(String spelling, String heading, String title, int least) {
     this.spelling = spelling;
     this.heading = heading;
+    this.title = title;
     this.least = least;
   }
 
@@ -24,9 +26,17 @@ public enum ConfidenceLevel {
     return spelling;
   }
 
-  /** As the thesis's Tables 6 to 11 head their columns. */
+  /**
+   * Heads the columns of tables. The thesis's Tables 6 to 11 have "un", "mod" and "high", the last
+   * of which names a condition too.
+   */
   public String heading() {
     return heading;
+  }
+
+  /** Names the level in a sentence. */
+  public String title() {
+    return title;
   }
 
   /** Whether an answer counts; one without confidence counts at {@link #ALL} only. */

@@ -12,7 +12,12 @@ import org.apache.commons.math3.distribution.NormalDistribution;
  * @param dPrime z(H) - z(F): how well present and absent objects are told apart
  * @param logBeta ln(phi(z(H)) / phi(z(F))) = (z(F)² - z(H)²) / 2: above 0 a bias towards "no"
  * @param criterion -(z(H) + z(F)) / 2: above 0 a bias towards "no"
- * @param flaw why something is not a number: a sentence without its full stop
+ * @param aPrime A': an area under the ROC from one point, of the rates as they are, uncorrected
+ *     (Pollack and Norman 1964, Psychonomic Science 1; below chance as in Snodgrass and Corwin
+ *     1988, Journal of Experimental Psychology: General 117); 0.5 is chance
+ * @param bDoublePrime B'': bias beside A' (Grier 1971, Psychological Bulletin 75; Snodgrass and
+ *     Corwin 1988): above 0 towards "no"; not a number where both rates are 0 or 1
+ * @param flaw why d', log beta and c are not numbers: a sentence without its full stop
  */
 public record Detection(
     double hitRate,
@@ -20,6 +25,8 @@ public record Detection(
     double dPrime,
     double logBeta,
     double criterion,
+    double aPrime,
+    double bDoublePrime,
     Optional<String> flaw) {
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
@@ -29,6 +36,7 @@ public record Detection(
     double falseAlarm = rate(counts.falseAlarms(), counts.noise(), correction);
     if (counts.signals() == 0 || counts.noise() == 0) {
       return undefined(
+          counts,
           hit,
           falseAlarm,
           "no answers to %s objects are left"
@@ -38,7 +46,8 @@ public record Detection(
                       : counts.noise() > 0 ? "present" : "present and to absent"));
     }
     if (hit == 0 || hit == 1 || falseAlarm == 0 || falseAlarm == 1) {
-      return undefined(hit, falseAlarm, "a rate of 0 or 1 was not corrected, so its z is infinite");
+      return undefined(
+          counts, hit, falseAlarm, "a rate of 0 or 1 was not corrected, so its z is infinite");
     }
     double zHit = NORMAL.inverseCumulativeProbability(hit);
     double zFalseAlarm = NORMAL.inverseCumulativeProbability(falseAlarm);
@@ -48,6 +57,8 @@ public record Detection(
         zHit - zFalseAlarm,
         (zFalseAlarm * zFalseAlarm - zHit * zHit) / 2,
         -(zHit + zFalseAlarm) / 2,
+        aPrime(counts),
+        bDoublePrime(counts),
         Optional.empty());
   }
 
@@ -55,7 +66,38 @@ public record Detection(
     return total == 0 ? Double.NaN : correction.rate(count, total);
   }
 
-  private static Detection undefined(double hit, double falseAlarm, String flaw) {
-    return new Detection(hit, falseAlarm, Double.NaN, Double.NaN, Double.NaN, Optional.of(flaw));
+  private static Detection undefined(
+      ResponseCounts counts, double hit, double falseAlarm, String flaw) {
+    return new Detection(
+        hit,
+        falseAlarm,
+        Double.NaN,
+        Double.NaN,
+        Double.NaN,
+        aPrime(counts),
+        bDoublePrime(counts),
+        Optional.of(flaw));
+  }
+
+  /** Not a number without answers to objects of both kinds. */
+  private static double aPrime(ResponseCounts counts) {
+    double hit = rate(counts.hits(), counts.signals(), Correction.NONE);
+    double falseAlarm = rate(counts.falseAlarms(), counts.noise(), Correction.NONE);
+    if (hit == falseAlarm) {
+      return 0.5;
+    }
+    double large = Math.max(hit, falseAlarm);
+    double small = Math.min(hit, falseAlarm);
+    double beyondChance = (large - small) * (1 + large - small) / (4 * large * (1 - small));
+    return hit > falseAlarm ? 0.5 + beyondChance : 0.5 - beyondChance;
+  }
+
+  private static double bDoublePrime(ResponseCounts counts) {
+    double hit = rate(counts.hits(), counts.signals(), Correction.NONE);
+    double falseAlarm = rate(counts.falseAlarms(), counts.noise(), Correction.NONE);
+    double hitSpread = hit * (1 - hit);
+    double falseAlarmSpread = falseAlarm * (1 - falseAlarm);
+    double bias = (hitSpread - falseAlarmSpread) / (hitSpread + falseAlarmSpread);
+    return hit >= falseAlarm ? bias : -bias;
   }
 }

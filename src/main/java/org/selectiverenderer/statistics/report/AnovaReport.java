@@ -8,6 +8,7 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.report.Block.Items;
 import org.selectiverenderer.statistics.report.Block.Picture;
@@ -19,14 +20,17 @@ public final class AnovaReport {
   private AnovaReport() {}
 
   /** Tables for a terminal. */
-  public static String text(Anova anova, List<Exclusion> exclusions) {
-    return TextPage.of(
-        title(anova), blocks(anova, BayesianAnova.withRobustness(anova), exclusions), true);
+  public static String text(
+      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
+    List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
+    blocks.addAll(blocks(anova, BayesianAnova.withRobustness(anova), exclusions));
+    return TextPage.of(title(anova), blocks, true);
   }
 
   /** One page that loads nothing. */
-  public static String html(Anova anova, List<Exclusion> exclusions) {
-    List<Block> blocks = new ArrayList<>();
+  public static String html(
+      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
+    List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
     blocks.add(
         new Picture(
             "Estimated marginal means with 95 % intervals (pooled error), and each participant.",
@@ -43,9 +47,11 @@ public final class AnovaReport {
   }
 
   /** For programs. */
-  public static String json(Anova anova, List<Exclusion> exclusions) {
+  public static String json(
+      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     ObjectNode json = JsonTree.object();
     AnovaJson.write(anova, json);
+    provenance.write(source, json);
     AnovaJson.options(anova.options(), json.putObject("options"));
     AnovaJson.exclusions(exclusions, json);
     return JsonText.of(json);

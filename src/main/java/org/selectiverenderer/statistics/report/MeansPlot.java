@@ -50,7 +50,15 @@ final class MeansPlot {
 
   /** An SVG element of 460 x 330 pixels. */
   String svg(Anova anova, String title) {
-    SvgCanvas canvas = SvgCanvas.inline(WIDTH, HEIGHT, title);
+    return draw(SvgCanvas.inline(WIDTH, HEIGHT, title), anova, title);
+  }
+
+  /** The same as a file of its own. */
+  String file(Anova anova, String title) {
+    return draw(new SvgCanvas(WIDTH, HEIGHT, title), anova, title);
+  }
+
+  private String draw(SvgCanvas canvas, Anova anova, String title) {
     canvas.rectangle(0, 0, WIDTH, HEIGHT, ChartColour.PAPER);
     canvas.text(bold.fit(title, WIDTH - LEFT - RIGHT), LEFT, 16, bold, ChartColour.INK);
     new Drawing(anova, canvas).draw();
@@ -120,7 +128,9 @@ final class MeansPlot {
       }
       double slot = (double) (WIDTH - LEFT - RIGHT) / groups;
       for (int group = 0; group < groups; group++) {
-        String name = plain.fit(design.between().levels().get(group), slot - 8);
+        String count = " (n = " + design.group(group).size() + ")";
+        double room = slot - 8 - plain.width(count);
+        String name = plain.fit(design.between().levels().get(group), room) + count;
         double x = LEFT + slot * (group + 0.5) - plain.width(name) / 2;
         canvas.text(name, x, HEIGHT - BOTTOM + 20, plain, ChartColour.INK);
       }

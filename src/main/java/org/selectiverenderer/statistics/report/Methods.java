@@ -5,6 +5,7 @@ import java.util.Locale;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.detection.Guessing;
 import org.selectiverenderer.statistics.detection.Scoring;
+import org.selectiverenderer.statistics.study.FamilyCorrection;
 
 /** What was computed and how, for the reader of a report. */
 final class Methods {
@@ -16,10 +17,22 @@ final class Methods {
             + " object type. d′ = z(H) − z(FA); log β = (z(FA)² − z(H)²)/2, natural logarithm; c ="
             + " −(z(H) + z(FA))/2. Positive log β and c: a bias towards “no”.",
         "Correction of rates: " + scoring.correction().description() + ".",
-        "Confidence: all answers (un), those with confidence 3 to 5 (mod), those with 5 (high); "
+        "Confidence: all answers, those with confidence 3 to 5, those with confidence 5 (“un”, “mod” and"
+            + " “high” in the thesis, whose condition high is another thing); "
             + (scoring.guessing() == Guessing.DISCARD
                 ? "answers below a level are left out."
                 : "answers below a level count as “no”."));
+  }
+
+  static String of(FamilyCorrection family) {
+    return family == FamilyCorrection.NONE
+        ? "Tests of the study: p of effects is not corrected across measures, areas and levels of"
+            + " confidence; of effects that do not exist, a share of α comes out below α. --family"
+            + " corrects."
+        : "Tests of the study: “p corrected” holds for all effects on all measures in all areas at"
+            + " one level of confidence together: "
+            + family.title()
+            + ". Intervals, equivalence and Bayes factors are not corrected.";
   }
 
   static List<String> of(AnovaOptions options) {
@@ -37,8 +50,7 @@ final class Methods {
         "Comparisons use the pooled error of the multivariate model; p (Holm), p (Bonf.) and p (Tukey)"
             + " keep each family of comparisons at α = "
             + number(options.alpha())
-            + ". Nothing is corrected across measures, areas and levels of confidence: of effects that do"
-            + " not exist, that share comes out below α.",
+            + ".",
         "A p above α does not show that there is no difference. The report therefore "
             + "gives: TOST with bounds "
             + bound

@@ -20,25 +20,16 @@ final class ScoresCsv {
   private ScoresCsv() {}
 
   /** One row for each participant, area, type of object and level of confidence. */
-  static String tidy(StudyAnalysis study) {
+  static String tidy(StudyAnalysis study, Provenance provenance) {
     CsvText table = new CsvText();
-    table.row(
-        "participant",
-        "condition",
-        "area",
-        "object_type",
-        "confidence",
-        "objects",
-        "hits",
-        "misses",
-        "false_alarms",
-        "correct_rejections",
-        "hit_rate",
-        "false_alarm_rate",
-        "d_prime",
-        "log_beta",
-        "c",
-        "note");
+    List<Object> header = new ArrayList<>();
+    header.addAll(List.of("participant", "condition", "area", "object_type", "confidence"));
+    header.addAll(List.of("objects", "hits", "misses", "false_alarms", "correct_rejections"));
+    header.addAll(List.of("hit_rate", "false_alarm_rate", "d_prime", "log_beta", "c", "note"));
+    header.addAll(List.of("a_prime", "b_double_prime"));
+    Map<String, String> origin = provenance.cells(study.responses().source());
+    header.addAll(origin.keySet());
+    table.row(header);
     for (Score score : study.scores()) {
       List<Object> row = new ArrayList<>();
       row.addAll(List.of(score.participant(), score.condition(), score.area(), score.type()));
@@ -54,13 +45,16 @@ final class ScoresCsv {
         row.add(cell(measure.of(score.detection())));
       }
       row.add(score.detection().flaw().orElse(""));
+      row.add(cell(score.detection().aPrime()));
+      row.add(cell(score.detection().bDoublePrime()));
+      row.addAll(origin.values());
       table.row(row);
     }
     return table.toString();
   }
 
   /** One row for each participant, a column for each score: what SPSS and JASP take. */
-  static String wide(StudyAnalysis study) {
+  static String wide(StudyAnalysis study, Provenance provenance) {
     Set<String> columns = new LinkedHashSet<>();
     Map<String, Map<String, String>> participants = new LinkedHashMap<>();
     for (Score score : study.scores()) {
@@ -82,11 +76,14 @@ final class ScoresCsv {
     }
     List<Object> header = new ArrayList<>(List.of("participant", "condition"));
     header.addAll(columns);
+    Map<String, String> origin = provenance.cells(study.responses().source());
+    header.addAll(origin.keySet());
     CsvText table = new CsvText().row(header);
     participants.forEach(
         (id, values) -> {
           List<Object> row = new ArrayList<>(List.of(id, values.getOrDefault("condition", "")));
           columns.forEach(column -> row.add(values.getOrDefault(column, "")));
+          row.addAll(origin.values());
           table.row(row);
         });
     return table.toString();

@@ -40,8 +40,12 @@ final class ScoresTable {
 
   private Table table() {
     List<String> header = new ArrayList<>(List.of("condition"));
-    columns.forEach(
-        column -> header.add(column.measure().symbol() + " " + column.level().heading()));
+    for (AreaAnalysis column : columns) {
+      header.add(column.measure().symbol() + " " + column.level().heading());
+      if (closesLevel(column)) {
+        header.add("n");
+      }
+    }
     TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
     for (String type : columns.get(0).design().within().levels()) {
@@ -89,22 +93,35 @@ final class ScoresTable {
       String name, String type, Optional<String> condition, TableFigures figures) {
     List<String> row = new ArrayList<>(List.of(name));
     for (AreaAnalysis column : columns) {
-      row.add(cell(column.design(), type, condition, figures));
+      Optional<Descriptive> found = descriptive(column.design(), type, condition);
+      row.add(
+          found
+              .map(
+                  of -> figures.number(of.mean(), 2) + " (" + figures.number(of.sd(), 2, ONE) + ")")
+              .orElseGet(() -> figures.dash(NONE)));
+      if (closesLevel(column)) {
+        row.add(String.valueOf(found.map(Descriptive::n).orElse(0)));
+      }
     }
     return row;
   }
 
-  private static String cell(
-      Design design, String type, Optional<String> condition, TableFigures figures) {
+  /** Whether a column is the last of its level; those of a level are of the same participants. */
+  private static boolean closesLevel(AreaAnalysis column) {
+    return column.measure() == MEASURES.get(MEASURES.size() - 1);
+  }
+
+  private static Optional<Descriptive> descriptive(
+      Design design, String type, Optional<String> condition) {
     boolean types = design.within().varies();
     for (Descriptive found : Descriptive.of(design)) {
       boolean own = !types || found.within().equals(Optional.of(type));
       boolean group =
           found.between().equals(condition) || condition.isEmpty() && !design.between().varies();
       if (own && group && found.n() > 0) {
-        return figures.number(found.mean(), 2) + " (" + figures.number(found.sd(), 2, ONE) + ")";
+        return Optional.of(found);
       }
     }
-    return figures.dash(NONE);
+    return Optional.empty();
   }
 }

@@ -1,18 +1,21 @@
 package org.selectiverenderer.statistics.report;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.apa.ApaSentences;
+import org.selectiverenderer.statistics.apa.MethodsParagraph;
 import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
-import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.report.Block.Items;
 import org.selectiverenderer.statistics.report.Block.Paragraph;
@@ -20,6 +23,7 @@ import org.selectiverenderer.statistics.report.Block.Picture;
 import org.selectiverenderer.statistics.report.Block.Section;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
+import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /** A study's report: methods, exclusions, and for each area tables, plots and details. */
@@ -28,20 +32,25 @@ final class StudyBlocks {
 
   private final StudyAnalysis study;
   private final MeansPlot plot = new MeansPlot();
+  private final RatingBlocks ratings;
 
   private StudyBlocks(StudyAnalysis study) {
     this.study = study;
+    ratings = new RatingBlocks(study, new RocPlot());
   }
 
-  static List<Block> of(StudyAnalysis study) {
+  static List<Block> of(StudyAnalysis study, Provenance provenance) {
     StudyBlocks blocks = new StudyBlocks(study);
     List<Block> all = new ArrayList<>();
+    all.add(provenance.head(study.responses().source()));
     all.add(new Paragraph(blocks.summary()));
     List<String> methods = new ArrayList<>(Methods.of(study.scoring()));
     methods.addAll(Methods.of(study.options()));
+    methods.add(Methods.of(study.family()));
     all.add(new Section("Methods", false, List.of(new Items(methods))));
-    all.add(new Section("Exclusions and missing data", false, List.of(blocks.exclusions())));
+    all.add(new Section("Exclusions and missing data", false, MissingBlocks.of(study)));
     study.areas().forEach(area -> all.add(blocks.area(area)));
+    all.add(blocks.paragraph(provenance));
     return all;
   }
 
@@ -50,21 +59,22 @@ final class StudyBlocks {
     study
         .conditions()
         .forEach(name -> groups.add("%s (%d)".formatted(name, study.participants(name))));
-    return "%s in the condition%s %s; %s about %s. Source: %s."
+    return "%s in the condition%s %s; %s about %s."
         .formatted(
             Counted.of(study.participants().size(), "participant"),
             groups.size() == 1 ? "" : "s",
             String.join(", ", groups),
             Counted.of(study.responses().usable().size(), "usable answer"),
-            String.join(", ", study.areas()),
-            study.responses().source());
+            String.join(", ", study.areas()));
   }
 
-  private Block exclusions() {
-    List<Exclusion> exclusions = study.responses().exclusions();
-    return exclusions.isEmpty()
-        ? new Paragraph("None. Every answer of the file is used.")
-        : AnovaReport.exclusions(exclusions);
+  /** What a manuscript says of the methods. */
+  private Section paragraph(Provenance provenance) {
+    MethodsParagraph methods = new MethodsParagraph(study, provenance.maker());
+    return new Section(
+        "Methods and references to paste",
+        true,
+        List.of(new Paragraph(methods.text()), new Items(methods.references())));
   }
 
   private Section area(String area) {
@@ -85,6 +95,14 @@ final class StudyBlocks {
           .filter(anova -> analysis.level() != ConfidenceLevel.ALL)
           .ifPresent(anova -> others.add(picture(analysis, anova)));
     }
+    blocks.addAll(ratings.of(area));
+    blocks.add(
+        new Section(
+            "Sentences to paste: " + area,
+            true,
+            Stream.of(ConfidenceLevel.values())
+                .map(level -> (Block) new Items(ApaSentences.of(study, area, level)))
+                .toList()));
     if (!others.isEmpty()) {
       blocks.add(new Section("Plots at the other confidence levels: " + area, true, others));
     }
@@ -120,65 +138,53 @@ final class StudyBlocks {
     return new Picture("How much the Bayes factors depend on the width of their prior.", svg);
   }
 
-  private static String title(AreaAnalysis analysis) {
+  static String title(AreaAnalysis analysis) {
     return "%s, %s, %s"
-        .formatted(
-            analysis.area(),
-            analysis.measure().symbol(),
-            analysis.level() == ConfidenceLevel.ALL
-                ? "all answers"
-                : "confidence " + analysis.level().spelling());
+        .formatted(analysis.area(), analysis.measure().symbol(), analysis.level().title());
   }
 
   private Table effects(String area, List<AreaAnalysis> analyses) {
     TableFigures figures = new TableFigures();
+    boolean corrected = study.family() != FamilyCorrection.NONE;
     List<List<String>> rows = new ArrayList<>();
     for (AreaAnalysis analysis : analyses) {
       String name = analysis.measure().symbol() + " " + analysis.level().heading();
       if (analysis.anova().isEmpty()) {
         String reason = analysis.notes().get(analysis.notes().size() - 1);
-        rows.add(
-            List.of(
-                name,
-                "",
-                figures.dash(reason.replaceFirst("\\.$", "")),
-                "",
-                "",
-                "",
-                "",
-                String.valueOf(analysis.design().subjects().size())));
+        List<String> row = new ArrayList<>();
+        row.addAll(List.of(name, "", figures.dash(reason.replaceFirst("\\.$", "")), ""));
+        row.addAll(Collections.nCopies(corrected ? 4 : 3, ""));
+        row.add(String.valueOf(analysis.design().subjects().size()));
+        rows.add(row);
         continue;
       }
       Anova anova = analysis.anova().get();
       List<EffectEvidence> evidence = BayesianAnova.of(anova);
       for (int i = 0; i < anova.effects().size(); i++) {
         Effect effect = anova.effects().get(i);
-        rows.add(
+        List<String> row = new ArrayList<>();
+        row.addAll(
             List.of(
-                name,
-                effect.name(),
-                test(effect, figures),
-                figures.p(effect.p(), effect.flaw()),
-                figures.interval(effect.partialEta(), effect.flaw()),
-                figures.p(effect.equivalence().p(), effect.flaw()),
-                figures.bayes(evidence.get(i).bf01(), effect.flaw()),
-                String.valueOf(analysis.design().subjects().size())));
+                name, effect.name(), test(effect, figures), figures.p(effect.p(), effect.flaw())));
+        if (corrected) {
+          row.add(figures.p(study.adjusted(analysis, effect), effect.flaw()));
+        }
+        row.add(figures.interval(effect.partialEta(), effect.flaw()));
+        row.add(figures.p(effect.equivalence().p(), effect.flaw()));
+        row.add(figures.bayes(evidence.get(i).bf01(), effect.flaw()));
+        row.add(String.valueOf(analysis.design().subjects().size()));
+        rows.add(row);
       }
     }
-    return new Table(
-        area + ": effects",
-        List.of(
-            "measure",
-            "effect",
-            "F",
-            "p",
-            "ηp² [90 % CI]",
-            "p (ηp² < %s)"
-                .formatted(String.format(Locale.ROOT, "%.2f", study.options().etaBound())),
-            "BF01 (JZS)",
-            "n"),
-        rows,
-        notes(analyses, figures));
+    List<String> header = new ArrayList<>(List.of("measure", "effect", "F", "p"));
+    if (corrected) {
+      header.add("p corrected");
+    }
+    header.add("ηp² [90 % CI]");
+    header.add(
+        "p (ηp² < %s)".formatted(String.format(Locale.ROOT, "%.2f", study.options().etaBound())));
+    header.addAll(List.of("BF01 (JZS)", "n"));
+    return new Table(area + ": effects", header, rows, notes(analyses, figures));
   }
 
   /** Footnotes, and once for each level what is true of its analyses. */

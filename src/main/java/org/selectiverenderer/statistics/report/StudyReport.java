@@ -8,6 +8,7 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
+import org.selectiverenderer.statistics.study.FamilyTest;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /** A study in its forms. */
@@ -15,40 +16,51 @@ public final class StudyReport {
   private StudyReport() {}
 
   /** Tables for a terminal, without the details of each analysis. */
-  public static String text(StudyAnalysis study) {
-    return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study), false);
+  public static String text(StudyAnalysis study, Provenance provenance) {
+    return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance), false);
   }
 
   /** One page with everything, that loads nothing. */
-  public static String html(StudyAnalysis study) {
-    return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study));
+  public static String html(StudyAnalysis study, Provenance provenance) {
+    return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance));
   }
 
   /** Scores, one a row. */
-  public static String tidyCsv(StudyAnalysis study) {
-    return ScoresCsv.tidy(study);
+  public static String tidyCsv(StudyAnalysis study, Provenance provenance) {
+    return ScoresCsv.tidy(study, provenance);
   }
 
   /** Scores, one participant a row. */
-  public static String wideCsv(StudyAnalysis study) {
-    return ScoresCsv.wide(study);
+  public static String wideCsv(StudyAnalysis study, Provenance provenance) {
+    return ScoresCsv.wide(study, provenance);
   }
 
   /** Everything, for programs. */
-  public static String json(StudyAnalysis study) {
+  public static String json(StudyAnalysis study, Provenance provenance) {
     ObjectNode json = JsonTree.object();
-    json.put("source", study.responses().source());
+    provenance.write(study.responses().source(), json);
     ObjectNode options = json.putObject("options");
     options.put("correction", key(study.scoring().correction()));
     options.put("guessing", key(study.scoring().guessing()));
+    options.put("family", key(study.family()));
     AnovaJson.options(study.options(), options);
     ObjectNode participants = json.putObject("participants");
     study.conditions().forEach(name -> participants.put(name, study.participants(name)));
     AnovaJson.exclusions(study.responses().exclusions(), json);
+    ArrayNode gaps = json.putArray("incomplete");
+    for (MissingBlocks.Gap gap : MissingBlocks.gaps(study)) {
+      ObjectNode node = gaps.addObject().put("area", gap.area());
+      node.put("confidence", gap.level().spelling()).put("without_score", gap.without());
+      node.put("participants", gap.participants());
+    }
     ArrayNode scores = json.putArray("scores");
     study.scores().forEach(score -> score(score, scores.addObject()));
     ArrayNode analyses = json.putArray("analyses");
     study.analyses().forEach(analysis -> analysis(analysis, analyses.addObject()));
+    ArrayNode tests = json.putArray("tests");
+    study.tests().forEach(test -> test(test, tests.addObject()));
+    ArrayNode ratings = json.putArray("ratings");
+    study.ratings().forEach(score -> RatingsJson.write(score, ratings.addObject()));
     return JsonText.of(json);
   }
 
@@ -68,7 +80,18 @@ public final class StudyReport {
     for (Measure measure : Measure.values()) {
       JsonNumbers.put(json, measure.key(), measure.of(score.detection()));
     }
+    JsonNumbers.put(json, "a_prime", score.detection().aPrime());
+    JsonNumbers.put(json, "b_double_prime", score.detection().bDoublePrime());
     score.detection().flaw().ifPresent(flaw -> json.put("undefined", flaw));
+  }
+
+  private static void test(FamilyTest test, ObjectNode json) {
+    json.put("area", test.analysis().area());
+    json.put("confidence", test.analysis().level().spelling());
+    json.put("measure", test.analysis().measure().key()).put("effect", test.effect().name());
+    JsonNumbers.put(json, "p", test.p());
+    JsonNumbers.put(json, "p_adjusted", test.adjusted());
+    json.put("family_size", test.size());
   }
 
   private static void analysis(AreaAnalysis analysis, ObjectNode json) {

@@ -17,6 +17,7 @@ import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Comparison;
 import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
@@ -168,7 +169,7 @@ public record PowerAnalysis(
   private List<String> findings(StudyModel own, int participants, int study) {
     Responses responses =
         new Responses(
-            "simulated",
+            DataFile.none("simulated"),
             SimulatedStudy.responses(own, participants, Seeds.of(seed, study)),
             List.of());
     List<String> findings = new ArrayList<>();

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
@@ -19,6 +20,9 @@ import org.selectiverenderer.statistics.detection.Scoring;
  * @param areas as in the file
  * @param scores of each participant
  * @param analyses area by area, level by level, measure by measure
+ * @param family what is done about their number
+ * @param tests every effect of the analyses, with its p after that correction
+ * @param ratings pooled and of each participant
  */
 public record StudyAnalysis(
     Responses responses,
@@ -27,7 +31,10 @@ public record StudyAnalysis(
     List<String> conditions,
     List<String> areas,
     List<Score> scores,
-    List<AreaAnalysis> analyses) {
+    List<AreaAnalysis> analyses,
+    FamilyCorrection family,
+    List<FamilyTest> tests,
+    List<RatingScore> ratings) {
   private static final List<String> THESIS_ORDER =
       List.of("high", "high-low", "selective", "random");
 
@@ -36,10 +43,18 @@ public record StudyAnalysis(
     areas = List.copyOf(areas);
     scores = List.copyOf(scores);
     analyses = List.copyOf(analyses);
+    tests = List.copyOf(tests);
+    ratings = List.copyOf(ratings);
+  }
+
+  /** Scores and analyses of answers, each test for itself. */
+  public static StudyAnalysis of(Responses responses, Scoring scoring, AnovaOptions options) {
+    return of(responses, scoring, options, FamilyCorrection.NONE);
   }
 
   /** Scores and analyses of answers. */
-  public static StudyAnalysis of(Responses responses, Scoring scoring, AnovaOptions options) {
+  public static StudyAnalysis of(
+      Responses responses, Scoring scoring, AnovaOptions options, FamilyCorrection family) {
     List<Response> usable = responses.usable();
     List<Score> scores = scoring.scores(usable);
     List<String> conditions = conditions(usable);
@@ -57,7 +72,17 @@ public record StudyAnalysis(
         }
       }
     }
-    return new StudyAnalysis(responses, scoring, options, conditions, areas, scores, analyses);
+    return new StudyAnalysis(
+        responses,
+        scoring,
+        options,
+        conditions,
+        areas,
+        scores,
+        analyses,
+        family,
+        FamilyTest.of(analyses, family),
+        RatingScore.of(usable, conditions, areas));
   }
 
   /** Conditions in the order of tables. */
@@ -91,5 +116,26 @@ public record StudyAnalysis(
   /** The analyses of an area. */
   public Stream<AreaAnalysis> analyses(String area) {
     return analyses.stream().filter(analysis -> analysis.area().equals(area));
+  }
+
+  /** The p of an effect after the correction of the study's tests; not a number without a p. */
+  public double adjusted(AreaAnalysis analysis, Effect effect) {
+    return tests.stream()
+        .filter(test -> test.analysis() == analysis && test.effect() == effect)
+        .mapToDouble(FamilyTest::adjusted)
+        .findFirst()
+        .orElse(Double.NaN);
+  }
+
+  /** Ratings of an area: of each condition, or of each participant. */
+  public List<RatingScore> ratings(String area, boolean pooled) {
+    return ratings.stream()
+        .filter(score -> score.area().equals(area) && score.participant().isEmpty() == pooled)
+        .toList();
+  }
+
+  /** How many answers have no confidence and so are no ratings. */
+  public long unrated() {
+    return responses.usable().stream().filter(response -> response.confidence() == 0).count();
   }
 }

@@ -11,11 +11,13 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.cli.CommandRun;
 
 class ExperimentCommandsTest extends CommandRun {
@@ -203,6 +205,61 @@ class ExperimentCommandsTest extends CommandRun {
     assertThat(json.get("analyses")).hasSize(6 * 3 * 3);
     assertThat(json.get("scores")).hasSize(12 * 9 * 3);
     assertThat(text(err)).isEmpty();
+  }
+
+  @Test
+  void partsOfAReportAreWrittenIntoFoldersAndNeverOverTheAnswers() throws IOException {
+    Path r = Files.createDirectory(folder.resolve("r"));
+    Path answers = r.resolve("usable-answers.csv");
+    Files.writeString(answers, simulated(12));
+    String before = Files.readString(answers);
+    String name = answers.toString();
+    assertThat(execute("experiment", "analyse", name, "--r", r.toString())).isEqualTo(2);
+    assertThat(text(err)).contains("--r", "which is read");
+    assertThat(answers).hasContent(before);
+    Path figures = folder.resolve("out/figures");
+    Path tables = folder.resolve("out/tables");
+    Path script = folder.resolve("out/r");
+    assertThat(
+            execute(
+                "experiment",
+                "analyse",
+                name,
+                "--figures",
+                figures.toString(),
+                "--tables",
+                tables.toString(),
+                "--r",
+                script.toString(),
+                "--family",
+                "fdr",
+                "--date",
+                "2026-05-01"))
+        .isZero();
+    assertThat(text(out)).contains(" on 2026-05-01 from usable-answers.csv, SHA-256 ");
+    assertThat(figures.resolve("kitchen-d_prime-all.svg")).content().contains("<svg");
+    assertThat(tables.resolve("kitchen-effects.csv")).content().contains("p corrected");
+    assertThat(tables.resolve("methods.txt")).content().contains("Benjamini & Hochberg, 1995");
+    assertThat(script.resolve("usable-answers.csv")).hasContent(before);
+    assertThat(script.resolve("analysis.R")).content().contains("glmer");
+    assertThat(execute("experiment", "analyse", name, "--figures", name)).isEqualTo(2);
+    assertThat(text(err)).contains("is a file, not a folder");
+    assertThat(execute("experiment", "analyse", name, "--date", "yesterday")).isEqualTo(2);
+    assertThat(text(err)).contains("--date must be a day such as 2026-05-01, not yesterday");
+  }
+
+  @Test
+  void reportsForProgramsAreTheSameBytesEveryDayAndNameTheirInput() throws IOException {
+    Path answers = folder.resolve("r.csv");
+    Files.writeString(answers, simulated(12));
+    for (String format : List.of("json", "tidy", "wide")) {
+      assertThat(execute("experiment", "analyse", answers.toString(), "--format", format)).isZero();
+      assertThat(text(out))
+          .contains(Sha256.of(Files.readAllBytes(answers)))
+          .doesNotContain(LocalDate.now().toString());
+    }
+    assertThat(anova("--within", "type", "--format", "json")).isZero();
+    assertThat(text(out)).contains(Sha256.of(Files.readAllBytes(Path.of(data))));
   }
 
   @Test

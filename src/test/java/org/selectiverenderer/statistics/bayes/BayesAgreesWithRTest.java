@@ -21,6 +21,7 @@ import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
@@ -94,7 +95,8 @@ class BayesAgreesWithRTest {
             0.4,
             ObjectList.THESIS);
     Responses responses =
-        new Responses("simulated", SimulatedStudy.responses(model, 54, 2009), List.of());
+        new Responses(
+            DataFile.none("simulated"), SimulatedStudy.responses(model, 54, 2009), List.of());
     Anova anova =
         AreaStudy.of(responses, Scoring.DEFAULT, "kitchen")
             .analysis(ConfidenceLevel.ALL, Measure.D_PRIME, AnovaOptions.DEFAULT)

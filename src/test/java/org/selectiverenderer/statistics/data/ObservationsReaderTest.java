@@ -76,6 +76,18 @@ class ObservationsReaderTest {
   }
 
   @Test
+  void groupsThatDifferByCaseAreAnErrorAndAGroupOfOneAWarning() {
+    parse(
+        "id;group;type;score\na;A;one;1,5\na;A;two;2\nb;A;one;1\nb;A;two;3\nc;a;one;1\nc;a;two;3\n");
+    assertThat(problems.list())
+        .extracting(Object::toString)
+        .containsExactly(
+            "d.csv:6:3: the group 'a' (1 participant) looks like 'A' (2, first in line 2); they are"
+                + " analysed as two groups; write both alike if they are one",
+            "d.csv:6:3: the group a has one participant only, so it has no spread of its own");
+  }
+
+  @Test
   void aColumnThatIsNotThereIsNamed() {
     assertThat(ObservationsReader.parse("d.csv", "id,group,score\n", MIXED, problems)).isEmpty();
     assertThat(problems.list()).singleElement().asString().contains("the header lacks type");

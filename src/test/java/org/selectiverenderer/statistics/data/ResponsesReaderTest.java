@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.statistics.detection.Response;
 
@@ -138,13 +140,13 @@ class ResponsesReaderTest {
     Path file = folder.resolve("r.csv");
     Files.write(
         file, (HEADER + CUP + "p1,high,kitchen,caf\u00e9,").getBytes(StandardCharsets.ISO_8859_1));
-    assertThat(ResponsesReader.read(file, Optional.empty(), problems)).isEmpty();
+    assertThat(ResponsesReader.read(file, Optional.empty(), false, problems)).isEmpty();
     assertThat(problems.list())
         .singleElement()
         .asString()
         .contains("r.csv:3:20: the file is not UTF-8 text (byte E9");
     Files.write(file, (HEADER + CUP).getBytes(StandardCharsets.UTF_16));
-    assertThat(ResponsesReader.read(file, Optional.empty(), problems)).isEmpty();
+    assertThat(ResponsesReader.read(file, Optional.empty(), false, problems)).isEmpty();
     assertThat(problems.list().get(1)).asString().contains("r.csv:1:1: ", "UTF-16");
   }
 
@@ -169,6 +171,121 @@ class ResponsesReaderTest {
         .singleElement()
         .asString()
         .isEqualTo("r.csv:1:1: there is no usable answer; nothing is analysed");
+  }
+
+  /** A decimal comma and tabs are read as the package of tables says. */
+  @ParameterizedTest
+  @ValueSource(strings = {",", ";", "\t"})
+  void tablesOfAnySeparatorAreRead(String separator) {
+    String text = HEADER + CUP + KITE;
+    if (separator.equals(";")) {
+      text = text.replace(",yes,yes,4", ",yes,yes,4|0");
+    }
+    Responses found = parse(text.replace(",", separator).replace('|', ','));
+    assertThat(found.usable()).extracting(Response::confidence).containsExactly(4, 2);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void anObjectOfTwoKindsIsAnErrorAtItsRareKindAndLeftOut() {
+    Responses found =
+        parse(
+            HEADER
+                + CUP
+                + KITE
+                + CUP.replace("p1", "p2")
+                + KITE.replace("p1", "p2")
+                + CUP.replace("p1", "p3").replace("consistent", "inconsistent")
+                + KITE.replace("p1", "p3"));
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo(
+            "r.csv:6:21: participant p3: cup (kitchen) is inconsistent here and consistent for 2 of"
+                + " 3 participants, first in line 2; all answers to it are left out");
+    assertThat(found.usable()).extracting(Response::object).containsOnly("kite").hasSize(3);
+    assertThat(found.exclusions()).hasSize(1);
+  }
+
+  @Test
+  void oneObjectInTwoAreasMayBeOfTwoKinds() {
+    parse(HEADER + CUP + CUP.replace("kitchen", "desk").replace("consistent", "inconsistent"));
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void anObjectPresentAndAbsentIsAWarningUnlessThatIsMeant(@TempDir Path folder)
+      throws IOException {
+    String text = HEADER + CUP + CUP.replace("p1", "p2").replace("yes,yes", "no,yes");
+    Responses found = parse(text);
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .isEqualTo(
+            "r.csv:3:32: participant p2: cup (kitchen) is absent here and present for 1 of 2"
+                + " participants, first in line 2; each answer counts as its row says"
+                + " (--counterbalanced if that is meant)");
+    assertThat(found.usable()).hasSize(2);
+    Path file = folder.resolve("r.csv");
+    Files.writeString(file, text);
+    Problems none = new Problems();
+    assertThat(ResponsesReader.read(file, Optional.empty(), true, none)).isPresent();
+    assertThat(none.list()).isEmpty();
+  }
+
+  @Test
+  void aConditionOfAnotherCaseIsAnErrorAtTheSmallerGroup() {
+    parse(
+        HEADER
+            + row("p1", "A")
+            + row("p2", "A")
+            + row("p3", "a")
+            + row("p4", "B")
+            + row("p5", "B"));
+    assertThat(problems.list())
+        .extracting(Object::toString)
+        .containsExactly(
+            "r.csv:4:4: the condition 'a' (1 participant) looks like 'A' (2, first in line 2); they"
+                + " are analysed as two conditions; write both alike if they are one",
+            "r.csv:4:4: the condition a has one participant only, so it has no spread of its own");
+  }
+
+  @Test
+  void aRareConditionOneLetterAwayIsAWarning() {
+    StringBuilder text = new StringBuilder(HEADER);
+    for (int i = 0; i < 4; i++) {
+      text.append(row("a" + i, "selective")).append(row("b" + i, "group1"));
+    }
+    parse(text + row("c", "selectve") + row("d1", "group2") + row("d2", "group2"));
+    assertThat(problems.list().get(0))
+        .asString()
+        .startsWith("r.csv:10:3: the condition 'selectve' (1 participant) differs by a letter from")
+        .contains("'selective' (4, first in line 2)");
+    assertThat(problems.list()).noneMatch(problem -> problem.toString().contains("group"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"p1,P1", "p1,p-01", "s 7,s07"})
+  void participantsThatLookAlikeAreTold(String one, String other) {
+    parse(HEADER + row(one, "high") + row(other, "high"));
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("r.csv:3:1: the participant '" + other + "'", "looks like '" + one + "'");
+  }
+
+  @Test
+  void theFilesChecksumIsKept(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("r.csv");
+    Files.writeString(file, HEADER + CUP);
+    DataFile source =
+        ResponsesReader.read(file, Optional.empty(), false, problems).orElseThrow().source();
+    assertThat(source.name()).isEqualTo("r.csv");
+    assertThat(source.sha256()).hasValue(Sha256.of(Files.readAllBytes(file)));
+  }
+
+  private static String row(String participant, String condition) {
+    return participant + "," + condition + ",kitchen,cup,consistent,yes,yes,4\n";
   }
 
   private Responses parse(String text) {

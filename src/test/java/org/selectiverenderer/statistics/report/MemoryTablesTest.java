@@ -23,6 +23,7 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
@@ -31,6 +32,7 @@ import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.AreaStudy;
+import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -126,8 +128,9 @@ class MemoryTablesTest {
     return type.equals("neutral") ? "all" : type;
   }
 
+  /** The thesis calls all answers uncorrected, and the levels of confidence moderate and high. */
   private static String column(int index) {
-    return (index % 2 == 0 ? "d_" : "b_") + ConfidenceLevel.values()[index / 2].heading();
+    return (index % 2 == 0 ? "d_" : "b_") + List.of("un", "mod", "high").get(index / 2);
   }
 
   private CSVRecord printed(String area, String objects, String condition) {
@@ -142,7 +145,7 @@ class MemoryTablesTest {
     List<AreaAnalysis> analyses = new ArrayList<>();
     for (ConfidenceLevel level : ConfidenceLevel.values()) {
       for (Measure measure : List.of(Measure.D_PRIME, Measure.LOG_BETA)) {
-        String column = (measure == Measure.D_PRIME ? "d_" : "b_") + level.heading();
+        String column = column(2 * level.ordinal() + (measure == Measure.D_PRIME ? 0 : 1));
         analyses.add(
             new AreaAnalysis(
                 area, level, measure, design(area, types, column), Optional.empty(), List.of()));
@@ -150,13 +153,16 @@ class MemoryTablesTest {
     }
     List<Response> answers = answers(area, types);
     return new StudyAnalysis(
-        new Responses("thesis", answers, List.of()),
+        new Responses(DataFile.none("thesis"), answers, List.of()),
         Scoring.DEFAULT,
         AnovaOptions.DEFAULT,
         CONDITIONS,
         List.of(area),
         Scoring.DEFAULT.scores(answers),
-        analyses);
+        analyses,
+        FamilyCorrection.NONE,
+        List.of(),
+        List.of());
   }
 
   private Design design(String area, List<String> types, String column) {

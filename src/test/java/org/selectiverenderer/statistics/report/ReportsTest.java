@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -16,12 +17,14 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
+import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.simulation.ObjectList;
 import org.selectiverenderer.statistics.simulation.SimulatedStudy;
 import org.selectiverenderer.statistics.simulation.StudyModel;
+import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -29,35 +32,39 @@ import org.selectiverenderer.statistics.study.StudyAnalysis;
  * -Dreports.update=true} writes them anew.
  */
 class ReportsTest {
+  static final Provenance MADE =
+      new Provenance("selective-renderer", "0.1.0", LocalDate.of(2026, 1, 15), false);
+
+  private static final DataFile DATA = DataFile.none("data.csv");
   private static final Path GOLDEN =
       Path.of("src/test/resources/org/selectiverenderer/statistics/report");
 
   @Test
   void aStudyAsText() throws IOException {
-    assertGolden("study.txt", StudyReport.text(study()));
+    assertGolden("study.txt", StudyReport.text(study(), MADE));
   }
 
   @Test
   void aStudyAsJson() throws IOException {
-    assertGolden("study.json", StudyReport.json(study()));
+    assertGolden("study.json", StudyReport.json(study(), MADE));
   }
 
   @Test
   void scoresAsTidyAndWideCsv() throws IOException {
-    assertGolden("tidy.csv", StudyReport.tidyCsv(study()));
-    assertGolden("wide.csv", StudyReport.wideCsv(study()));
+    assertGolden("tidy.csv", StudyReport.tidyCsv(study(), MADE));
+    assertGolden("wide.csv", StudyReport.wideCsv(study(), MADE));
   }
 
   @Test
   void aRepeatedMeasuresDesignOfThreeLevels() throws IOException {
     Anova anova = Anova.of(threeLevels(), AnovaOptions.DEFAULT.withRawBound(1));
-    assertGolden("anova.txt", AnovaReport.text(anova, List.of()));
-    assertGolden("anova.json", AnovaReport.json(anova, List.of()));
+    assertGolden("anova.txt", AnovaReport.text(anova, List.of(), DATA, MADE));
+    assertGolden("anova.json", AnovaReport.json(anova, List.of(), DATA, MADE));
   }
 
   @Test
   void theHtmlPageLoadsNothingAndHasItsPlots() {
-    String html = StudyReport.html(study());
+    String html = StudyReport.html(study(), MADE);
     assertThat(html)
         .startsWith("<!DOCTYPE html>")
         .doesNotContain("src=", "<script", "<link", "@import", "url(")
@@ -91,19 +98,20 @@ class ReportsTest {
             AnovaOptions.DEFAULT);
     for (String report :
         List.of(
-            StudyReport.text(bad),
-            StudyReport.html(bad),
-            StudyReport.json(bad),
-            StudyReport.tidyCsv(bad),
-            StudyReport.wideCsv(bad),
-            AnovaReport.text(constant, List.of()),
-            AnovaReport.html(constant, List.of()),
-            AnovaReport.json(constant, List.of()))) {
+            StudyReport.text(bad, MADE),
+            StudyReport.html(bad, MADE),
+            StudyReport.json(bad, MADE),
+            StudyReport.tidyCsv(bad, MADE),
+            StudyReport.wideCsv(bad, MADE),
+            AnovaReport.text(constant, List.of(), DATA, MADE),
+            AnovaReport.html(constant, List.of(), DATA, MADE),
+            AnovaReport.json(constant, List.of(), DATA, MADE))) {
       assertThat(report).doesNotContain("NaN", "Infinity", "\u221e");
     }
-    assertThat(StudyReport.text(bad)).contains("(a) ");
-    assertThat(AnovaReport.text(constant, List.of())).contains("zero variance");
-    assertThat(AnovaReport.json(constant, List.of())).contains("\"F\" : null", "\"undefined\"");
+    assertThat(StudyReport.text(bad, MADE)).contains("(a) ");
+    assertThat(AnovaReport.text(constant, List.of(), DATA, MADE)).contains("zero variance");
+    assertThat(AnovaReport.json(constant, List.of(), DATA, MADE))
+        .contains("\"F\" : null", "\"undefined\"");
   }
 
   @Test
@@ -115,10 +123,79 @@ class ReportsTest {
                 .orElseThrow(),
             Scoring.DEFAULT,
             AnovaOptions.DEFAULT);
-    assertThat(StudyReport.json(study))
+    assertThat(StudyReport.json(study, MADE))
         .contains("There is one condition only, high: no effect of condition.")
         .contains("\"effect\" : \"object type\"")
         .doesNotContain("\"effect\" : \"condition\"");
+  }
+
+  @Test
+  void everyReportSaysOfWhichFileItIsAndByWhichVersion() {
+    StudyAnalysis study = study();
+    String sum = study.responses().source().sha256().orElseThrow();
+    assertThat(sum).matches("[0-9a-f]{64}");
+    for (String page : List.of(StudyReport.text(study, MADE), StudyReport.html(study, MADE))) {
+      assertThat(page)
+          .contains("Made by selective-renderer 0.1.0 on 2026-01-15 from r.csv, SHA-256 " + sum);
+    }
+    assertThat(StudyReport.tidyCsv(study, MADE).lines())
+        .allMatch(line -> line.endsWith(",source_sha256") || line.endsWith("r.csv," + sum));
+    assertThat(StudyReport.json(study, MADE))
+        .contains("\"source_sha256\" : \"" + sum + "\"", "\"version\" : \"0.1.0\"")
+        .doesNotContain("2026-01-15");
+    Provenance dated = new Provenance("p", "1", LocalDate.of(2026, 5, 1), true);
+    assertThat(StudyReport.json(study, dated)).contains("\"date\" : \"2026-05-01\"");
+    assertThat(StudyReport.wideCsv(study, dated).lines())
+        .allMatch(line -> line.matches(".*,(date|2026-05-01)"));
+  }
+
+  /** Scores that are missing are said where exclusions are, also when no row is left out. */
+  @Test
+  void participantsWithoutAScoreStandBesideTheExclusions() {
+    String text = StudyReport.text(read(answers(List.of("high", "selective"))), MADE);
+    assertThat(text)
+        .contains("Rows: none is left out; every answer of the file is used.")
+        .containsPattern("kitchen, confidence 5: \\d+ of 14\\.");
+    assertThat(StudyReport.json(study(), MADE)).contains("\"without_score\"");
+  }
+
+  /** "high" is a condition; the level of confidence has another name. */
+  @Test
+  void noLevelOfConfidenceIsNamedAsACondition() {
+    assertThat(StudyReport.text(study(), MADE))
+        .contains("d′ conf. 5", "log β conf. 3–5")
+        .doesNotContain("d′ high", "d′ mod", "d′ un ");
+  }
+
+  @Test
+  void filesForAManuscriptHaveNamesForAnyArea() {
+    StudyAnalysis study =
+        read(
+            answers(List.of("high", "selective"))
+                .replace(",kitchen,", ",Kitchen / 1,")
+                .replace(",office,", ",kitchen 1,"));
+    assertThat(StudyFiles.figures(study).keySet())
+        .contains(
+            "kitchen-1-d_prime-all.svg",
+            "kitchen-1-2-log_beta-confidence-3-5.svg",
+            "kitchen-1-inconsistent-roc.svg",
+            "kitchen-1-2-neutral-roc.svg");
+    assertThat(StudyFiles.figures(study).values()).allMatch(svg -> svg.startsWith("<?xml"));
+    assertThat(StudyFiles.tables(study, MADE).keySet())
+        .contains(
+            "kitchen-1-means.html", "kitchen-1-2-effects.tex", "sentences.txt", "methods.txt");
+    assertThat(StudyFiles.tables(study, MADE).values())
+        .noneMatch(text -> text.contains("NaN") || text.contains("Infinity"));
+  }
+
+  @Test
+  void aCorrectionOverTheStudyIsAColumnAndIsStated() {
+    StudyAnalysis study =
+        StudyAnalysis.of(
+            study().responses(), Scoring.DEFAULT, AnovaOptions.DEFAULT, FamilyCorrection.HOLM);
+    assertThat(StudyReport.text(study, MADE))
+        .contains("p corrected", "all areas at one level of confidence together: Holm (1979)");
+    assertThat(StudyReport.text(study(), MADE)).doesNotContain("p corrected");
   }
 
   private static Design threeLevels() {

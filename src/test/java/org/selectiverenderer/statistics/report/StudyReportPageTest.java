@@ -28,7 +28,7 @@ class StudyReportPageTest {
 
   @Test
   void theReportInDocsIsWhatTheProgramWrites() throws IOException {
-    String html = StudyReport.html(study());
+    String html = StudyReport.html(study(), ReportsTest.MADE);
     if (Boolean.getBoolean("reports.update")) {
       Files.writeString(PAGE, html, StandardCharsets.UTF_8);
     }

@@ -1,0 +1,33 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.time.DateTimeException;
+import java.time.LocalDate;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.statistics.report.Provenance;
+import picocli.CommandLine.Option;
+
+/** The date that a report states, and what else it says of its origin. */
+final class ReportDate {
+  @Option(
+      names = "--date",
+      paramLabel = "YYYY-MM-DD",
+      description =
+          "date of the report (default: today for text and HTML, none for JSON and CSV, so that the"
+              + " same input gives the same bytes)")
+  private @Nullable String date;
+
+  Provenance provenance() throws IOException {
+    try {
+      return new Provenance(
+          ProgramVersion.PROGRAM,
+          ProgramVersion.number(),
+          date == null ? LocalDate.now() : LocalDate.parse(date),
+          date != null);
+    } catch (DateTimeException e) {
+      throw CommandFailure.usage("--date must be a day such as 2026-05-01, not " + date);
+    }
+  }
+}

@@ -1,0 +1,101 @@
+package org.selectiverenderer.cli.experiment;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.report.Provenance;
+import org.selectiverenderer.statistics.report.StudyFiles;
+import org.selectiverenderer.statistics.script.RScripts;
+import org.selectiverenderer.statistics.study.StudyAnalysis;
+import picocli.CommandLine.Option;
+
+/** Folders that an analysis may also be written to, in parts. */
+final class StudyOutputs {
+  private static final String ANSWERS = "usable-answers.csv";
+
+  @Option(
+      names = "--figures",
+      paramLabel = "DIR",
+      description = "writes each plot as an SVG file into a folder")
+  private @Nullable Path figures;
+
+  @Option(
+      names = "--tables",
+      paramLabel = "DIR",
+      description =
+          "writes tables to paste (APA style; HTML, LaTeX, CSV), sentences and the paragraph on"
+              + " methods into a folder")
+  private @Nullable Path tables;
+
+  @Option(
+      names = "--r",
+      paramLabel = "DIR",
+      description =
+          "writes the usable answers and a script for R into a folder; it repeats the analyses and"
+              + " adds the mixed probit of single answers")
+  private @Nullable Path script;
+
+  /** Refuses what is no folder, before the work begins. */
+  void check() {
+    check("--figures", figures);
+    check("--tables", tables);
+    check("--r", script);
+  }
+
+  private static void check(String option, @Nullable Path folder) {
+    if (folder != null && Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw CommandFailure.environment(option + " " + folder + ": is a file, not a folder");
+    }
+  }
+
+  /**
+   * Writes all of them or none.
+   *
+   * @param files that the command reads, which are not written over
+   */
+  void write(StudyAnalysis study, Provenance provenance, CommandFiles files, Console console)
+      throws IOException {
+    Map<Path, String> all = new LinkedHashMap<>();
+    if (figures != null) {
+      add("--figures", figures, StudyFiles.figures(study), files, all);
+    }
+    if (tables != null) {
+      add("--tables", tables, StudyFiles.tables(study, provenance), files, all);
+    }
+    if (script != null) {
+      Map<String, String> parts = new LinkedHashMap<>();
+      parts.put(ANSWERS, ResponsesCsv.of(study.responses().usable()));
+      parts.put(RScripts.NAME, RScripts.analysis(ANSWERS, study.scoring()));
+      add("--r", script, parts, files, all);
+    }
+    files.check();
+    FileTransaction writing = new FileTransaction();
+    all.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
+    for (Path left : writing.commit()) {
+      console.message("could not delete " + left + ", which holds what was there before");
+    }
+  }
+
+  private static void add(
+      String option,
+      Path folder,
+      Map<String, String> parts,
+      CommandFiles files,
+      Map<Path, String> all) {
+    parts.forEach(
+        (name, text) -> {
+          Path file = folder.resolve(name);
+          files.writes(option, file);
+          all.put(file, text);
+        });
+  }
+}

@@ -1,0 +1,141 @@
+package org.selectiverenderer.statistics.data;
+
+import java.text.Normalizer;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
+
+/**
+ * Finds names of one kind that are probably one name, spelled in two ways: {@code A} beside {@code
+ * a}, {@code high low} beside {@code high-low}, {@code selectve} beside {@code selective}. Nothing
+ * is merged, since only who made the file knows what was meant.
+ */
+final class Lookalikes {
+  /** Names that are shorter may differ by a letter on purpose. */
+  private static final int SHORT = 4;
+
+  /** A slip is in few rows: at most this share of the participants of the name beside it. */
+  private static final double SLIP_SHARE = 0.25;
+
+  /** Who uses a name, and where it stands first. */
+  private static final class Use {
+    final Location first;
+    final Set<String> participants = new HashSet<>();
+
+    Use(Location first) {
+      this.first = first;
+    }
+  }
+
+  private final String kind;
+  private final Map<String, Use> uses = new LinkedHashMap<>();
+
+  /**
+   * None yet.
+   *
+   * @param kind what is named, such as {@code condition}
+   */
+  Lookalikes(String kind) {
+    this.kind = kind;
+  }
+
+  /** A name in a row of a participant. */
+  void add(String name, String participant, Location place) {
+    uses.computeIfAbsent(name, first -> new Use(place)).participants.add(participant);
+  }
+
+  /**
+   * Tells of names alike, at the first place of the one that fewer participants have.
+   *
+   * @param done what becomes of them, such as {@code they are analysed as two conditions}
+   */
+  void tell(Exclusions exclusions, String done) {
+    List<String> names = new ArrayList<>(uses.keySet());
+    for (int i = 0; i < names.size(); i++) {
+      for (int j = 0; j < i; j++) {
+        String one = names.get(j);
+        String other = names.get(i);
+        boolean fewer = count(one) < count(other);
+        String rare = fewer ? one : other;
+        String common = fewer ? other : one;
+        if (folded(one).equals(folded(other))) {
+          exclusions.error(place(rare), "", alike(rare, common, "looks like", done));
+        } else if (slip(rare, common)) {
+          exclusions.warning(
+              place(rare), "", alike(rare, common, "differs by a letter from", done));
+        }
+      }
+    }
+  }
+
+  /** Tells of names that one participant has, where others have more. */
+  void tellLone(Exclusions exclusions) {
+    if (uses.values().stream().noneMatch(use -> use.participants.size() > 1)) {
+      return;
+    }
+    uses.forEach(
+        (name, use) -> {
+          if (use.participants.size() == 1) {
+            exclusions.warning(
+                use.first,
+                "",
+                "the %s %s has one participant only, so it has no spread of its own"
+                    .formatted(kind, name));
+          }
+        });
+  }
+
+  private String alike(String rare, String common, String how, String done) {
+    return "the %s '%s' (%s) %s '%s' (%s, first in line %d); %s; write both alike if they are one"
+        .formatted(
+            kind,
+            rare,
+            Counted.of(count(rare), "participant"),
+            how,
+            common,
+            count(common),
+            place(common).line(),
+            done);
+  }
+
+  private int count(String name) {
+    return use(name).participants.size();
+  }
+
+  private Location place(String name) {
+    return use(name).first;
+  }
+
+  private Use use(String name) {
+    Use use = uses.get(name);
+    if (use == null) {
+      throw new IllegalArgumentException("no " + kind + " " + name);
+    }
+    return use;
+  }
+
+  /** Without case, forms of letters, space, hyphens and zeros before a number. */
+  private static String folded(String name) {
+    return Normalizer.normalize(name, Normalizer.Form.NFKC)
+        .toLowerCase(Locale.ROOT)
+        .replaceAll("[\\s_\\p{Pd}]+", "")
+        .replaceAll("(?<!\\d)0+(?=\\d)", "");
+  }
+
+  /** Whether a name is rare and one letter away; one that differs by its digits is another. */
+  private boolean slip(String rare, String common) {
+    return rare.length() >= SHORT
+        && common.length() >= SHORT
+        && count(rare) <= Math.max(1, SLIP_SHARE * count(common))
+        && count(rare) < count(common)
+        && !rare.replaceAll("\\d", "").equals(common.replaceAll("\\d", ""))
+        && Spelling.nearest(rare, List.of(common), 1).isPresent();
+  }
+}

@@ -1,0 +1,104 @@
+package org.selectiverenderer.statistics.data;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.statistics.detection.Response;
+
+/**
+ * Finds objects that the rows of different participants describe differently. An object's
+ * consistency is a fact of the area, so of two no row can be believed. Whether it is present may
+ * differ by design, with lists that change places between participants.
+ */
+final class ObjectCoding {
+  private record Item(String area, String object) {}
+
+  private final Exclusions exclusions;
+  private final boolean counterbalanced;
+
+  /**
+   * @param counterbalanced whether objects are meant to be present for some participants only
+   */
+  ObjectCoding(Exclusions exclusions, boolean counterbalanced) {
+    this.exclusions = exclusions;
+    this.counterbalanced = counterbalanced;
+  }
+
+  /**
+   * Tells of contradictions.
+   *
+   * @param rows of the answers, each at its index
+   * @return the answers without those to objects of two kinds
+   */
+  List<Response> consistent(List<Response> responses, Map<Response, CsvRow> rows) {
+    Map<Item, List<Response>> items = new LinkedHashMap<>();
+    for (Response response : responses) {
+      items
+          .computeIfAbsent(new Item(response.area(), response.object()), first -> new ArrayList<>())
+          .add(response);
+    }
+    Set<Item> torn = new HashSet<>();
+    items.forEach(
+        (item, answers) -> {
+          if (differ(answers, rows, "consistency", Response::type)) {
+            torn.add(item);
+          }
+          differ(answers, rows, "present", answer -> answer.present() ? "present" : "absent");
+        });
+    return responses.stream()
+        .filter(response -> !torn.contains(new Item(response.area(), response.object())))
+        .toList();
+  }
+
+  /** Tells if answers to an object differ in a column, at the first of the fewest. */
+  private boolean differ(
+      List<Response> answers,
+      Map<Response, CsvRow> rows,
+      String column,
+      Function<Response, String> coding) {
+    Map<String, List<Response>> codes = new LinkedHashMap<>();
+    for (Response answer : answers) {
+      codes.computeIfAbsent(coding.apply(answer), first -> new ArrayList<>()).add(answer);
+    }
+    if (codes.size() == 1) {
+      return false;
+    }
+    String rare = "";
+    String common = "";
+    for (Map.Entry<String, List<Response>> code : codes.entrySet()) {
+      int size = code.getValue().size();
+      rare = rare.isEmpty() || size <= codes.get(rare).size() ? code.getKey() : rare;
+      common = common.isEmpty() || size > codes.get(common).size() ? code.getKey() : common;
+    }
+    Response odd = codes.get(rare).get(0);
+    CsvRow row = rows.get(odd);
+    if (row == null) {
+      throw new IllegalArgumentException("an answer without its row");
+    }
+    String what =
+        "%s (%s) is %s here and %s for %d of %d participants, first in line %d"
+            .formatted(
+                odd.object(),
+                odd.area(),
+                rare,
+                common,
+                codes.get(common).size(),
+                answers.size(),
+                codes.get(common).get(0).location().line());
+    if (column.equals("consistency")) {
+      exclusions.error(
+          row.location(column), odd.participant(), what + "; all answers to it are left out");
+    } else if (!counterbalanced) {
+      exclusions.warning(
+          row.location(column),
+          odd.participant(),
+          what + "; each answer counts as its row says (--counterbalanced if that is meant)");
+    }
+    return true;
+  }
+}

@@ -1,0 +1,158 @@
+package org.selectiverenderer.statistics.detection;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.NormalDistribution;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.selectiverenderer.statistics.distribution.Tails;
+
+/**
+ * Unequal-variance signal detection from ratings, by maximum likelihood (Dorfman and Alf 1969;
+ * Macmillan and Creelman 2005, chapter 3). Standard errors are from the expected information, those
+ * of functions of parameters by the delta method.
+ *
+ * @param intercept a: z of the hit rate where the false alarm rate is one half
+ * @param slope b of the ROC in z coordinates: the standard deviation of absent objects over that of
+ *     present ones
+ * @param distance d_a = a sqrt(2 / (1 + b²)): the means' distance in units of the root mean square
+ *     of the two standard deviations; d' where the slope is 1
+ * @param area A_z = Phi(d_a / sqrt 2): under the fitted ROC
+ * @param criteria between the used categories, from lax to strict "no" upwards, in standard
+ *     deviations of absent objects from their mean
+ * @param g2 likelihood ratio against the observed frequencies
+ * @param df of g2: used categories - 3; with 0 every fit is perfect
+ * @param equal the slope held at 1; empty where that has no finite estimate
+ * @param flaw why there is no fit, then nothing else is a number: a sentence without its full stop
+ */
+public record RatingFit(
+    Estimate intercept,
+    Estimate slope,
+    Estimate distance,
+    Estimate area,
+    List<Estimate> criteria,
+    double g2,
+    int df,
+    Optional<EqualVariance> equal,
+    Optional<String> flaw) {
+  private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
+
+  /** Fewer used categories leave the slope open. */
+  private static final int LEAST_CATEGORIES = 3;
+
+  /** A parameter or a function of parameters, and its standard error. */
+  public record Estimate(double value, double standardError) {
+    private static final Estimate NONE = new Estimate(Double.NaN, Double.NaN);
+  }
+
+  /**
+   * The model with one standard deviation.
+   *
+   * @param dPrime its distance
+   * @param g2 as of the other model; its degrees of freedom are one more
+   */
+  public record EqualVariance(Estimate dPrime, double g2) {}
+
+  public RatingFit {
+    criteria = List.copyOf(criteria);
+  }
+
+  /** Of ratings. */
+  public static RatingFit of(RatingCounts all) {
+    RatingCounts used = all.used();
+    if (used.noiseTotal() == 0 || used.signalTotal() == 0) {
+      return none(Roc.of(all).flaw().orElseThrow());
+    }
+    if (used.categories() < LEAST_CATEGORIES) {
+      return none("fewer than %d of the ratings were used".formatted(LEAST_CATEGORIES));
+    }
+    RatingLikelihood free = new RatingLikelihood(used, false);
+    Optional<RatingMaximum> found = RatingMaximum.of(free);
+    if (found.isEmpty()) {
+      return none("the likelihood grows without a finite maximum, as with few or extreme ratings");
+    }
+    return of(found.get(), free.saturatedLog(), used.categories() - LEAST_CATEGORIES, equal(used));
+  }
+
+  private static Optional<EqualVariance> equal(RatingCounts used) {
+    RatingLikelihood fixed = new RatingLikelihood(used, true);
+    return RatingMaximum.of(fixed)
+        .map(
+            maximum ->
+                new EqualVariance(estimate(maximum, 0), g2(fixed.saturatedLog(), maximum.log())));
+  }
+
+  private static RatingFit of(
+      RatingMaximum maximum, double saturated, int df, Optional<EqualVariance> equal) {
+    double a = maximum.at()[0];
+    double b = maximum.at()[1];
+    double spread = Math.sqrt(1 + b * b);
+    // d(a / spread) by a and b
+    double byA = 1 / spread;
+    double byB = -a * b / (spread * spread * spread);
+    double error = Math.sqrt(variance(maximum.covariance(), byA, byB));
+    double z = a / spread;
+    return new RatingFit(
+        estimate(maximum, 0),
+        estimate(maximum, 1),
+        new Estimate(Math.sqrt(2) * z, Math.sqrt(2) * error),
+        new Estimate(NORMAL.cumulativeProbability(z), NORMAL.density(z) * error),
+        IntStream.range(RatingLikelihood.CRITERIA, maximum.at().length)
+            .mapToObj(i -> estimate(maximum, i))
+            .toList(),
+        g2(saturated, maximum.log()),
+        df,
+        equal,
+        Optional.empty());
+  }
+
+  private static double variance(RealMatrix covariance, double byA, double byB) {
+    return byA * byA * covariance.getEntry(0, 0)
+        + 2 * byA * byB * covariance.getEntry(0, 1)
+        + byB * byB * covariance.getEntry(1, 1);
+  }
+
+  private static Estimate estimate(RatingMaximum maximum, int parameter) {
+    return new Estimate(
+        maximum.at()[parameter], Math.sqrt(maximum.covariance().getEntry(parameter, parameter)));
+  }
+
+  private static double g2(double saturated, double fitted) {
+    return Math.max(0, 2 * (saturated - fitted));
+  }
+
+  private static RatingFit none(String reason) {
+    return new RatingFit(
+        Estimate.NONE,
+        Estimate.NONE,
+        Estimate.NONE,
+        Estimate.NONE,
+        List.of(),
+        Double.NaN,
+        0,
+        Optional.empty(),
+        Optional.of(reason));
+  }
+
+  /** p of g2: small where the model does not fit; not a number without degrees of freedom. */
+  public double fitP() {
+    return df > 0 ? Tails.chiSquared(g2, df) : Double.NaN;
+  }
+
+  /** Likelihood ratio of the slope against 1, of one degree of freedom. */
+  public double slopeG2() {
+    return equal.map(fit -> Math.max(0, fit.g2() - g2)).orElse(Double.NaN);
+  }
+
+  /** Its p: small where the standard deviations differ. */
+  public double slopeP() {
+    double ratio = slopeG2();
+    return Double.isNaN(ratio) ? ratio : Tails.chiSquared(ratio, 1);
+  }
+
+  /** The fitted hit rate at a false alarm rate between 0 and 1. */
+  public double hitRate(double falseAlarmRate) {
+    return NORMAL.cumulativeProbability(
+        intercept.value() + slope.value() * NORMAL.inverseCumulativeProbability(falseAlarmRate));
+  }
+}

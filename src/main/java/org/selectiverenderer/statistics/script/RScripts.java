@@ -1,0 +1,74 @@
+package org.selectiverenderer.statistics.script;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Objects;
+import org.selectiverenderer.statistics.detection.Correction;
+import org.selectiverenderer.statistics.detection.Guessing;
+import org.selectiverenderer.statistics.detection.Scoring;
+
+/** Scripts for R, each a whole program that reads a table beside it. */
+public final class RScripts {
+  /** The script's usual name. */
+  public static final String NAME = "analysis.R";
+
+  private static final String TEMPLATE = "analysis.R";
+
+  private RScripts() {}
+
+  /**
+   * The analyses of answers, scored as {@code experiment analyse} does by default.
+   *
+   * @param responsesFile name of a table with the columns {@code participant,condition,area,object,
+   *     consistency,present,response,confidence}, separated by commas, in the script's folder
+   */
+  public static String analysis(String responsesFile) {
+    return analysis(responsesFile, Scoring.DEFAULT);
+  }
+
+  /** The same with other choices of scoring. */
+  public static String analysis(String responsesFile, Scoring scoring) {
+    return template()
+        .replace("@RESPONSES@", quoted(responsesFile))
+        .replace("@CORRECTION@", quoted(correction(scoring.correction())))
+        .replace("@GUESSES@", quoted(scoring.guessing() == Guessing.DISCARD ? "discard" : "no"));
+  }
+
+  /** As the command line spells it. */
+  private static String correction(Correction correction) {
+    return switch (correction) {
+      case LOG_LINEAR -> "loglinear";
+      case HALF_TRIAL -> "half";
+      case NONE -> "none";
+    };
+  }
+
+  /** A string of R, whatever the name holds. */
+  private static String quoted(String text) {
+    StringBuilder out = new StringBuilder("\"");
+    text.codePoints()
+        .forEach(
+            c -> {
+              if (c == '"' || c == '\\') {
+                out.append('\\').appendCodePoint(c);
+              } else if (c < ' ' || c > '~') {
+                out.append(String.format(Locale.ROOT, "\\U{%x}", c));
+              } else {
+                out.appendCodePoint(c);
+              }
+            });
+    return out.append('"').toString();
+  }
+
+  private static String template() {
+    try (InputStream file =
+        Objects.requireNonNull(RScripts.class.getResourceAsStream(TEMPLATE), TEMPLATE)) {
+      return new String(file.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e); // It is in the program's own jar.
+    }
+  }
+}

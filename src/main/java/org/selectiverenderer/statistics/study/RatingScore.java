@@ -1,0 +1,76 @@
+package org.selectiverenderer.statistics.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.statistics.detection.RatingCounts;
+import org.selectiverenderer.statistics.detection.RatingFit;
+import org.selectiverenderer.statistics.detection.Response;
+import org.selectiverenderer.statistics.detection.Roc;
+
+/**
+ * Ratings of the objects of one type in one area: of one participant, or of all of a condition.
+ *
+ * <p>Pooled ratings treat the answers of many as those of one. Criteria that differ between
+ * participants flatten the pooled ROC, so its d_a is below the mean of theirs, and standard errors
+ * leave out that answers of one participant belong together (Macmillan and Creelman 2005, chapter
+ * 13). They show the shape of the ROC; tests of conditions are those of the participants' scores.
+ *
+ * @param participant empty for the ratings of all of the condition
+ * @param participants how many the ratings are of
+ */
+public record RatingScore(
+    String area,
+    String condition,
+    Optional<String> participant,
+    String type,
+    int participants,
+    RatingCounts ratings,
+    Roc roc,
+    RatingFit fit) {
+  private record Key(String area, String condition, Optional<String> participant, String type) {}
+
+  /** Of each condition, then of each participant; areas and participants as in the file. */
+  static List<RatingScore> of(
+      List<Response> responses, List<String> conditions, List<String> areas) {
+    Map<Key, List<Response>> pooled = new LinkedHashMap<>();
+    for (String area : areas) {
+      for (String type : Response.TYPES) {
+        conditions.forEach(
+            name -> pooled.put(new Key(area, name, Optional.empty(), type), new ArrayList<>()));
+      }
+    }
+    Map<Key, List<Response>> own = new LinkedHashMap<>();
+    for (Response response : responses) {
+      Key key = new Key(response.area(), response.condition(), Optional.empty(), response.type());
+      pooled.computeIfAbsent(key, first -> new ArrayList<>()).add(response);
+      own.computeIfAbsent(
+              new Key(key.area(), key.condition(), Optional.of(response.participant()), key.type()),
+              first -> new ArrayList<>())
+          .add(response);
+    }
+    List<RatingScore> scores = new ArrayList<>();
+    pooled.forEach((key, answers) -> add(key, answers, scores));
+    own.forEach((key, answers) -> add(key, answers, scores));
+    return scores;
+  }
+
+  private static void add(Key key, List<Response> answers, List<RatingScore> scores) {
+    if (answers.isEmpty()) {
+      return;
+    }
+    RatingCounts ratings = RatingCounts.of(answers);
+    scores.add(
+        new RatingScore(
+            key.area(),
+            key.condition(),
+            key.participant(),
+            key.type(),
+            (int) answers.stream().map(Response::participant).distinct().count(),
+            ratings,
+            Roc.of(ratings),
+            RatingFit.of(ratings)));
+  }
+}

@@ -1,0 +1,117 @@
+package org.selectiverenderer.statistics.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.data.ResponsesReader;
+import org.selectiverenderer.statistics.detection.ConfidenceLevel;
+import org.selectiverenderer.statistics.detection.Correction;
+import org.selectiverenderer.statistics.detection.Guessing;
+import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.Scoring;
+import org.selectiverenderer.statistics.simulation.ObjectList;
+import org.selectiverenderer.statistics.simulation.SimulatedStudy;
+import org.selectiverenderer.statistics.simulation.StudyModel;
+import org.selectiverenderer.statistics.study.AreaAnalysis;
+import org.selectiverenderer.statistics.study.AreaStudy;
+import org.selectiverenderer.testing.RequiresProgram;
+
+class RScriptsTest {
+  @TempDir Path folder;
+
+  @Test
+  void theScriptNamesItsFileAndItsChoices() {
+    String script =
+        RScripts.analysis("my \"best\"\\é.csv", new Scoring(Correction.HALF_TRIAL, Guessing.AS_NO));
+    assertThat(script)
+        .contains(
+            "responses <- \"my \\\"best\\\"\\\\\\U{e9}.csv\"",
+            "correction <- \"half\"",
+            "guesses <- \"no\"")
+        .doesNotContain("@RESPONSES@", "@CORRECTION@", "@GUESSES@");
+  }
+
+  /**
+   * The example of docs/statistics.md: R has the same F, and of single answers the difference
+   * between types of objects is gone.
+   */
+  @Test
+  @RequiresProgram("Rscript")
+  void rRepeatsTheAnalysesAndTheMixedProbitFindsNoEffectOfTypeOnSensitivity()
+      throws IOException, InterruptedException {
+    String answers =
+        ResponsesCsv.of(
+            SimulatedStudy.responses(
+                new StudyModel(
+                    List.of("high", "high-low", "selective"),
+                    List.of(1.1, 1.1, 1.1),
+                    List.of(0.0, 0.0, 0.0),
+                    0.3,
+                    0.25,
+                    0,
+                    0.4,
+                    ObjectList.THESIS),
+                54,
+                2009));
+    String text = run(answers, Scoring.DEFAULT, "kitchen");
+    AreaStudy kitchen =
+        AreaStudy.of(
+            ResponsesReader.parse("r.csv", answers, Optional.empty(), new Problems()).orElseThrow(),
+            Scoring.DEFAULT,
+            "kitchen");
+    for (ConfidenceLevel level : ConfidenceLevel.values()) {
+      for (Measure measure : Measure.values()) {
+        AreaAnalysis ours = kitchen.analysis(level, measure, AnovaOptions.DEFAULT);
+        for (Effect effect : ours.anova().orElseThrow().effects()) {
+          assertThat(text)
+              .containsPattern(
+                  String.format(
+                      Locale.ROOT,
+                      "\\b%.0f +%.0f +%.3f\\b",
+                      effect.df1(),
+                      effect.df2(),
+                      effect.f()));
+        }
+      }
+    }
+    // lme4 1.1-31: old_c:type chisq = 1.673, p = .196; R's packages may differ in the last digits.
+    assertThat(text).containsPattern("old_c:type +1 +1\\.[67]\\d\\d +0\\.(19|20)\\d");
+    assertThat(text).containsPattern("type +0\\.004 +0\\.(19|20)\\d");
+    assertThat(text).doesNotContain("other area", "== office ==");
+  }
+
+  @Test
+  @RequiresProgram("Rscript")
+  void whatIsWrongIsOneLine() throws IOException, InterruptedException {
+    assertThat(run("participant,area\nx,y\n", Scoring.DEFAULT))
+        .contains("usable.csv lacks condition, object, consistency");
+  }
+
+  private String run(String answers, Scoring scoring, String... areas)
+      throws IOException, InterruptedException {
+    Files.writeString(folder.resolve("usable.csv"), answers);
+    Path script = folder.resolve(RScripts.NAME);
+    Files.writeString(script, RScripts.analysis("usable.csv", scoring));
+    List<String> command = new ArrayList<>(List.of("Rscript", script.toString()));
+    command.addAll(List.of(areas));
+    Path out = folder.resolve("out.txt");
+    new ProcessBuilder(command)
+        .redirectErrorStream(true)
+        .redirectOutput(out.toFile())
+        .start()
+        .waitFor();
+    return Files.readString(out);
+  }
+}
