@@ -7,7 +7,7 @@ import org.selectiverenderer.experiment.study.SessionFlag;
  *
  * @param step by its id; empty where it is of the session as a whole
  */
-public record RaisedFlag(SessionFlag flag, String step) {
+record RaisedFlag(SessionFlag flag, String step) {
   /** In a few words, for people. */
   String note() {
     return switch (flag) {

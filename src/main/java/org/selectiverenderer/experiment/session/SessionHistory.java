@@ -140,7 +140,7 @@ final class SessionHistory {
   }
 
   /** What sets the session apart, each once, in the order in which it was told. */
-  public synchronized List<RaisedFlag> flags() {
+  synchronized List<RaisedFlag> flags() {
     return List.copyOf(flags);
   }
 

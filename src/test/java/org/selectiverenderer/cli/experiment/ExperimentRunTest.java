@@ -136,8 +136,9 @@ class ExperimentRunTest extends CommandRun {
 
   @Test
   void whatWasNotAsTheStudyAsksIsFlaggedAndExcluded() throws IOException, InterruptedException {
+    Thread device;
     try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      Thread device = new Thread(() -> sayOnce(server), "device");
+      device = new Thread(() -> sayOnce(server), "device");
       device.start();
       study(
           """
@@ -152,9 +153,8 @@ class ExperimentRunTest extends CommandRun {
               "; the session is flagged tracker-lost",
               "; the session is flagged low-frame-rate",
               "; the session is flagged display-fallback");
-      server.close();
-      device.join();
     }
+    device.join();
     assertThat(flags()).contains("simulated", "display-fallback", "low-frame-rate", "tracker-lost");
     assertThat(execute("experiment", "collect", folder.toString())).isOne();
     assertThat(messages())
