@@ -123,11 +123,15 @@ class CollectedAnswersTest extends TwoRoomsStudy {
 
     assertThat(problems.list()).isEmpty();
     assertThat(collected.ratings())
-        .isEqualTo("participant,area,object,schema,rating\n001,hall,coat,HallSchema,2\n");
+        .isEqualTo(
+            "participant,area,object,schema,rating,response_ms,place\n"
+                + "001,hall,coat,HallSchema,2,1000,1\n");
     assertThat(collected.bands()).contains("hall").doesNotContain("bed");
     assertThat(collected.answers()).isEqualTo(4);
     assertThat(folder.resolve("sub-001/ses-01/ratings.csv"))
-        .hasContent("participant,area,object,schema,rating\n001,hall,coat,HallSchema,2\n");
+        .hasContent(
+            "participant,area,object,schema,rating,response_ms,place\n"
+                + "001,hall,coat,HallSchema,2,1000,1\n");
   }
 
   @Test
