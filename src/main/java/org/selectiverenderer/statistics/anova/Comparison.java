@@ -16,7 +16,9 @@ import org.selectiverenderer.statistics.distribution.StudentizedRange;
  * @param family that it is one of, with p after Holm in it
  * @param deviation pooled standard deviation of the scores of a cell
  * @param confidence of the intervals
- * @param bayesFactor BF01, JZS
+ * @param size effective number of subjects: n1 n2 / (n1 + n2) for two groups, the number of pairs
+ *     for pairs
+ * @param priorScale of the Bayes factor
  */
 public record Comparison(
     String factor,
@@ -34,7 +36,8 @@ public record Comparison(
     double deviation,
     double confidence,
     Tost tost,
-    double bayesFactor) {
+    double size,
+    double priorScale) {
   /**
    * The comparisons that are held to one level of error together.
    *
@@ -44,7 +47,7 @@ public record Comparison(
    */
   public record Family(int size, int means, double holm) {}
 
-  Comparison inFamily(int size, double holm) {
+  Comparison inFamily(int members, double holm) {
     return new Comparison(
         factor,
         at,
@@ -57,11 +60,17 @@ public record Comparison(
         high,
         t,
         p,
-        new Family(size, family.means(), holm),
+        new Family(members, family.means(), holm),
         deviation,
         confidence,
         tost,
-        bayesFactor);
+        size,
+        priorScale);
+  }
+
+  /** BF01 of Jeffreys, Zellner and Siow; not a number where t is none. */
+  public double bayesFactor() {
+    return Double.isFinite(t) ? JzsT.nullFactor(t, df, size, priorScale) : Double.NaN;
   }
 
   /** p after Holm. */

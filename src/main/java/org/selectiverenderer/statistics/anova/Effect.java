@@ -42,11 +42,6 @@ public record Effect(
     List<MultivariateTest> multivariate,
     OmnibusEquivalence equivalence,
     Optional<String> flaw) {
-  /** Below these shares of the scores' size and spread an error's sum of squares is rounding. */
-  private static final double SIZE_ROUNDING = 1e-20;
-
-  private static final double SPREAD_ROUNDING = 1e-13;
-
   public Effect {
     multivariate = List.copyOf(multivariate);
   }
@@ -93,26 +88,11 @@ public record Effect(
 
   static Effect of(Term term, Design design, CellStatistics cells, AnovaOptions options) {
     Hypothesis h = Hypothesis.of(term, design, cells);
-    double size = 0;
-    for (int group = 0; group < cells.groups(); group++) {
-      for (double mean : cells.means(group)) {
-        size += mean * mean * cells.size(group);
-      }
-    }
-    boolean constant =
-        h.errorSum() <= SIZE_ROUNDING * size + SPREAD_ROUNDING * cells.error().getTrace();
-    double f = constant ? Double.NaN : h.sum() / h.df1() / (h.errorSum() / h.df2());
+    EffectTest test = EffectTest.of(term, h, cells, options);
+    boolean constant = test.constant();
     boolean contrasts = !term.within().isEmpty();
-    Optional<Sphericity> sphericity =
-        h.dimensions() > 1 && contrasts && !constant
-            ? Optional.of(Sphericity.of(h))
-            : Optional.empty();
-    Optional<CorrectedDf> correction =
-        sphericity.flatMap(
-            found -> options.sphericity().corrected(found, h.df1(), h.df2(), options.alpha()));
-    double df1 = correction.map(CorrectedDf::df1).orElse(h.df1());
-    double df2 = correction.map(CorrectedDf::df2).orElse(h.df2());
-    EffectSizes sizes = new EffectSizes(h, f, df1, df2, cells, options.etaConfidence());
+    EffectSizes sizes =
+        new EffectSizes(h, test.f(), test.df1(), test.df2(), cells, options.etaConfidence());
     boolean bounds = !constant && term.kind() != EffectKind.INTERCEPT;
     NoncentralF.Interval noncentrality =
         bounds ? sizes.noncentrality() : new NoncentralF.Interval(Double.NaN, Double.NaN);
@@ -123,15 +103,15 @@ public record Effect(
         h.errorSum(),
         h.df1(),
         h.df2(),
-        f,
-        correction,
-        constant ? Double.NaN : Tails.f(f, df1, df2),
+        test.f(),
+        test.correction(),
+        test.p(),
         constant ? undefined(options) : sizes.partialEta(noncentrality),
         constant ? undefined(options) : sizes.generalisedEta(noncentrality),
         constant ? undefined(options) : sizes.omega(noncentrality),
-        sphericity,
+        test.sphericity(),
         multivariate,
-        OmnibusEquivalence.of(f, df1, df2, options.etaBound()),
+        OmnibusEquivalence.of(test.f(), test.df1(), test.df2(), options.etaBound()),
         flaw(constant, contrasts && multivariate.isEmpty()));
   }
 

@@ -27,12 +27,16 @@ final class MeanContrasts {
   /** Pooled standard deviation of a score in its cell. */
   private final double deviation;
 
+  /** Half an interval's width, in standard errors. */
+  private final double half;
+
   MeanContrasts(Design design, CellStatistics cells, AnovaOptions options) {
     this.design = design;
     this.cells = cells;
     this.options = options;
     covariance = cells.covariance();
     deviation = Math.sqrt(covariance.getTrace() / cells.levels());
+    half = Tails.tQuantile(options.confidence(), cells.errorDf());
   }
 
   /** TOST's bound in the measure's units. */
@@ -80,8 +84,8 @@ final class MeanContrasts {
     RealVector within = weights(design.withinFactors(), weights);
     double mean = estimate(groups, within);
     double error = standardError(groups, within);
-    double half = Tails.tQuantile(options.confidence(), cells.errorDf()) * error;
-    return new MarginalMean(term, names, mean, error, cells.errorDf(), mean - half, mean + half);
+    return new MarginalMean(
+        term, names, mean, error, cells.errorDf(), mean - half * error, mean + half * error);
   }
 
   /**
@@ -94,7 +98,7 @@ final class MeanContrasts {
             .filter(Factor::varies)
             .toList();
     List<Comparison> all = new ArrayList<>();
-    factors.forEach(factor -> all.addAll(pairs(factor, Map.of(), Optional.empty())));
+    factors.forEach(factor -> all.addAll(pairs(factor)));
     for (int i = 0; i < factors.size(); i++) {
       for (int j = i + 1; j < factors.size(); j++) {
         Factor one = factors.get(i);
@@ -105,6 +109,11 @@ final class MeanContrasts {
       }
     }
     return all;
+  }
+
+  /** All pairs of levels of a factor, over all levels of the others. */
+  List<Comparison> pairs(Factor factor) {
+    return pairs(factor, Map.of(), Optional.empty());
   }
 
   private List<Comparison> pairsAtEach(Factor factor, Factor at) {
@@ -169,7 +178,6 @@ final class MeanContrasts {
     double difference = estimate(groups, within);
     double error = standardError(groups, within);
     double df = cells.errorDf();
-    double half = Tails.tQuantile(options.confidence(), df) * error;
     // A difference of equal scores, as rounding leaves it, has no t.
     boolean constant = error <= 1e-10 * Math.max(Math.abs(difference), deviation);
     double t = constant ? Double.NaN : difference / error;
@@ -182,15 +190,16 @@ final class MeanContrasts {
         difference,
         error,
         df,
-        difference - half,
-        difference + half,
+        difference - half * error,
+        difference + half * error,
         t,
         constant ? none : Tails.tTwoSided(t, df),
         new Comparison.Family(1, means, none),
         deviation,
         options.confidence(),
         constant ? new Tost(bound(), none, none, none) : Tost.of(difference, error, df, bound()),
-        constant ? none : JzsT.nullFactor(t, df, 1 / spread(groups), options.priorScale()));
+        1 / spread(groups),
+        options.priorScale());
   }
 
   private static List<Comparison> adjusted(List<Comparison> family) {

@@ -72,10 +72,10 @@ public final class BayesianAnova {
             .sorted(Comparator.naturalOrder())
             .map(
                 scale ->
-                    new EffectEvidence.Point(scale, factor(models, contained, term, scale).bf01()))
+                    new EffectEvidence.Point(scale, factor(models, others, term, scale).bf01()))
             .toList();
     return new EffectEvidence(
-        term, factor(models, contained, term, fixed), factor(models, others, term, fixed), points);
+        term, factor(models, others, term, fixed), factor(models, contained, term, fixed), points);
   }
 
   /** Of a model against the same and a term. */

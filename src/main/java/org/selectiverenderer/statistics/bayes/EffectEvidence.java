@@ -8,13 +8,13 @@ import org.selectiverenderer.statistics.anova.Term;
 /**
  * What the data say for the null hypothesis about an effect.
  *
- * @param alone the effect and those that it contains (an interaction's main effects) against those
- *     that it contains
- * @param beside all effects that do not contain it against the same and the effect: where other
- *     effects are large, {@code alone} takes them for error
- * @param robustness {@code alone} with other widths of the prior, in ascending order
+ * @param beside all effects that do not contain it against the same and the effect; what reports
+ *     call BF01
+ * @param alone those that it contains (an interaction's main effects) against the same and the
+ *     effect: where other effects are large, this takes them for error
+ * @param robustness {@code beside} with other widths of the prior, in ascending order
  */
-public record EffectEvidence(Term term, Ratio alone, Ratio beside, List<Point> robustness) {
+public record EffectEvidence(Term term, Ratio beside, Ratio alone, List<Point> robustness) {
   /**
    * A Bayes factor.
    *
@@ -42,13 +42,13 @@ public record EffectEvidence(Term term, Ratio alone, Ratio beside, List<Point> r
         .orElseThrow();
   }
 
-  /** Of the effect and those that it contains against those. */
+  /** Of all effects that do not contain it against the same and the effect. */
   public double bf01() {
-    return alone.bf01();
+    return beside.bf01();
   }
 
   /** Of {@link #bf01}. */
   public double error() {
-    return alone.error();
+    return beside.error();
   }
 }

@@ -4,10 +4,14 @@
  *
  * <p>A model is a set of terms. The effects of term t have variances g_t s², each g_t has an
  * inverse gamma prior, s² and the mean of all have Jeffreys' prior, and where there are within
- * factors each participant has an effect, a term in every model. An effect's Bayes factor is the
- * evidence of a model without it over that of the same and the effect, for two such models: of the
- * terms that it contains, and of all that do not contain it. All are among the models that
- * BayesFactor's anovaBF compares.
+ * factors each participant has an effect, a term in every model.
+ *
+ * <p>An effect's Bayes factor is the evidence of the model of all terms that do not contain it over
+ * that of the same and the effect. So no other effect is taken for error, and no model has an
+ * interaction without its main effects (Rouder, Engelhardt, McCabe and Morey 2016, Psychonomic
+ * Bulletin and Review 23): what sums of squares of type II compare. A second one leaves out of both
+ * models what the effect does not contain. All are ratios of models that BayesFactor's anovaBF
+ * prints.
  *
  * <p>The evidence is an integral over s² and all g. Orthonormal transformations of the within
  * levels take it apart: given s² and the g of the participants, the average and the contrasts of

@@ -20,6 +20,11 @@ public record Scoring(Correction correction, Guessing guessing) {
 
   /** A score for each participant, area, type and level, in the order of the answers. */
   public List<Score> scores(Collection<Response> responses) {
+    return scores(responses, List.of(ConfidenceLevel.values()));
+  }
+
+  /** Those of some levels. */
+  public List<Score> scores(Collection<Response> responses, List<ConfidenceLevel> levels) {
     Map<Key, List<Response>> cells = new LinkedHashMap<>();
     for (Response response : responses) {
       cells
@@ -32,7 +37,7 @@ public record Scoring(Correction correction, Guessing guessing) {
     List<Score> scores = new ArrayList<>();
     cells.forEach(
         (key, cell) -> {
-          for (ConfidenceLevel level : ConfidenceLevel.values()) {
+          for (ConfidenceLevel level : levels) {
             ResponseCounts counts = ResponseCounts.of(cell, level, guessing);
             scores.add(
                 new Score(

@@ -156,8 +156,8 @@ final class AnovaJson {
   private static void evidence(EffectEvidence evidence, ObjectNode json) {
     JsonNumbers.put(json, "bf01", evidence.bf01());
     JsonNumbers.put(json, "bf01_error", evidence.error());
-    JsonNumbers.put(json, "bf01_beside", evidence.beside().bf01());
-    JsonNumbers.put(json, "bf01_beside_error", evidence.beside().error());
+    JsonNumbers.put(json, "bf01_alone", evidence.alone().bf01());
+    JsonNumbers.put(json, "bf01_alone_error", evidence.alone().error());
     ArrayNode points = json.putArray("bf01_robustness");
     for (EffectEvidence.Point point : evidence.robustness()) {
       ObjectNode node = points.addObject();

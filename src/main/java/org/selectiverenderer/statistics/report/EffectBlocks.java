@@ -178,15 +178,15 @@ final class EffectBlocks {
     for (int i = 0; i < anova.effects().size(); i++) {
       Effect effect = anova.effects().get(i);
       EffectEvidence found = evidence.get(i);
-      sampled |= found.error() > SHOWN || found.beside().error() > SHOWN;
+      sampled |= found.error() > SHOWN || found.alone().error() > SHOWN;
       rows.add(
           List.of(
               effect.name(),
               figures.p(effect.p(), effect.flaw()),
               figures.p(effect.equivalence().p(), effect.flaw()),
               verdict(effect),
-              bayes(found.alone(), figures, obstacle.or(effect::flaw)),
-              bayes(found.beside(), figures, obstacle.or(effect::flaw))));
+              bayes(found.beside(), figures, obstacle.or(effect::flaw)),
+              bayes(found.alone(), figures, obstacle.or(effect::flaw))));
     }
     List<String> notes = new ArrayList<>(figures.notes());
     if (sampled) {
@@ -203,7 +203,7 @@ final class EffectBlocks {
             "p of equivalence",
             "conclusion",
             "BF01 (JZS)",
-            "beside the others"),
+            "BF01 alone"),
         rows,
         notes);
   }

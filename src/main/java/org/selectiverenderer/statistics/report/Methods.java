@@ -58,12 +58,12 @@ final class Methods {
             + number(options.etaBound())
             + " (Campbell and Lakens 2021), and Bayes factors for the null hypothesis (BF01 > 1"
             + " speaks for it).",
-        ("Bayes factors are of Jeffreys, Zellner and Siow. Of effects (Rouder et al. 2012): those that"
-                + " the effect contains (an interaction's main effects) against the same and it;"
-                + " “beside the others”: all effects that do not contain it, against the same and it."
-                + " The prior's width is %s for effects and, where there are within factors, %s for"
-                + " participants, who are a random factor of every model. They assume sphericity. Of"
-                + " comparisons (Rouder et al. 2009): width %s.")
+        ("Bayes factors are of Jeffreys, Zellner and Siow. Of effects (Rouder et al. 2012): a model of"
+                + " all effects that do not contain the one tested, against the same and it; “alone”"
+                + " has in both models only the effects that it contains (an interaction's main"
+                + " effects). The prior's width is %s for effects and, where there are within factors,"
+                + " %s for participants, who are a random factor of every model. They assume"
+                + " sphericity. Of comparisons (Rouder et al. 2009): width %s.")
             .formatted(
                 number(options.prior().fixed()),
                 number(options.prior().random()),

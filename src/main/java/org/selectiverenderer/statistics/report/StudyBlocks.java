@@ -180,11 +180,11 @@ final class StudyBlocks {
     if (corrected) {
       header.add("p corrected");
     }
-    header.add("ηp² [90 % CI]");
-    header.add(
-        "p (ηp² < %s)".formatted(String.format(Locale.ROOT, "%.2f", study.options().etaBound())));
-    header.addAll(List.of("BF01 (JZS)", "n"));
-    return new Table(area + ": effects", header, rows, notes(analyses, figures));
+    header.addAll(List.of("ηp² [90 % CI]", "p equiv.", "BF01", "n"));
+    String caption =
+        "%s: effects, equivalence (ηp² < %s), Bayes factors (JZS)"
+            .formatted(area, String.format(Locale.ROOT, "%.2f", study.options().etaBound()));
+    return new Table(caption, header, rows, notes(analyses, figures));
   }
 
   /** Footnotes, and once for each level what is true of its analyses. */

@@ -13,10 +13,10 @@ import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.AnovaTests;
 import org.selectiverenderer.statistics.anova.Comparison;
-import org.selectiverenderer.statistics.anova.Effect;
+import org.selectiverenderer.statistics.anova.EffectTest;
 import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
@@ -25,8 +25,8 @@ import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.study.AreaStudy;
 
 /**
- * Power by simulation: many studies of a model, each through the same analysis as a real one, on
- * all cores. Study i of a seed is always the same, whichever core makes it.
+ * Power by simulation: many studies of a model, each through the same tests as a real one, on all
+ * cores. Study i of a seed is always the same, whichever core makes it.
  *
  * @param area analysed; the model may ask about others too
  * @param studies for each number of participants
@@ -172,26 +172,23 @@ public record PowerAnalysis(
             DataFile.none("simulated"),
             SimulatedStudy.responses(own, participants, Seeds.of(seed, study)),
             List.of());
-    List<String> findings = new ArrayList<>();
-    AreaStudy.of(responses, scoring, area)
-        .analysis(ConfidenceLevel.ALL, measure, options)
-        .anova()
-        .ifPresent(anova -> add(anova, findings));
-    return findings;
+    return AreaStudy.of(responses, scoring, area, List.of(ConfidenceLevel.ALL))
+        .tests(ConfidenceLevel.ALL, measure, options)
+        .map(this::findings)
+        .orElse(List.of());
   }
 
-  private void add(Anova anova, List<String> findings) {
-    for (Effect effect : anova.effects()) {
+  private List<String> findings(AnovaTests tests) {
+    List<String> findings = new ArrayList<>();
+    for (EffectTest effect : tests.effects()) {
       if (effect.p() < options.alpha()) {
-        findings.add(effect.name());
+        findings.add(effect.term().name());
       }
     }
-    List<Comparison> groups =
-        anova.comparisons().stream()
-            .filter(pair -> pair.factor().equals(AreaStudy.BETWEEN) && pair.at().isEmpty())
-            .toList();
+    List<Comparison> groups = tests.groups();
     if (!groups.isEmpty() && groups.stream().allMatch(pair -> pair.tost().p() < options.alpha())) {
       findings.add(EQUIVALENCE);
     }
+    return findings;
   }
 }

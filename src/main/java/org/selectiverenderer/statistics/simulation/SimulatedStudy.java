@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.statistics.detection.Response;
@@ -20,11 +21,15 @@ public final class SimulatedStudy {
    */
   private static final double[] CERTAINTY = {0.15, 0.35, 0.6, 0.9};
 
+  private static final Location PLACE = Location.of("simulated");
+
   private final StudyModel model;
+  private final List<List<String>> objects;
   private final SplittableRandom random;
 
-  private SimulatedStudy(StudyModel model, long seed) {
+  private SimulatedStudy(StudyModel model, List<List<String>> objects, long seed) {
     this.model = model;
+    this.objects = objects;
     random = new SplittableRandom(seed);
   }
 
@@ -34,10 +39,19 @@ public final class SimulatedStudy {
    */
   public static List<Response> responses(StudyModel model, int participants, long seed) {
     List<Response> responses = new ArrayList<>();
+    List<List<String>> objects = model.lists().stream().map(SimulatedStudy::objects).toList();
     for (int i = 0; i < participants; i++) {
-      new SimulatedStudy(model, Seeds.of(seed, i)).participant(i, responses);
+      new SimulatedStudy(model, objects, Seeds.of(seed, i)).participant(i, responses);
     }
     return responses;
+  }
+
+  /** Names of the objects of a list, which take longer to write than to answer about. */
+  private static List<String> objects(ObjectList list) {
+    return IntStream.rangeClosed(1, list.questions())
+        .mapToObj(
+            object -> String.format(Locale.ROOT, "%s %s %02d", list.area(), list.type(), object))
+        .toList();
   }
 
   private void participant(int index, List<Response> responses) {
@@ -45,7 +59,9 @@ public final class SimulatedStudy {
     double sensitivity =
         model.sensitivities().get(condition) + model.sensitivitySpread() * normal();
     double criterion = model.criteria().get(condition) + model.criterionSpread() * normal();
-    for (ObjectList list : model.lists()) {
+    String participant = String.format(Locale.ROOT, "sim-%03d", index + 1);
+    for (int i = 0; i < objects.size(); i++) {
+      ObjectList list = model.lists().get(i);
       boolean inconsistent = list.type().equals("inconsistent");
       double d = sensitivity + (inconsistent ? model.typeSensitivity() : 0);
       double c = criterion + (inconsistent ? model.typeCriterion() : 0);
@@ -54,15 +70,15 @@ public final class SimulatedStudy {
         double distance = (present ? d : -d) / 2 + normal() - c;
         responses.add(
             new Response(
-                String.format(Locale.ROOT, "sim-%03d", index + 1),
+                participant,
                 model.conditions().get(condition),
                 list.area(),
-                String.format(Locale.ROOT, "%s %s %02d", list.area(), list.type(), object + 1),
+                objects.get(i).get(object),
                 list.type(),
                 present,
                 distance > 0,
                 confidence(Math.abs(distance)),
-                Location.of("simulated")));
+                PLACE));
       }
     }
   }

@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.anova.AnovaTests;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
@@ -43,10 +44,16 @@ public final class AreaStudy {
 
   /** The study of an area's answers. */
   public static AreaStudy of(Responses responses, Scoring scoring, String area) {
+    return of(responses, scoring, area, List.of(ConfidenceLevel.values()));
+  }
+
+  /** The study of an area's answers at some levels of confidence. */
+  public static AreaStudy of(
+      Responses responses, Scoring scoring, String area, List<ConfidenceLevel> levels) {
     return new AreaStudy(
         area,
         StudyAnalysis.conditions(responses.usable()),
-        scoring.scores(responses.usable()).stream()
+        scoring.scores(responses.usable(), levels).stream()
             .filter(score -> score.area().equals(area))
             .toList());
   }
@@ -61,6 +68,15 @@ public final class AreaStudy {
     Optional<Anova> anova =
         obstacle.isPresent() ? Optional.empty() : Optional.of(Anova.of(design, options));
     return new AreaAnalysis(area, level, measure, design, anova, notes);
+  }
+
+  /** The tests of that analysis alone; empty where it has none. */
+  public Optional<AnovaTests> tests(ConfidenceLevel level, Measure measure, AnovaOptions options) {
+    List<String> notes = new ArrayList<>();
+    Design design = design(measure, complete(level, measure, notes), notes);
+    return design.obstacle().isPresent()
+        ? Optional.empty()
+        : Optional.of(AnovaTests.of(design, options));
   }
 
   /** The participants with a score for every type, by condition; the others are noted. */

@@ -121,23 +121,34 @@ mixed_probit <- function(d) {
   if (nlevels(d$type) > 1) fixed <- paste(fixed, "* type")
   random <- c("(1 + old_c | participant) + (1 | item)", "(1 | participant) + (1 | item)")
   for (r in random) {
-    warned <- character()
-    m <- tryCatch(
-      withCallingHandlers(
-        lme4::glmer(as.formula(paste("yes ~", fixed, "+", r)), data = d, family = binomial("probit"),
-          control = lme4::glmerControl(optimizer = "bobyqa", optCtrl = list(maxfun = 2e5))),
-        warning = function(w) { warned <<- c(warned, conditionMessage(w)); invokeRestart("muffleWarning") },
-        message = function(w) invokeRestart("muffleMessage")),
-      error = function(e) { warned <<- c(warned, conditionMessage(e)); NULL })
-    if (!is.null(m) && !any(grepl("failed to converge|unidentifiable", warned))) break
+    model <- as.formula(paste("yes ~", fixed, "+", r))
+    unit <- suppressMessages(lme4::glFormula(model, data = d, family = binomial("probit")))$reTrms$theta
+    m <- NULL; warned <- character()
+    # From one start the search may end where a variance is 0 although the likelihood is higher
+    # elsewhere: then it begins anew from others, and the best counts.
+    for (size in c(0.3, 1, 0.1)) {
+      own <- character()
+      fit <- tryCatch(
+        withCallingHandlers(
+          lme4::glmer(model, data = d, family = binomial("probit"), start = list(theta = size * unit),
+            control = lme4::glmerControl(optimizer = "bobyqa", optCtrl = list(maxfun = 2e5))),
+          warning = function(w) { own <<- c(own, conditionMessage(w)); invokeRestart("muffleWarning") },
+          message = function(w) invokeRestart("muffleMessage")),
+        error = function(e) { own <<- c(own, conditionMessage(e)); NULL })
+      warned <- c(warned, own)
+      usable <- !is.null(fit) && !any(grepl("failed to converge|unidentifiable", own))
+      if (usable && (is.null(m) || logLik(fit) > logLik(m))) m <- fit
+      if (!is.null(m) && !lme4::isSingular(m)) break
+    }
+    if (!is.null(m)) break
     cat("  ", r, " did not converge: ", paste(unique(warned), collapse = "; "), "\n", sep = "")
-    m <- NULL
   }
   if (is.null(m)) {
     cat("Mixed probit: no model converged.\n")
     return(NULL)
   }
   cat("Mixed probit: yes ~ ", fixed, " + ", r, "\n", sep = "")
+  cat("  log likelihood =", decimals(as.numeric(logLik(m))), "\n")
   if (lme4::isSingular(m)) cat("  a variance is estimated as 0 (singular fit)\n")
   print(lme4::VarCorr(m), comp = "Std.Dev.")
   # Wald chi-squared of each term (type III, contrasts that sum to 0).
