@@ -145,8 +145,8 @@ class SessionWindowsTest {
               return true;
             });
     JFrame window = OpenWindow.named(hands, "thanks");
-    assertThat(Hands.onEdt(() -> window.getBounds().getCenterX())).isBetween(784.0, 786.0);
-    assertThat(Hands.onEdt(() -> window.getBounds().getCenterY())).isBetween(349.0, 351.0);
+    assertThat(Hands.onEdt(() -> window.getBounds().getCenterX())).isBetween(780.0, 790.0);
+    assertThat(Hands.onEdt(() -> window.getBounds().getCenterY())).isBetween(345.0, 355.0);
     OpenWindow.close(window);
     assertThat(OpenWindow.answer(thanked)).isTrue();
   }
