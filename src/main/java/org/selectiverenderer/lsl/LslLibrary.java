@@ -3,7 +3,6 @@ package org.selectiverenderer.lsl;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,6 +13,8 @@ import org.lwjgl.system.SharedLibrary;
 public final class LslLibrary {
   /** The environment variable that names the library's file. */
   public static final String VARIABLE = "SELECTIVE_RENDERER_LSL";
+
+  private static final String RELEASES = "https://github.com/sccn/liblsl/releases";
 
   private final LslCalls calls;
 
@@ -36,9 +37,20 @@ public final class LslLibrary {
       if (!Files.isRegularFile(Path.of(file.get()))) {
         throw new IOException(file.get() + ": there is no such file, where liblsl should be");
       }
-      return load(List.of(Path.of(file.get()).toAbsolutePath().toString()));
+      return load(
+          List.of(Path.of(file.get()).toAbsolutePath().toString()),
+          file.get()
+              + ": cannot be loaded as liblsl, the library of the Lab Streaming Layer; take the one"
+              + " for this machine from "
+              + RELEASES);
     }
-    return load(names(System.getProperty("os.name").toLowerCase(Locale.ROOT)));
+    return load(
+        names(System.getProperty("os.name").toLowerCase(Locale.ROOT)),
+        "liblsl, the library of the Lab Streaming Layer, is not installed or cannot be loaded;"
+            + " install it from "
+            + RELEASES
+            + ", or name its file with --lsl-library or "
+            + VARIABLE);
   }
 
   private static List<String> names(String system) {
@@ -50,22 +62,20 @@ public final class LslLibrary {
         : List.of("liblsl.so", "liblsl.so.2", "/usr/local/lib/liblsl.so");
   }
 
-  private static LslLibrary load(List<String> names) throws IOException {
-    List<String> reasons = new ArrayList<>();
+  /**
+   * @param missing what is said when none of them is there and can be loaded
+   */
+  private static LslLibrary load(List<String> names, String missing) throws IOException {
+    UnsatisfiedLinkError reason = new UnsatisfiedLinkError();
     for (String name : names) {
       try {
         SharedLibrary library = APIUtil.apiCreateLibrary(name);
         return new LslLibrary(new LslCalls(library));
       } catch (UnsatisfiedLinkError e) {
-        reasons.add(String.valueOf(e.getMessage()).lines().findFirst().orElse(name));
+        reason.addSuppressed(e); // For --debug: the loader's words are of its own settings.
       }
     }
-    throw new IOException(
-        "the library of the Lab Streaming Layer is not found or cannot be loaded (%s); install"
-                .formatted(reasons.get(0))
-            + " liblsl from https://github.com/sccn/liblsl/releases, or name its file with"
-            + " --lsl-library or "
-            + VARIABLE);
+    throw new IOException(missing, reason);
   }
 
   /** Its version: 116 is 1.16. */

@@ -138,6 +138,12 @@ public final class WindowChain implements WorldHost {
     runs.ended(guided, figures);
   }
 
+  /** An exposure's frames are to be even; its first one is black and waited for. */
+  @Override
+  public boolean readyAtOnce() {
+    return true;
+  }
+
   @Override
   public void input(InputEvent event) {
     if (current != null) {

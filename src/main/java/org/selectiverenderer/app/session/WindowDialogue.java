@@ -19,22 +19,25 @@ import org.selectiverenderer.runtime.render.window.Monitor;
 /** Participant and experimenter sit before windows. */
 public final class WindowDialogue implements SessionDialogue {
   private final Wording wording;
-  private final Optional<DesktopPlace> place;
+  private final DesktopPlace desk;
   private @Nullable ControlWindow control;
 
   /**
-   * @param operator the operator's monitor; empty for wherever the desktop puts windows
+   * @param operator the operator's monitor, at which the participant answers too: the others are
+   *     before the eyes; empty for wherever the desktop puts windows
    */
   public WindowDialogue(Wording wording, Optional<Monitor> operator) {
     this.wording = wording;
-    place =
-        operator.map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()));
+    desk =
+        operator
+            .map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()))
+            .orElse(DesktopPlace.USUAL);
     FlatLightLaf.setup();
   }
 
   @Override
   public void open(OperatorControls controls) {
-    control = ControlWindow.open(controls, place);
+    control = ControlWindow.open(controls, desk);
   }
 
   @Override
@@ -42,8 +45,7 @@ public final class WindowDialogue implements SessionDialogue {
     SessionStep step = new SessionStep.Form();
     AnswersOfWindow answers = new AnswersOfWindow(session, step);
     return ask(session, step, controls, answers, true)
-        ? Optional.of(
-            session.questionnaire(step).set(Question.Sets.AGE, answers.all()).orElse(""))
+        ? Optional.of(session.questionnaire(step).set(Question.Sets.AGE, answers.all()).orElse(""))
         : Optional.empty();
   }
 
@@ -76,14 +78,15 @@ public final class WindowDialogue implements SessionDialogue {
                 session.lastPage(step),
                 mayRefuse),
             answers,
-            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort));
+            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort),
+            desk);
     answers.check();
     return through;
   }
 
   @Override
   public void thanks(Session session) {
-    ThanksWindow.show(wording);
+    ThanksWindow.show(wording, desk);
   }
 
   @Override

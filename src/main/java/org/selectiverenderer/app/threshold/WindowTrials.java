@@ -13,6 +13,7 @@ import org.selectiverenderer.experiment.threshold.ThresholdSession;
 import org.selectiverenderer.experiment.threshold.ThresholdStudy;
 import org.selectiverenderer.experiment.threshold.ThresholdTask;
 import org.selectiverenderer.experiment.threshold.ThresholdTrial;
+import org.selectiverenderer.experiment.window.DesktopPlace;
 import org.selectiverenderer.experiment.window.ThanksWindow;
 import org.selectiverenderer.experiment.window.TrialPage;
 import org.selectiverenderer.experiment.window.TrialWindow;
@@ -68,10 +69,7 @@ public final class WindowTrials implements ThresholdDialogue {
         wording.of(words + ".question"),
         wording.of(words + ".keys"),
         wording.filled(
-            "threshold.left",
-            trial.number(),
-            session.pilot().left(),
-            study.objects().size()),
+            "threshold.left", trial.number(), session.pilot().left(), study.objects().size()),
         naming
             ? List.of(read(pictures.file(trial.object(), trial.rung(), trial.view())))
             : sideBySide(trial),
@@ -116,7 +114,7 @@ public final class WindowTrials implements ThresholdDialogue {
   @Override
   public void thanks() {
     window.close();
-    ThanksWindow.show(wording);
+    ThanksWindow.show(wording, DesktopPlace.USUAL);
   }
 
   @Override

@@ -17,6 +17,7 @@ import org.selectiverenderer.experiment.export.StudyExport;
 import org.selectiverenderer.experiment.session.CollectedAnswers;
 import org.selectiverenderer.experiment.session.PaperAnswers;
 import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.statistics.script.RScripts;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -26,7 +27,7 @@ import picocli.CommandLine.Option;
     description = {
       "Writes a study as tables for R, JASP and pandas, one for each level of analysis: "
           + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores; "
-          + "a codebook of every column, and scripts that read them.",
+          + "a codebook of every column, scripts that read them, and one that analyses them.",
       "Responses and ratings are those that experiment collect takes; the other tables have all "
           + "sessions. Files of an earlier export are replaced."
     },
@@ -76,12 +77,19 @@ final class ExperimentExportCommand extends CliCommand {
             material, OptionalInt.empty(), PaperAnswers.read(material, paper, problems), problems);
     StudyExport written =
         StudyExport.write(
-            RecordedStudy.read(material.study(), problems),
+            RecordedStudy.read(material, problems),
             new StudyExport.Answers(answers.responses(), answers.ratings()),
-            Map.of(),
+            scripts(answers),
             output,
             problems);
     console().message("tables: %s in %s".formatted(String.join(", ", written.files()), output));
     return ExitStatus.of(problems);
+  }
+
+  /** The analysis of memory, where somebody was asked about it. */
+  private static Map<String, String> scripts(CollectedAnswers answers) {
+    return answers.responses().lines().count() > 1
+        ? Map.of(RScripts.NAME, RScripts.analysis(StudyExport.RESPONSES))
+        : Map.of();
   }
 }

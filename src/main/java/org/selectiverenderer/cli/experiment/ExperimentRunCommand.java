@@ -30,6 +30,7 @@ import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.SessionOptions;
+import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyStreams;
@@ -40,6 +41,7 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.window.Monitors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -154,6 +156,7 @@ final class ExperimentRunCommand extends CliCommand {
     StudyStreams wanted =
         lsl.asked() ? material.study().streams().sending() : material.study().streams();
     Optional<LslLibrary> library = lsl.library(wanted.wanted()); // before anything has begun
+    requireGl(material);
     try (ChainTracker tracker = new ChainTracker();
         Session session = open(material, plain, tracker, problems);
         LabStreams streams = streams(wanted, library, session);
@@ -161,8 +164,7 @@ final class ExperimentRunCommand extends CliCommand {
             unattended
                 ? new SimulatedDialogue()
                 : new WindowDialogue(material.wording(), stage.monitor())) {
-      SessionShow show =
-          plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
+      SessionShow show = plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
       session.journal().listen(streams::event);
       console().message("session: " + session.folder().path());
       return ended(
@@ -231,6 +233,20 @@ final class ExperimentRunCommand extends CliCommand {
             });
   }
 
+  /**
+   * Opens OpenGL once before anything has begun: else a participant has a condition and has filled
+   * in the form when the first window fails.
+   */
+  private static void requireGl(StudyMaterial material) {
+    if (material.steps().stream().anyMatch(SessionStep::shows)) {
+      try {
+        OffscreenContext.open().close();
+      } catch (GlUnavailableException e) {
+        throw CommandFailure.environment(e.getMessage() + "; nothing has begun");
+      }
+    }
+  }
+
   /** Looks at the monitors, with which JOGL begins; then Swing may. */
   private SessionStage stage(Study study, Presentation presentation) {
     try {
@@ -263,8 +279,7 @@ final class ExperimentRunCommand extends CliCommand {
             Optional.ofNullable(condition),
             exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure),
             unattended,
-            TrackerPresence.instead(
-                material.study().tracker(), withoutTracker, console()::message),
+            TrackerPresence.instead(material.study().tracker(), withoutTracker, console()::message),
             new ProgramVersion().getVersion()[0]);
     String id = participant.of(material.study(), resume, ConsoleQuestion::ask);
     TrackerPresence presence = new TrackerPresence(tracker, show);

@@ -10,7 +10,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
@@ -91,9 +93,14 @@ final class AnswerTables {
    * A table that each session has in its folder; without rows where none has.
    *
    * @param columns that it has in any case
+   * @param wanted the rows that are to be in it
    */
   DataTable ofSessions(
-      List<RecordedSession> sessions, String name, String meaning, List<String> columns)
+      List<RecordedSession> sessions,
+      String name,
+      String meaning,
+      List<String> columns,
+      Predicate<CsvRow> wanted)
       throws IOException {
     List<CsvTable> parts = new ArrayList<>();
     Set<String> all = new LinkedHashSet<>(columns);
@@ -111,7 +118,8 @@ final class AnswerTables {
     }
     DataTable table = empty(name, meaning, List.copyOf(all));
     for (CsvTable part : parts) {
-      part.rows()
+      part.rows().stream()
+          .filter(wanted)
           .forEach(
               row ->
                   table.add(

@@ -107,13 +107,15 @@ public record StudyExport(List<String> files) {
                 "kind",
                 "value",
                 "response_ms",
-                "place")));
+                "place"),
+            row -> !study.personal(row.cell("questionnaire"), row.cell("question"))));
     tables.add(
         asked.ofSessions(
             study.sessions(),
             "scores",
             "a score of a questionnaire",
-            List.of("participant", "session", "condition", "questionnaire", "score", "value")));
+            List.of("participant", "session", "condition", "questionnaire", "score", "value"),
+            row -> true));
     return tables;
   }
 

@@ -26,7 +26,7 @@ public final class AnswersCsv {
     Map<String, Answer> counting = questionnaire.counting(answers);
     for (Page page : questionnaire.shown(counting)) {
       for (Question question : page.asked(counting)) {
-        if (!question.personal() && !question.kind().example()) {
+        if (question.inTables()) {
           List<Object> cells =
               question
                   .kind()

@@ -44,14 +44,18 @@ public record Question(
 
   /** With a text in the place of another. */
   Question naming(String old, String other) {
-    return new Question(
-        id, text.replace(old, other), kind, optional, when, must, sets, personal);
+    return new Question(id, text.replace(old, other), kind, optional, when, must, sets, personal);
   }
 
   /** Whether nothing of an answer is wanting. */
   public boolean complete(Answer answer, Wording wording) {
     boolean confident = kind.fields(wording).size() > 1;
     return answer.complete(confident) || optional && answer.equals(Answer.NONE);
+  }
+
+  /** Whether answers come into tables. */
+  public boolean inTables() {
+    return !personal && !kind.example();
   }
 
   /** Whether an answer forbids to take part. */

@@ -20,7 +20,7 @@ import org.selectiverenderer.base.problem.Problems;
  * is taken away, once a copy of it is on the disk; a last event that lacks only its line's end gets
  * it. Lines in the middle that cannot be read stay as they are, and are told.
  */
-final class JournalMending {
+public final class JournalMending {
   private JournalMending() {}
 
   /**
@@ -30,7 +30,8 @@ final class JournalMending {
    * @return what the journal is to say of it; empty where it was whole
    * @throws IOException if it cannot be read or written; nothing is lost then
    */
-  static Optional<Map<String, Object>> mend(Path journal, Problems problems) throws IOException {
+  public static Optional<Map<String, Object>> mend(Path journal, Problems problems)
+      throws IOException {
     byte[] bytes = Files.readAllBytes(journal);
     JournalText text = JournalText.of(bytes);
     Map<String, Object> found = new LinkedHashMap<>();
@@ -62,7 +63,7 @@ final class JournalMending {
   }
 
   /** Says which lines of a journal cannot be read; nothing is changed. */
-  static void tellDamaged(Path journal, JournalText text, Problems problems) {
+  public static void tellDamaged(Path journal, JournalText text, Problems problems) {
     for (int line : text.damaged()) {
       problems.warning(
           new Location(journal.toString(), line, 1),
@@ -71,9 +72,12 @@ final class JournalMending {
   }
 
   private static Path copy(Path journal, byte[] tail) throws IOException {
+    String name = journal.getFileName().toString();
+    String stem = name.substring(0, name.lastIndexOf('.'));
     Path copy = journal;
     for (int number = 1; Files.exists(copy); number++) {
-      copy = journal.resolveSibling(String.format(Locale.ROOT, "events-cut-off-%02d.txt", number));
+      copy =
+          journal.resolveSibling(String.format(Locale.ROOT, "%s-cut-off-%02d.txt", stem, number));
     }
     FileActions.REAL.write(copy, tail);
     Disk.forceFolder(copy.getParent());

@@ -24,15 +24,10 @@ import org.selectiverenderer.base.json.JsonTree;
  * @param tail bytes after them: a last line that was cut off
  * @param ended whether the kept bytes end a line; else only the line's end was cut off
  */
-record JournalText(
-    List<ObjectNode> events,
-    List<Integer> damaged,
-    int lines,
-    int kept,
-    int tail,
-    boolean ended) {
+public record JournalText(
+    List<ObjectNode> events, List<Integer> damaged, int lines, int kept, int tail, boolean ended) {
 
-  JournalText {
+  public JournalText {
     events = List.copyOf(events);
     damaged = List.copyOf(damaged);
   }
@@ -42,11 +37,11 @@ record JournalText(
    *
    * @throws IOException if it cannot be read
    */
-  static JournalText read(Path journal) throws IOException {
+  public static JournalText read(Path journal) throws IOException {
     return of(Files.readAllBytes(journal));
   }
 
-  static JournalText of(byte[] bytes) {
+  public static JournalText of(byte[] bytes) {
     List<ObjectNode> events = new ArrayList<>();
     List<Integer> damaged = new ArrayList<>();
     int begin = 0;
@@ -64,8 +59,7 @@ record JournalText(
     Optional<ObjectNode> last = event(bytes, begin, bytes.length);
     last.ifPresent(events::add);
     int kept = last.isPresent() ? bytes.length : begin;
-    return new JournalText(
-        events, damaged, line, kept, bytes.length - kept, last.isEmpty());
+    return new JournalText(events, damaged, line, kept, bytes.length - kept, last.isEmpty());
   }
 
   private static boolean blank(byte[] bytes, int begin, int end) {

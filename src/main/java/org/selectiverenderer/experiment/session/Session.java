@@ -40,6 +40,7 @@ public final class Session implements AutoCloseable {
   private final SessionJournal journal;
   private final SessionHistory history;
   private final MotionFiles motion;
+  private boolean closed;
 
   private Session(
       StudyMaterial material,
@@ -439,6 +440,9 @@ public final class Session implements AutoCloseable {
     }
     milliseconds.ifPresent(ms -> event.put("ms", ms));
     event.put("place", place);
+    if (question.personal()) {
+      event.put("personal", true); // Whatever becomes of the study's file: for no table.
+    }
     journal.keep("answer", event);
   }
 
@@ -483,12 +487,16 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Waits for what is still being written and lets go of the session.
+   * Waits for what is still being written and lets go of the session; once more does nothing.
    *
    * @throws IOException if something could not be written
    */
   @Override
   public void close() throws IOException {
+    if (closed) {
+      return;
+    }
+    closed = true;
     try (lock;
         journal) {
       motion.close();

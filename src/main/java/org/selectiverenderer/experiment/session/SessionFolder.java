@@ -103,7 +103,12 @@ public record SessionFolder(Path study, String participant, int number) {
 
   /** A BIDS label has letters and digits only. */
   static String task(String headName) {
-    return headName.substring(0, headName.lastIndexOf("_run-")).replace("-", "");
+    return label(headName.substring(0, headName.lastIndexOf("_run-")));
+  }
+
+  /** What BIDS calls a step: a label has letters and digits only. */
+  public static String label(String step) {
+    return step.replaceAll("[^0-9A-Za-z]", "");
   }
 
   /**

@@ -22,15 +22,15 @@ import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * That a session is run by one program. The operating system's lock on {@value #LOCK} decides, and
- * goes with the process, however that ends: a file left by a crash locks nothing. {@value #HOLDER}
- * beside it says who has the lock, for messages.
+ * That a session, or a participant's pilot, is run by one program. The operating system's lock on
+ * {@value #LOCK} decides, and goes with the process, however that ends: a file left by a crash
+ * locks nothing. {@value #HOLDER} beside it says who has the lock, for messages.
  *
  * <p>These are two files, and nothing but this class ever opens the first: on POSIX systems a
  * process that closes any descriptor of a file loses its locks on that file (fcntl), so a file that
  * is read by its owner cannot be the lock; and on Windows a locked file cannot be read by others.
  */
-final class SessionLock implements AutoCloseable {
+public final class SessionLock implements AutoCloseable {
   static final String LOCK = "session.lock";
   static final String HOLDER = "running.json";
 
@@ -60,13 +60,13 @@ final class SessionLock implements AutoCloseable {
   }
 
   /**
-   * Takes the lock of a session's folder, which must be there.
+   * Takes the lock of a folder, which must be there.
    *
    * @param software name and version of the program, for others' messages
    * @throws IOException if another program has it, with a line that names it; or if the disk cannot
    *     be written or knows no locks
    */
-  static SessionLock take(Path folder, String software) throws IOException {
+  public static SessionLock take(Path folder, String software) throws IOException {
     return take(folder, software, Locking.REAL);
   }
 
@@ -78,8 +78,7 @@ final class SessionLock implements AutoCloseable {
       throw held(folder); // The lock's file is not touched: to close it again would free it.
     }
     FileChannel channel =
-        FileChannel.open(
-            folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel.open(folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     try {
       FileLock lock = lock(folder, channel, locking);
       WholeFile.replace(holder, JsonText.of(self).getBytes(StandardCharsets.UTF_8));
@@ -118,7 +117,8 @@ final class SessionLock implements AutoCloseable {
   private static IOException held(Path folder) {
     return new IOException(
         "%s is being run by %s; wait until that has ended, or end it"
-            .formatted(folder, read(folder.resolve(HOLDER)).map(SessionLock::told).orElse(UNKNOWN)));
+            .formatted(
+                folder, read(folder.resolve(HOLDER)).map(SessionLock::told).orElse(UNKNOWN)));
   }
 
   private static String told(JsonNode holder) {
@@ -163,9 +163,12 @@ final class SessionLock implements AutoCloseable {
     }
   }
 
-  /** Lets go of it. */
+  /** Lets go of it; once more does nothing, as by then it may be another program's. */
   @Override
   public void close() throws IOException {
+    if (!channel.isOpen()) {
+      return;
+    }
     try (channel) {
       Files.deleteIfExists(holder);
       if (lock.isValid()) {

@@ -3,10 +3,10 @@ package org.selectiverenderer.experiment.session;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
@@ -21,8 +21,7 @@ import org.selectiverenderer.experiment.study.StudyReader;
  * @param form consent and what is asked of the person, with the id of the step {@code form}
  * @param asked all other questionnaires, in the study's order
  */
-public record StudyMaterial(
-    Study study, Questionnaire form, List<Asked> asked, Wording wording) {
+public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, Wording wording) {
 
   /** A questionnaire, and when it is asked. */
   public record Asked(Questionnaire questionnaire, Moment moment) {
@@ -56,21 +55,24 @@ public record StudyMaterial(
     if (form.isEmpty() || asked.isEmpty()) {
       return Optional.empty();
     }
-    StudyMaterial material =
-        new StudyMaterial(study.get(), form.get(), asked.get(), wording.get());
+    StudyMaterial material = new StudyMaterial(study.get(), form.get(), asked.get(), wording.get());
     return material.distinct(problems) ? Optional.of(material) : Optional.empty();
   }
 
-  /** Whether each step has an id of its own; the journal knows them by it. */
+  /** Whether each step has an id of its own: the journal knows them by it, BIDS by its letters. */
   private boolean distinct(Problems problems) {
-    Set<String> ids = new HashSet<>();
+    Map<String, String> ids = new HashMap<>();
     for (SessionStep step : steps()) {
-      if (!ids.add(step.id())) {
+      String other = ids.put(SessionFolder.label(step.id()), step.id());
+      if (other != null) {
         problems.error(
             Location.of(study.file().toString()),
-            ("two steps of a session would be called %s; give a questionnaire another \"name\". "
-                    + "The study is not used")
-                .formatted(step.id()));
+            (other.equals(step.id())
+                    ? "two steps of a session would be called %s; give a questionnaire another"
+                        + " \"name\". The study is not used"
+                    : "two steps of a session would be called %s and %s, which names of files do not"
+                        + " tell apart; give one another \"name\". The study is not used")
+                .formatted(other, step.id()));
         return false;
       }
     }

@@ -5,8 +5,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
@@ -32,13 +35,32 @@ public record ThresholdResults(
    */
   public static ThresholdResults read(ThresholdStudy study, Problems problems) throws IOException {
     List<JsonNode> counting = new ArrayList<>();
+    Map<String, List<String>> shown = new LinkedHashMap<>();
     int participants = 0;
     for (Path folder : folders(study)) {
       List<JsonNode> events = TrialLog.read(folder, problems);
       if (!events.isEmpty() && attends(study, folder, events, problems)) {
         counting.addAll(events);
         participants++;
+        events.stream()
+            .filter(event -> is(event, "pilot-began"))
+            .map(event -> event.path("material_sha256").asText())
+            .forEach(
+                sum ->
+                    shown
+                        .computeIfAbsent(sum, same -> new ArrayList<>())
+                        .add(folder.getFileName().toString()));
       }
+    }
+    if (shown.size() > 1) {
+      problems.warning(
+          Location.of(study.file().toString()),
+          ("the settings or the pictures were changed between participants (%s); what they saw was not"
+                  + " the same, and should not be in one mean")
+              .formatted(
+                  shown.values().stream()
+                      .map(same -> String.join(", ", same))
+                      .collect(Collectors.joining("; "))));
     }
     List<ObjectThreshold> objects = new ArrayList<>();
     for (ThresholdStudy.Judged judged : study.objects()) {

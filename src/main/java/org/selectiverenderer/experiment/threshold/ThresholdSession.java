@@ -57,16 +57,20 @@ public final class ThresholdSession implements AutoCloseable {
     Path folder = folder(study, opening.participant());
     boolean there = Files.isRegularFile(TrialLog.of(folder));
     if (there && !opening.resume()) {
-      throw new IOException(
-          folder + " exists already: --resume continues it, another --participant begins anew");
+      throw begunBefore(folder);
     }
     if (!there && opening.resume()) {
       throw new IOException(folder + " has no pilot to continue; leave --resume out");
     }
     ThresholdPilot pilot = new ThresholdPilot(study, ladders, opening.participant());
-    TrialLog log = TrialLog.open(folder);
+    TrialLog log = TrialLog.open(folder, opening.software(), problems);
     try {
-      List<JsonNode> events = TrialLog.read(folder, problems);
+      List<JsonNode> events = log.events();
+      boolean begun =
+          events.stream().anyMatch(event -> event.path("event").asText().equals("pilot-began"));
+      if (begun && !opening.resume()) {
+        throw begunBefore(folder); // By another program, just before this one had the lock.
+      }
       for (JsonNode event : events) {
         check(folder, event, opening);
         if (event.path("event").asText().equals("trial")) {
@@ -81,7 +85,7 @@ public final class ThresholdSession implements AutoCloseable {
       began.put("software", opening.software());
       began.put("unattended", opening.unattended());
       began.put("trials", pilot.trials());
-      log.keep(events.isEmpty() ? "pilot-began" : "resumed", began);
+      log.keep(begun ? "resumed" : "pilot-began", began);
       ThresholdSession session = new ThresholdSession(study, ladders, pilot, log);
       session.keepFound(events);
       return session;
@@ -89,6 +93,11 @@ public final class ThresholdSession implements AutoCloseable {
       log.close();
       throw e;
     }
+  }
+
+  private static IOException begunBefore(Path folder) {
+    return new IOException(
+        folder + " exists already: --resume continues it, another --participant begins anew");
   }
 
   static Path folder(ThresholdStudy study, String participant) {

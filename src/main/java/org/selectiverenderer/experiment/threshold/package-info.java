@@ -26,8 +26,9 @@
  * settings, the participant's id and the answers so far, and from nothing else, so a session that
  * was cut off goes on with the very trial that it would have come to. One thread at a time.
  *
- * <p>Uses {@code statistics.distribution} and {@code base}. No GL, no AWT: {@code app.threshold}
- * makes the pictures, {@code experiment.window} shows them.
+ * <p>Uses {@code statistics.distribution}, {@code experiment.session} for how a journal is locked
+ * and mended, and {@code base}. No GL, no AWT: {@code app.threshold} makes the pictures, {@code
+ * experiment.window} shows them.
  */
 @NullMarked
 package org.selectiverenderer.experiment.threshold;

@@ -9,7 +9,6 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.time.LocalTime;
 import java.time.temporal.ChronoUnit;
-import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -41,9 +40,9 @@ public final class ControlWindow implements AutoCloseable {
   private final Timer refresh;
   private boolean asking;
 
-  private ControlWindow(OperatorControls controls, Optional<DesktopPlace> place) {
+  private ControlWindow(OperatorControls controls, DesktopPlace desk) {
     this.controls = controls;
-    frame = new JFrame("Session", place.orElse(DesktopPlace.USUAL).configuration());
+    frame = new JFrame("Session", desk.configuration());
     status.setName("status");
     status.setFont(status.getFont().deriveFont(18f));
     status.setBorder(BorderFactory.createEmptyBorder(12, 12, 4, 12));
@@ -60,7 +59,7 @@ public final class ControlWindow implements AutoCloseable {
     frame.add(below, BorderLayout.SOUTH);
     frame.pack();
     // In a corner, so that a single monitor shows it beside the participant's window.
-    Rectangle most = place.orElse(DesktopPlace.USUAL).area();
+    Rectangle most = desk.area();
     frame.setLocation(
         most.x + most.width - frame.getWidth(), most.y + most.height - frame.getHeight());
     key(KeyEvent.VK_F4, controls::resetHeading);
@@ -144,12 +143,12 @@ public final class ControlWindow implements AutoCloseable {
   /**
    * Opens it and goes on.
    *
-   * @param place the operator's monitor; empty for wherever the desktop puts windows
+   * @param desk the operator's monitor
    */
-  public static ControlWindow open(OperatorControls controls, Optional<DesktopPlace> place) {
+  public static ControlWindow open(OperatorControls controls, DesktopPlace desk) {
     return Waiting.onSwing(
         () -> {
-          ControlWindow window = new ControlWindow(controls, place);
+          ControlWindow window = new ControlWindow(controls, desk);
           window.frame.setVisible(true);
           return window;
         });

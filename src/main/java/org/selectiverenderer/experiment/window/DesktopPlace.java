@@ -3,7 +3,10 @@ package org.selectiverenderer.experiment.window;
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
+import java.awt.Insets;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.geom.AffineTransform;
 import java.util.Arrays;
 
@@ -18,7 +21,7 @@ import java.util.Arrays;
  */
 public record DesktopPlace(int screen, int x, int y, int width, int height) {
   /** Wherever the desktop puts windows. */
-  static final DesktopPlace USUAL = new DesktopPlace(0, 0, 0, 0, 0);
+  public static final DesktopPlace USUAL = new DesktopPlace(0, 0, 0, 0, 0);
 
   /** The screen that a window is to be opened on. */
   GraphicsConfiguration configuration() {
@@ -43,17 +46,26 @@ public record DesktopPlace(int screen, int x, int y, int width, int height) {
         .orElseGet(() -> desktop.getDefaultScreenDevice().getDefaultConfiguration());
   }
 
-  /** Where windows may lie on it, in Swing's units. */
+  /** Puts a window into the middle of it. */
+  void center(Window window) {
+    Rectangle most = area();
+    window.setLocation(
+        most.x + (most.width - window.getWidth()) / 2,
+        most.y + (most.height - window.getHeight()) / 2);
+  }
+
+  /** Where windows may lie on it, the desktop's bars left free, in Swing's units. */
   Rectangle area() {
     if (width == 0) {
       return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
     AffineTransform scale = configuration().getDefaultTransform();
+    Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(configuration());
     return new Rectangle(
-        (int) Math.round(x / scale.getScaleX()),
-        (int) Math.round(y / scale.getScaleY()),
-        (int) Math.round(width / scale.getScaleX()),
-        (int) Math.round(height / scale.getScaleY()));
+        (int) Math.round(x / scale.getScaleX()) + bars.left,
+        (int) Math.round(y / scale.getScaleY()) + bars.top,
+        (int) Math.round(width / scale.getScaleX()) - bars.left - bars.right,
+        (int) Math.round(height / scale.getScaleY()) - bars.top - bars.bottom);
   }
 
   private static Rectangle pixels(GraphicsConfiguration screen) {

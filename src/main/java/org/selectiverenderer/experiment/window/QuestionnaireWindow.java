@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
-import java.awt.GraphicsEnvironment;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
@@ -76,7 +75,8 @@ public final class QuestionnaireWindow {
   private final Listener listener;
   private final Consumer<Boolean> done;
   private final Map<String, Answer> answers;
-  private final JFrame frame = new JFrame();
+  private final DesktopPlace desk;
+  private final JFrame frame;
   private final JPanel middle = new JPanel(new BorderLayout());
   private final PageFoot foot;
   private final KeyEventDispatcher keys = this::key;
@@ -84,8 +84,14 @@ public final class QuestionnaireWindow {
   private PagePanel panel;
 
   private QuestionnaireWindow(
-      Asking asking, Listener listener, SessionEnd sessionEnd, Consumer<Boolean> done) {
+      Asking asking,
+      Listener listener,
+      SessionEnd sessionEnd,
+      DesktopPlace desk,
+      Consumer<Boolean> done) {
     this.asking = asking;
+    this.desk = desk;
+    frame = new JFrame(desk.configuration());
     this.listener = listener;
     this.done = done;
     answers = new HashMap<>(asking.known());
@@ -134,9 +140,11 @@ public final class QuestionnaireWindow {
    * Asks, and waits until all is answered or the session ends.
    *
    * @param listener hears of every page, every answer and every change of one
+   * @param desk the monitor that the participant answers at
    * @return whether all was answered and the participant went on
    */
-  public static boolean ask(Asking asking, Listener listener, SessionEnd sessionEnd) {
+  public static boolean ask(
+      Asking asking, Listener listener, SessionEnd sessionEnd, DesktopPlace desk) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
         finished ->
@@ -144,6 +152,7 @@ public final class QuestionnaireWindow {
                     asking,
                     listener,
                     sessionEnd,
+                    desk,
                     complete -> {
                       through.set(complete);
                       finished.run();
@@ -158,7 +167,7 @@ public final class QuestionnaireWindow {
 
   /** One size for all pages: that of the tallest, as far as the screen goes. */
   private void size() {
-    Rectangle most = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    Rectangle most = desk.area();
     int width = Math.min(WIDTH, most.width);
     int tallest =
         asking.questionnaire().pages().stream()
@@ -179,7 +188,7 @@ public final class QuestionnaireWindow {
     frame.setSize(
         new Dimension(
             width, Math.min(most.height, Math.max(LEAST_HEIGHT, Math.min(MOST_HEIGHT, height)))));
-    frame.setLocationRelativeTo(null);
+    desk.center(frame);
   }
 
   private PagePanel make(Page which) {

@@ -12,13 +12,17 @@ import org.selectiverenderer.experiment.questionnaire.Wording;
 public final class ThanksWindow {
   private ThanksWindow() {}
 
-  /** Shows it until it is closed. */
-  public static void show(Wording wording) {
-    Waiting.on(done -> frame(wording, done));
+  /**
+   * Shows it until it is closed.
+   *
+   * @param desk the monitor that the participant has answered at
+   */
+  public static void show(Wording wording, DesktopPlace desk) {
+    Waiting.on(done -> frame(wording, desk, done));
   }
 
-  private static JFrame frame(Wording wording, Runnable done) {
-    JFrame frame = new JFrame(wording.of("thanks.title"));
+  private static JFrame frame(Wording wording, DesktopPlace desk, Runnable done) {
+    JFrame frame = new JFrame(wording.of("thanks.title"), desk.configuration());
     frame.setName("thanks");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(new ClosingAsks(done));
@@ -32,7 +36,7 @@ public final class ThanksWindow {
     frame.add(close, BorderLayout.SOUTH);
     frame.getRootPane().setDefaultButton(close);
     frame.pack();
-    frame.setLocationRelativeTo(null);
+    desk.center(frame);
     return frame;
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.cli.experiment;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -15,10 +16,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.CommandRun;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 import org.selectiverenderer.experiment.study.StudyTemplate;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** The default study, its exposures shortened, in processes of their own. */
@@ -37,7 +40,58 @@ class KilledSessionTest {
     log = folder.resolve("messages.txt");
   }
 
+  @Test
+  void whereOpenGlIsTooOldNothingBegins() throws IOException, InterruptedException {
+    try (OffscreenContext here = OffscreenContext.open()) {
+      assumeTrue(here.info().renderer().contains("llvmpipe"), "only Mesa can be made older");
+    }
+    ProcessBuilder run = command("run", study.toString(), "--participant", "001", "--unattended");
+    run.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
+    assertThat(run.start().waitFor()).as(Files.readString(log)).isEqualTo(2);
+    assertThat(Files.readString(log)).contains("OpenGL 3.3", "; nothing has begun").hasLineCount(1);
+    assertThat(folder.resolve("study/sub-001")).doesNotExist();
+    assertThat(folder.resolve("study/participants.tsv")).doesNotExist();
+  }
+
+  @Test
+  void expectancyOfThePilotEnrichesAScene() throws IOException, InterruptedException {
+    String pilot = study.resolveSibling("pilot").toString();
+    done("run", pilot + "/study.json", "--participant", "001", "--unattended");
+    Path ratings = folder.resolve("ratings.csv");
+    done("collect", pilot, "--ratings", ratings.toString());
+    String mixer =
+        Files.readAllLines(ratings).stream()
+            .filter(line -> line.startsWith("001,kitchen,mixer,KitchenSchema,"))
+            .findFirst()
+            .orElseThrow();
+    Path scene = folder.resolve("mine.x3d");
+    CommandRun enrich = new CommandRun();
+    // The pilot asks about more than this scene has; each is told.
+    assertThat(
+            enrich.execute(
+                "enrich",
+                "scenes/apartment-plain.x3d",
+                "--ratings",
+                ratings.toString(),
+                "--output",
+                scene.toString()))
+        .isOne();
+    assertThat(enrich.messages())
+        .contains("no Switch of the scene has the name 'violin'")
+        .doesNotContain("'mixer'", "'table'");
+    // Thesis 5.1: up to 3 not expected, 4 and more expected.
+    boolean expected = Integer.parseInt(mixer.split(",")[4]) >= 4;
+    assertThat(Files.readString(scene))
+        .containsPattern(
+            "consistencyTypeDefinitionMixer_Part%d' name='consistencyType' value='\"%s\"'"
+                .formatted(expected ? 2 : 1, expected ? "consistent" : "inconsistent"));
+  }
+
   private Process start(String... arguments) throws IOException {
+    return command(arguments).start();
+  }
+
+  private ProcessBuilder command(String... arguments) {
     List<String> command =
         new ArrayList<>(
             List.of(
@@ -47,10 +101,7 @@ class KilledSessionTest {
                 Main.class.getName(),
                 "experiment"));
     command.addAll(List.of(arguments));
-    return new ProcessBuilder(command)
-        .redirectErrorStream(true)
-        .redirectOutput(log.toFile())
-        .start();
+    return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile());
   }
 
   private void done(String... arguments) throws IOException, InterruptedException {

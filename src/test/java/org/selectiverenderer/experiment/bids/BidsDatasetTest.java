@@ -38,7 +38,7 @@ class BidsDatasetTest {
     dataset = folder.resolve("dataset");
     BidsDataset written =
         BidsDataset.write(
-            RecordedStudy.read(RecordedFolder.material(study).study(), problems),
+            RecordedStudy.read(RecordedFolder.material(study), problems),
             ORIGIN,
             dataset,
             problems);
@@ -133,8 +133,7 @@ class BidsDatasetTest {
 
   @Test
   void aFolderWithFilesIsNotMixedWithADataset() throws IOException {
-    RecordedStudy recorded =
-        RecordedStudy.read(RecordedFolder.material(study).study(), new Problems());
+    RecordedStudy recorded = RecordedStudy.read(RecordedFolder.material(study), new Problems());
     assertThatThrownBy(() -> BidsDataset.write(recorded, ORIGIN, study, problems))
         .isInstanceOf(IOException.class)
         .hasMessage(study + ": is not empty; a dataset needs a folder of its own, name a new one");

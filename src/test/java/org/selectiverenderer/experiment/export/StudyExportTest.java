@@ -45,7 +45,7 @@ class StudyExportTest {
     tables = folder.resolve("tables");
     StudyExport written =
         StudyExport.write(
-            RecordedStudy.read(material.study(), problems),
+            RecordedStudy.read(material, problems),
             new StudyExport.Answers(answers.responses(), answers.ratings()),
             Map.of("analysis.R", "print(1)\n"),
             tables,

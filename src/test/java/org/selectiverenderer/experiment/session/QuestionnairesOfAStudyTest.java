@@ -5,11 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +22,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.paper.PaperPage;
 import org.selectiverenderer.experiment.questionnaire.paper.PaperTable;
 import org.selectiverenderer.experiment.study.StudyTemplate;
@@ -218,6 +223,46 @@ class QuestionnairesOfAStudyTest {
         .singleElement()
         .asString()
         .contains("two steps of a session would be called own");
+  }
+
+  @Test
+  void twoStepsWhoseFilesWouldHaveOneNameAreAnError() throws IOException {
+    Files.writeString(
+        file, Files.readString(file).replace("\"sus\"", "\"sus\", \"name\": \"o-wn\""));
+    Problems problems = new Problems();
+    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("two steps of a session would be called own and o-wn, which names of files");
+  }
+
+  @Test
+  void aPageInRandomOrderHasOneOfItsOwnForEachParticipantAndTheSameWhenItComesAgain()
+      throws IOException {
+    String questions =
+        IntStream.rangeClosed(1, 8)
+            .mapToObj(
+                i -> "{\"id\": \"q%d\", \"kind\": \"yes-no\", \"text\": \"%d?\"}".formatted(i, i))
+            .collect(Collectors.joining(",\n"));
+    Files.writeString(
+        folder.resolve("own.json"),
+        "{\"name\": \"own\", \"pages\": [{\"name\": \"p\", \"order\": \"random\", \"questions\": [\n"
+            + questions
+            + "]}]}");
+    SessionStep own = new SessionStep.Questions("own", "");
+    Set<List<String>> orders = new HashSet<>();
+    for (int i = 1; i <= 10; i++) {
+      List<String> ids = ids(material().questionnaire(own, "P" + i));
+      assertThat(ids(material().questionnaire(own, "P" + i))).isEqualTo(ids);
+      assertThat(ids).containsExactlyInAnyOrder("q1", "q2", "q3", "q4", "q5", "q6", "q7", "q8");
+      orders.add(ids);
+    }
+    assertThat(orders).hasSize(10);
+  }
+
+  private static List<String> ids(Questionnaire questionnaire) {
+    return questionnaire.questions().stream().map(Question::id).toList();
   }
 
   @Test

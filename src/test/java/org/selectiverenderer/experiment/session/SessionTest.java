@@ -34,6 +34,18 @@ class SessionTest extends TwoRoomsStudy {
   }
 
   @Test
+  void aSessionThatIsClosedOnceMoreTakesNothingFromAnotherProgramThatRunsItNow()
+      throws IOException {
+    Session first = begin("001");
+    first.close();
+    try (Session second = resume("001")) {
+      first.close();
+      assertThat(second.folder().path().resolve(SessionLock.HOLDER)).exists();
+      form(second);
+    }
+  }
+
+  @Test
   void aCutOffSessionGoesOnAfterItsLastFinishedStepWithTheAnswersSoFar() throws IOException {
     try (Session session = begin("001")) {
       form(session);
@@ -61,7 +73,8 @@ class SessionTest extends TwoRoomsStudy {
     assertThat(after.substring(whole.length()).lines())
         .first()
         .asString()
-        .contains("\"journal-mended\"", "\"cut_off_line\":", "\"kept_as\":\"events-cut-off-01.txt\"");
+        .contains(
+            "\"journal-mended\"", "\"cut_off_line\":", "\"kept_as\":\"events-cut-off-01.txt\"");
     assertThat(after)
         .contains("\"event\":\"resumed\"", "\"finished\":[\"form\"]", "\"run\":2")
         .doesNotContain("recog\"");
@@ -109,7 +122,10 @@ class SessionTest extends TwoRoomsStudy {
         .singleElement()
         .asString()
         .startsWith(events + ":" + (hit + 1) + ":1: this line is damaged and is no event;");
-    assertThat(events).content().startsWith(damaged).contains("\"damaged_lines\":[" + (hit + 1) + "]");
+    assertThat(events)
+        .content()
+        .startsWith(damaged)
+        .contains("\"damaged_lines\":[" + (hit + 1) + "]");
     Problems collected = new Problems();
     CollectedAnswers answers =
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), collected);
@@ -145,7 +161,8 @@ class SessionTest extends TwoRoomsStudy {
   void aSessionThatIsBeingRunIsNotRunASecondTime() throws IOException {
     try (Session session = begin("001")) {
       assertThat(session.condition()).isEmpty();
-      assertThatThrownBy(() -> resume("001")).hasMessageContaining("is being run by test (process " + ProcessHandle.current().pid());
+      assertThatThrownBy(() -> resume("001"))
+          .hasMessageContaining("is being run by test (process " + ProcessHandle.current().pid());
     }
     resume("001").close();
   }

@@ -24,6 +24,28 @@ class ThresholdResultsTest extends PilotFolder {
   }
 
   @Test
+  void whoSawOtherPicturesIsTold() throws IOException {
+    participants(2, 0.1);
+    ThresholdStudy study = study();
+    try (ThresholdSession session =
+        ThresholdSession.open(
+            study,
+            ladders(study),
+            new ThresholdSession.Opening("003", "other pictures", "test 1", true, false),
+            problems)) {
+      answer(session, observer(study, 0.1, 103), 10_000);
+    }
+    assertThat(ThresholdResults.read(study, problems).participants()).isEqualTo(3);
+    assertThat(told())
+        .singleElement()
+        .asString()
+        .endsWith(
+            "threshold.json: the settings or the pictures were changed between participants (sub-001,"
+                + " sub-002; sub-003); what they saw was not the same, and should not be in one"
+                + " mean");
+  }
+
+  @Test
   void meansAreOfLogarithmsAndTheIntervalIsStudents() {
     ObjectThreshold vase =
         new ObjectThreshold(

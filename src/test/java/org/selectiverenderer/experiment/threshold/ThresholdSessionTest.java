@@ -1,5 +1,6 @@
 package org.selectiverenderer.experiment.threshold;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -9,7 +10,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.selectiverenderer.base.json.JsonTree;
 
 /** What a participant has answered is never lost, and what comes next follows from it. */
@@ -58,9 +61,10 @@ class ThresholdSessionTest extends PilotFolder {
     assertThat(told())
         .singleElement()
         .asString()
-        .contains("trials.jsonl:30:1", "the line is damaged or was cut off");
+        .contains("trials.jsonl:30:1", "was moved to trials-cut-off-01.txt");
     assertThat(log("001")).anyMatch(line -> line.contains("\"event\":\"resumed\""));
-    assertThat(log("001").get(29)).isEqualTo("{\"time\":\"20");
+    assertThat(log("001").get(29)).contains("\"event\":\"journal-mended\"");
+    assertThat(log.resolveSibling("trials-cut-off-01.txt")).hasContent("{\"time\":\"20");
   }
 
   @Test
@@ -160,10 +164,43 @@ class ThresholdSessionTest extends PilotFolder {
   void aSecondProgramIsRefusedWhileOneRuns() throws IOException {
     try (ThresholdSession session = open("001", false)) {
       answer(session, observer(study(), 0.1, 1), 3);
-      assertThatThrownBy(() -> open("001", true)).hasMessageContaining("is running already");
+      assertThatThrownBy(() -> open("001", true)).hasMessageContaining(" is being run by test 1 ");
       answer(session, observer(study(), 0.1, 1), 3);
     }
     assertThat(log("001")).hasSize(7);
+  }
+
+  @Test
+  @Timeout(value = 120, unit = TimeUnit.SECONDS)
+  void aSecondProcessIsRefusedUntilTheFirstIsGoneHoweverItEnds()
+      throws IOException, InterruptedException {
+    Process first =
+        new ProcessBuilder(
+                ProcessHandle.current().info().command().orElse("java"),
+                "-cp",
+                System.getProperty("java.class.path"),
+                HeldPilot.class.getName(),
+                file.toString(),
+                "001")
+            .redirectError(ProcessBuilder.Redirect.INHERIT)
+            .start();
+    try {
+      assertThat(first.inputReader(UTF_8).readLine()).isEqualTo("held");
+      for (boolean resume : new boolean[] {true, false}) {
+        assertThatThrownBy(() -> open("001", resume)).isInstanceOf(IOException.class);
+      }
+      assertThatThrownBy(() -> open("001", true))
+          .hasMessageStartingWith(
+              folder.resolve("threshold/sub-001")
+                  + " is being run by held 1 (process "
+                  + first.pid()
+                  + " on ");
+    } finally {
+      first.destroyForcibly().waitFor();
+    }
+    try (ThresholdSession session = open("001", true)) {
+      assertThat(session.pilot().trials()).isEqualTo(1);
+    }
   }
 
   @Test

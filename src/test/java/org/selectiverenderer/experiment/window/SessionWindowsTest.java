@@ -56,6 +56,7 @@ class SessionWindowsTest {
   private final List<String> pages = new CopyOnWriteArrayList<>();
   private final List<Integer> places = new CopyOnWriteArrayList<>();
   private final List<Long> times = new CopyOnWriteArrayList<>();
+  private DesktopPlace desk = DesktopPlace.USUAL;
   private final AtomicInteger closings = new AtomicInteger();
   private final SessionEnd end = new SessionEnd(over::get, closings::incrementAndGet);
 
@@ -140,7 +141,32 @@ class SessionWindowsTest {
                     times.add(ms);
                   }
                 },
-                end));
+                end,
+                desk));
+  }
+
+  @Test
+  void whatTheParticipantAnswersOpensOnTheMonitorThatIsNotBeforeAnEye() throws IOException {
+    // As beside an eye's monitor of 290 pixels.
+    desk = new DesktopPlace(0, 290, 0, 990, 700);
+    StudyMaterial material = form("en");
+    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
+    JFrame form = OpenWindow.named(hands, "questionnaire");
+    Rectangle monitor = new Rectangle(290, 0, 990, 700);
+    assertThat(Hands.onEdt(() -> monitor.contains(form.getBounds()))).isTrue();
+    over.set(true);
+    assertThat(OpenWindow.answer(asked)).isFalse();
+    FutureTask<Boolean> thanked =
+        OpenWindow.asking(
+            () -> {
+              ThanksWindow.show(material.wording(), desk);
+              return true;
+            });
+    JFrame window = OpenWindow.named(hands, "thanks");
+    assertThat(Hands.onEdt(() -> window.getBounds().getCenterX())).isBetween(780.0, 790.0);
+    assertThat(Hands.onEdt(() -> window.getBounds().getCenterY())).isBetween(345.0, 355.0);
+    OpenWindow.close(window);
+    assertThat(OpenWindow.answer(thanked)).isTrue();
   }
 
   private void choose(JFrame window, String name, List<String> heard) {
@@ -390,7 +416,7 @@ class SessionWindowsTest {
             new Problems())) {
       OperatorControls controls = new OperatorControls(session.journal());
       assertThat(controls.askAbort()).as("nobody there to ask").isFalse();
-      ControlWindow opened = ControlWindow.open(controls, Optional.empty());
+      ControlWindow opened = ControlWindow.open(controls, DesktopPlace.USUAL);
       try {
         JFrame window = OpenWindow.named(hands, "controls");
         controls.status("exposure-kitchen: 12 s left");
@@ -470,7 +496,7 @@ class SessionWindowsTest {
     FutureTask<Boolean> shown =
         OpenWindow.asking(
             () -> {
-              ThanksWindow.show(wording);
+              ThanksWindow.show(wording, desk);
               return true;
             });
     JFrame thanks = OpenWindow.named(hands, "thanks");

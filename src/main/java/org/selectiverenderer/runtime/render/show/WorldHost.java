@@ -28,6 +28,14 @@ public interface WorldHost {
   /** Steps the world for the next frame; empty while there is nothing to show yet. */
   Optional<World> step();
 
+  /**
+   * Whether all of a world is sent to the graphics card before its first picture, so that all other
+   * frames take alike long; else what is not shown comes with the frames after it.
+   */
+  default boolean readyAtOnce() {
+    return false;
+  }
+
   /** Whether the window is to be closed instead of showing another frame. */
   boolean finished();
 

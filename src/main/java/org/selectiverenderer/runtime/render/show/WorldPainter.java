@@ -36,6 +36,11 @@ final class WorldPainter {
     world.hold(() -> renderer.prepare(gl, world.instances()));
   }
 
+  /** Meshes and textures sent to the graphics card since the start. */
+  long uploads() {
+    return renderer.uploads();
+  }
+
   /**
    * Draws over a whole target of that size while no other thread changes the world; returns what
    * was drawn.

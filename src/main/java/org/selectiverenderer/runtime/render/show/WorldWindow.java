@@ -29,6 +29,7 @@ public final class WorldWindow {
   private final @Nullable OperatorWindow operator;
   private volatile @Nullable Screenshot last;
   private volatile @Nullable GlInfo info;
+  private volatile long uploads;
 
   public WorldWindow(RunWindows stage, WorldHost host) {
     this.host = host;
@@ -76,6 +77,11 @@ public final class WorldWindow {
     return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
   }
 
+  /** Meshes and textures that were sent to the graphics card up to the last frame. */
+  long uploads() {
+    return uploads;
+  }
+
   private final class Frames implements FrameSource {
     private final WorldPainter painter = new WorldPainter(stage.layout(), stage.shading());
     private final EyeTarget eyes = new EyeTarget(stage.main().samples());
@@ -85,6 +91,7 @@ public final class WorldWindow {
     private final PointerTracker pointer = new PointerTracker();
     private final PictureCopy right;
     private Optional<World> world = Optional.empty();
+    private @Nullable World ready;
     private @Nullable FrameSize size;
 
     Frames(PictureCopy right) {
@@ -132,7 +139,12 @@ public final class WorldWindow {
         }
         return;
       }
+      if (world.get() != ready && host.readyAtOnce()) {
+        painter.prepare(gl, world.get());
+        ready = world.get();
+      }
       Drawn drawn = paint(gl, world.get(), frame);
+      uploads = painter.uploads();
       mirror(gl, frame);
       List<String> lines = host.overlay();
       if (!lines.isEmpty()) {
