@@ -57,7 +57,7 @@ final class ExperimentBidsCommand extends CliCommand {
     }
     BidsDataset written =
         BidsDataset.write(
-            RecordedStudy.read(material.get().study(), problems),
+            RecordedStudy.read(material.get(), problems),
             new BidsDataset.Origin(ProgramVersion.PROGRAM, ProgramVersion.number(), authors),
             output,
             problems);

@@ -27,8 +27,8 @@ import picocli.CommandLine.Option;
       "Writes a study as tables for R, JASP and pandas, one for each level of analysis: "
           + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores; "
           + "a codebook of every column, and scripts that read them.",
-      "Responses and ratings are those that experiment collect takes; the other tables have all "
-          + "sessions. Files of an earlier export are replaced."
+      "Responses, ratings, answers and scores are those that experiment collect takes; the other "
+          + "tables have all sessions. Files of an earlier export are replaced."
     },
     footer = {
       "  ./selective-renderer experiment export mystudy --output mystudy-tables",
@@ -76,8 +76,9 @@ final class ExperimentExportCommand extends CliCommand {
             material, OptionalInt.empty(), PaperAnswers.read(material, paper, problems), problems);
     StudyExport written =
         StudyExport.write(
-            RecordedStudy.read(material.study(), problems),
-            new StudyExport.Answers(answers.responses(), answers.ratings()),
+            RecordedStudy.read(material, problems),
+            new StudyExport.Answers(
+                answers.responses(), answers.ratings(), answers.others(), answers.scores()),
             Map.of(),
             output,
             problems);

@@ -20,14 +20,14 @@ import org.selectiverenderer.experiment.dataset.SessionAnswers;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 import org.selectiverenderer.experiment.headlog.Bids;
 import org.selectiverenderer.experiment.headlog.HeadLog;
-import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.experiment.session.StudyMaterial;
 
 /** The files of one session: motion with its events, answers, and when each was recorded. */
 final class SessionFiles {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT);
 
-  private final Study study;
+  private final StudyMaterial material;
   private final RecordedSession session;
   private final BidsDataset.Origin origin;
   private final BidsFolder files;
@@ -43,12 +43,12 @@ final class SessionFiles {
               TableColumn.time("acq_time", "when its first sample was taken, UTC")));
 
   SessionFiles(
-      Study study,
+      StudyMaterial material,
       RecordedSession session,
       BidsDataset.Origin origin,
       BidsFolder files,
       Problems problems) {
-    this.study = study;
+    this.material = material;
     this.session = session;
     this.origin = origin;
     this.files = files;
@@ -94,7 +94,7 @@ final class SessionFiles {
     Bids.files(log.get(), motion, task, origin.program() + " " + origin.version())
         .forEach((file, text) -> files.add(folder + "motion/" + file, text));
     DataTable events = new DataTable("events", "", RunEvents.columns());
-    RunEvents.rows(run, log, study.fade()).forEach(events::add);
+    RunEvents.rows(run, log, material.study().fade()).forEach(events::add);
     files.add(folder + "motion/" + name + number + "_events", events, stimulus(task));
     scans.add(
         "motion/" + motion + Bids.DATA, run.started(log).map(SessionFiles::time).orElse(null));
@@ -117,9 +117,9 @@ final class SessionFiles {
     }
   }
 
-  private void answers() throws IOException {
+  private void answers() {
     for (Map.Entry<String, List<List<@Nullable Object>>> screen :
-        SessionAnswers.rows(session, problems).entrySet()) {
+        SessionAnswers.rows(material, session, problems).entrySet()) {
       String task = task(screen.getKey());
       DataTable table = new DataTable("beh", "", SessionAnswers.columns());
       screen.getValue().forEach(table::add);

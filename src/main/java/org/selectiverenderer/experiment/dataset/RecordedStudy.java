@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.session.SessionFolder;
+import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
@@ -13,9 +14,13 @@ import org.selectiverenderer.experiment.study.Study;
  * @param sessions by participant, then by number
  */
 public record RecordedStudy(
-    Study study, ParticipantsTable participants, List<RecordedSession> sessions) {
+    StudyMaterial material, ParticipantsTable participants, List<RecordedSession> sessions) {
   public RecordedStudy {
     sessions = List.copyOf(sessions);
+  }
+
+  public Study study() {
+    return material.study();
   }
 
   /**
@@ -24,14 +29,14 @@ public record RecordedStudy(
    * @param problems hears of what is damaged, and is left out
    * @throws IOException if a file cannot be read at all
    */
-  public static RecordedStudy read(Study study, Problems problems) throws IOException {
+  public static RecordedStudy read(StudyMaterial material, Problems problems) throws IOException {
     List<RecordedSession> sessions = new ArrayList<>();
-    for (SessionFolder folder : SessionFolder.all(study)) {
+    for (SessionFolder folder : SessionFolder.all(material.study())) {
       RecordedSession.read(folder, problems).ifPresent(sessions::add);
     }
     return new RecordedStudy(
-        study,
-        ParticipantsTable.read(study.folder().resolve("participants.tsv"), problems),
+        material,
+        ParticipantsTable.read(material.study().folder().resolve("participants.tsv"), problems),
         sessions);
   }
 }

@@ -1,20 +1,24 @@
 package org.selectiverenderer.experiment.dataset;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
+import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.QuestionItem;
+import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.TabledAnswer;
+import org.selectiverenderer.experiment.session.StudyMaterial;
 
-/** The answers of a session, from its journal: each question's last one, screen by screen. */
+/**
+ * The answers of a session, from its journal: each question's last one, screen by screen. What the
+ * study calls personal is not among them.
+ */
 public final class SessionAnswers {
   private static final Map<String, String> YES = yes();
 
@@ -29,7 +33,7 @@ public final class SessionAnswers {
         TableColumn.whole(
             "confidence", "how sure the participant was, 1 (not at all) to 5 (certain)"),
         TableColumn.number(
-            "response_time", "s", "from when the question was shown until this answer"),
+            "response_time", "s", "from when the question was shown until the value that counts"),
         TableColumn.whole("place", "the question's number on its screen, from 1"),
         TableColumn.text("area", "of the scene that the question is about"),
         TableColumn.text("consistency", "of the object with the area's schema"),
@@ -43,74 +47,61 @@ public final class SessionAnswers {
     return levels;
   }
 
-  /** The rows of each screen that was begun, by its step's id, in order. */
+  /**
+   * The rows of each screen that was begun, by its step's id, in order.
+   *
+   * @param material what was asked: which answers are personal, and what was true
+   * @param problems hears of screens that the study no longer has; they are left out
+   */
   public static Map<String, List<List<@Nullable Object>>> rows(
-      RecordedSession session, Problems problems) throws IOException {
-    Map<String, Map<String, JournalLine>> last = new LinkedHashMap<>();
-    for (JournalLine line : session.events()) {
-      if (line.event().equals("answer")) {
-        last.computeIfAbsent(line.step(), step -> new LinkedHashMap<>())
-            .put(line.text("object"), line);
-      }
-    }
-    Optional<CsvTable> truths = truths(session.folder().path().resolve("responses.csv"), problems);
+      StudyMaterial material, RecordedSession session, Problems problems) {
     Map<String, List<List<@Nullable Object>>> rows = new LinkedHashMap<>();
-    last.forEach(
-        (step, answers) -> {
-          List<List<@Nullable Object>> own = new ArrayList<>();
-          answers.values().forEach(line -> own.add(row(line, truths)));
-          rows.put(step, own);
-        });
+    session
+        .given()
+        .forEach(
+            (step, given) ->
+                material
+                    .questionnaire(step, session.folder().participant())
+                    .ifPresentOrElse(
+                        asked -> {
+                          List<List<@Nullable Object>> own = rows(asked, given);
+                          if (!own.isEmpty()) {
+                            rows.put(step, own);
+                          }
+                        },
+                        () ->
+                            problems.warning(
+                                Location.of(session.folder().journal().toString()),
+                                ("the study no longer has %s; the answers to it are left out,"
+                                        + " as nobody knows which of them are personal")
+                                    .formatted(step))));
     return rows;
   }
 
-  private static Optional<CsvTable> truths(Path responses, Problems problems) throws IOException {
-    List<String> needed = List.of("area", "object", "consistency", "present");
-    return Files.isRegularFile(responses)
-        ? CsvTable.read(responses, CsvColumns.of(needed), problems::warning)
-            .filter(table -> table.require(needed, String.join(",", needed)))
-        : Optional.empty();
-  }
-
-  private static List<@Nullable Object> row(JournalLine line, Optional<CsvTable> truths) {
-    JsonNode members = line.members();
-    List<@Nullable Object> row = new ArrayList<>();
-    row.add(line.text("object"));
-    row.add(value(members.path("value")));
-    row.add(members.path("confidence").asInt() > 0 ? members.path("confidence").asInt() : null);
-    row.add(members.has("ms") ? members.path("ms").asDouble() / 1000 : null);
-    row.add(members.has("place") ? members.path("place").asInt() : null);
-    String area =
-        line.step().startsWith("recognition-") || line.step().startsWith("expectancy-")
-            ? line.step().substring(line.step().indexOf('-') + 1)
-            : "";
-    row.add(area);
-    truths
-        .flatMap(
-            table ->
-                table.rows().stream()
-                    .filter(truth -> truth.cell("area").equals(area))
-                    .filter(truth -> truth.cell("object").equals(line.text("object")))
-                    .filter(truth -> line.step().startsWith("recognition-"))
-                    .findFirst())
-        .ifPresentOrElse(
-            truth -> {
-              row.add(truth.cell("consistency"));
-              row.add(truth.cell("present"));
-            },
-            () -> {
-              row.add(null);
-              row.add(null);
-            });
-    return row;
-  }
-
-  private static String value(JsonNode value) {
-    if (!value.isArray()) {
-      return value.asText();
+  private static List<List<@Nullable Object>> rows(
+      Questionnaire asked, Map<String, GivenAnswer> given) {
+    List<List<@Nullable Object>> rows = new ArrayList<>();
+    for (TabledAnswer one : asked.tabled(given)) {
+      if (!one.given().answer().value().isEmpty()) {
+        rows.add(row(asked, one.question(), one.given()));
+      }
     }
-    List<String> chosen = new ArrayList<>();
-    value.forEach(choice -> chosen.add(choice.asText()));
-    return String.join("|", chosen);
+    return rows;
+  }
+
+  private static List<@Nullable Object> row(
+      Questionnaire asked, Question question, GivenAnswer given) {
+    Optional<QuestionItem> item = question.kind().about();
+    Optional<QuestionItem> remembered = item.filter(one -> !one.type().isEmpty());
+    List<@Nullable Object> row = new ArrayList<>();
+    row.add(question.id());
+    row.add(given.answer().value());
+    row.add(given.answer().confidence() > 0 ? given.answer().confidence() : null);
+    row.add(given.last().isPresent() ? given.last().getAsLong() / 1000.0 : null);
+    row.add(given.place() > 0 ? given.place() : null);
+    row.add(item.map(QuestionItem::area).orElse(asked.area()));
+    row.add(remembered.map(QuestionItem::type).orElse(null));
+    row.add(remembered.map(one -> one.present() ? "yes" : "no").orElse(null));
+    return row;
   }
 }

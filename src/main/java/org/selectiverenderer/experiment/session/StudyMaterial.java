@@ -21,8 +21,7 @@ import org.selectiverenderer.experiment.study.StudyReader;
  * @param form consent and what is asked of the person, with the id of the step {@code form}
  * @param asked all other questionnaires, in the study's order
  */
-public record StudyMaterial(
-    Study study, Questionnaire form, List<Asked> asked, Wording wording) {
+public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, Wording wording) {
 
   /** A questionnaire, and when it is asked. */
   public record Asked(Questionnaire questionnaire, Moment moment) {
@@ -56,8 +55,7 @@ public record StudyMaterial(
     if (form.isEmpty() || asked.isEmpty()) {
       return Optional.empty();
     }
-    StudyMaterial material =
-        new StudyMaterial(study.get(), form.get(), asked.get(), wording.get());
+    StudyMaterial material = new StudyMaterial(study.get(), form.get(), asked.get(), wording.get());
     return material.distinct(problems) ? Optional.of(material) : Optional.empty();
   }
 
@@ -120,6 +118,14 @@ public record StudyMaterial(
         .findFirst()
         .map(each -> each.questionnaire().ordered(study.seed(), participant))
         .orElseThrow(() -> new IllegalArgumentException("no questions in " + step.id()));
+  }
+
+  /** The same of a step by its id; empty where the study has no such step, or it asks nothing. */
+  public Optional<Questionnaire> questionnaire(String step, String participant) {
+    return steps().stream()
+        .filter(one -> asks(one) && one.id().equals(step))
+        .findFirst()
+        .map(one -> questionnaire(one, participant));
   }
 
   /** All questionnaires of a participant, in order, without the form. */

@@ -22,6 +22,7 @@ import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.QuestionKind;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.hmd.EyeGeometry;
 
 /** Reads the JSON file of a questionnaire, which {@code questionnaire.schema.json} describes. */
 public final class QuestionnaireReader {
@@ -162,12 +163,26 @@ public final class QuestionnaireReader {
                     Question.Sets.AGE))
             : Optional.empty();
     Optional<QuestionKind> kind = QuestionKind.read(keys, texts);
+    if (sets.equals(Optional.of(Question.Sets.IPD)) && kind.isPresent() && !isIpd(kind.get())) {
+      keys.fault(
+          "sets",
+          ("the distance of the pupils is a \"number\" in millimetres; it needs \"min\" and "
+                  + "\"max\" from 0 to %.0f")
+              .formatted(EyeGeometry.LARGEST_IPD));
+    }
     Optional<Question> read =
         kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
     if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
       keys.fault("id", "the question " + id + " is there twice");
     }
     return read;
+  }
+
+  /** Whether whatever is answered is a distance of pupils. */
+  private static boolean isIpd(QuestionKind kind) {
+    return kind.numbers()
+        .filter(range -> range.least() >= 0 && range.most() <= EyeGeometry.LARGEST_IPD)
+        .isPresent();
   }
 
   /**
