@@ -170,12 +170,25 @@ public final class QuestionnaireReader {
                   + "\"max\" from 0 to %.0f")
               .formatted(EyeGeometry.LARGEST_IPD));
     }
+    if (kind.isPresent() && must.isPresent()) {
+      known(keys, "must", must.get(), kind.get());
+    }
     Optional<Question> read =
         kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
     if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
       keys.fault("id", "the question " + id + " is there twice");
     }
     return read;
+  }
+
+  /** Tells of a value that no answer can have: it would never be met. */
+  private static void known(JsonMembers keys, String key, String value, QuestionKind kind) {
+    List<String> values = kind.values();
+    if (!values.isEmpty() && !values.contains(value)) {
+      keys.fault(
+          key,
+          "no answer can be '%s'; it is one of %s".formatted(value, String.join(", ", values)));
+    }
   }
 
   /** Whether whatever is answered is a distance of pupils. */
@@ -208,6 +221,10 @@ public final class QuestionnaireReader {
           List<String> is = new ArrayList<>(condition.texts("is"));
           if (is.isEmpty()) {
             condition.fault("is", "a condition needs the values that the answer \"is\" one of");
+          }
+          Question asked = questions.get(question);
+          if (asked != null) {
+            is.forEach(value -> known(condition, "is", value, asked.kind()));
           }
           return new AskedIf(question, Set.copyOf(is));
         });

@@ -85,6 +85,21 @@ class QuestionnaireReaderTest {
   }
 
   @Test
+  void aValueThatNoAnswerCanHaveIsAnError() {
+    Problems problems = new Problems();
+    String wrong =
+        TEXT.replace("\"must\": \"yes\"", "\"must\": \"Yes\"")
+            .replace("\"is\": [\"b\"]", "\"is\": [\"b\", \"B\"]");
+    assertThat(read(wrong, problems)).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .satisfiesExactly(
+            must ->
+                assertThat(must).startsWith("all.json:5:").contains("'Yes'; it is one of yes, no"),
+            when -> assertThat(when).startsWith("all.json:13:").contains("'B'; it is one of a, b"));
+  }
+
+  @Test
   void allKindsAreReadInTheStudysLanguage() {
     Questionnaire read = whole();
     assertThat(read.questions())
