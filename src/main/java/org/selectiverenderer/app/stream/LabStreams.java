@@ -22,7 +22,8 @@ import org.selectiverenderer.lsl.StreamDescription;
 public final class LabStreams implements AutoCloseable {
   /**
    * Members of a session's events that are sent. Answers, conditions and ages are nobody's in the
-   * lab's network; all of them are in the journal.
+   * lab's network, nor is a participant's place in the schedule, which tells the condition; all of
+   * them are in the journal.
    */
   private static final List<String> SENT =
       List.of("step", "run", "t", "what", "object", "place", "text", "flag", "file", "samples");
@@ -116,9 +117,10 @@ public final class LabStreams implements AutoCloseable {
     StreamSender out = sender;
     if (out != null) {
       ObjectNode event = JsonTree.object();
-      event.put("event", line.path("event").asText());
+      String told = line.path("event").asText();
+      event.put("event", told);
       for (String member : SENT) {
-        if (line.has(member)) {
+        if (line.has(member) && !(told.equals("assigned") && member.equals("place"))) {
           event.set(member, line.get(member));
         }
       }

@@ -28,8 +28,8 @@ import picocli.CommandLine.Option;
       "Writes a study as tables for R, JASP and pandas, one for each level of analysis: "
           + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores; "
           + "a codebook of every column, scripts that read them, and one that analyses them.",
-      "Responses and ratings are those that experiment collect takes; the other tables have all "
-          + "sessions. Files of an earlier export are replaced."
+      "Responses, ratings, answers and scores are those that experiment collect takes; the other "
+          + "tables have all sessions. Files of an earlier export are replaced."
     },
     footer = {
       "  ./selective-renderer experiment export mystudy --output mystudy-tables",
@@ -78,7 +78,8 @@ final class ExperimentExportCommand extends CliCommand {
     StudyExport written =
         StudyExport.write(
             RecordedStudy.read(material, problems),
-            new StudyExport.Answers(answers.responses(), answers.ratings()),
+            new StudyExport.Answers(
+                answers.responses(), answers.ratings(), answers.others(), answers.scores()),
             scripts(answers),
             output,
             problems);

@@ -29,8 +29,8 @@ record TrackerPresence(ChainTracker tracker, SessionShow show) {
    * @param without whether the session is to do without
    * @param message hears that none answers
    */
-  static Optional<TrackerSpec> instead(
-      TrackerSpec study, boolean without, Consumer<String> message) throws InterruptedException {
+  static Optional<TrackerSpec> instead(TrackerSpec study, boolean without, Consumer<String> message)
+      throws InterruptedException {
     if (study instanceof TrackerSpec.None) {
       return Optional.empty();
     }
@@ -62,8 +62,8 @@ record TrackerPresence(ChainTracker tracker, SessionShow show) {
     } catch (TrackerException e) {
       throw CommandFailure.environment(
           e.getMessage()
-              + "; nobody was assigned a condition. --without-tracker runs the session without"
-              + " it, which is recorded");
+              + "; no step was begun. --without-tracker runs the session without it, which is"
+              + " recorded");
     }
   }
 }

@@ -61,7 +61,7 @@ public record BidsDataset(int sessions, int files) {
     for (Map.Entry<String, List<RecordedSession>> person : people.entrySet()) {
       PeopleTables.sessions(person.getKey(), person.getValue(), files);
       for (RecordedSession session : person.getValue()) {
-        new SessionFiles(study, session, origin, files, problems).add();
+        new SessionFiles(study.material(), session, origin, files, problems).add();
       }
     }
     if (study.sessions().isEmpty()) {

@@ -15,20 +15,19 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.RecordedRun;
 import org.selectiverenderer.experiment.dataset.RecordedSession;
-import org.selectiverenderer.experiment.dataset.RecordedStudy;
 import org.selectiverenderer.experiment.dataset.RunEvents;
 import org.selectiverenderer.experiment.dataset.SessionAnswers;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 import org.selectiverenderer.experiment.headlog.Bids;
 import org.selectiverenderer.experiment.headlog.HeadLog;
-import org.selectiverenderer.experiment.session.SessionFolder;
+import org.selectiverenderer.experiment.session.StudyMaterial;
 
 /** The files of one session: motion with its events, answers, and when each was recorded. */
 final class SessionFiles {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT);
 
-  private final RecordedStudy study;
+  private final StudyMaterial material;
   private final RecordedSession session;
   private final BidsDataset.Origin origin;
   private final BidsFolder files;
@@ -44,12 +43,12 @@ final class SessionFiles {
               TableColumn.time("acq_time", "when its first sample was taken, UTC")));
 
   SessionFiles(
-      RecordedStudy study,
+      StudyMaterial material,
       RecordedSession session,
       BidsDataset.Origin origin,
       BidsFolder files,
       Problems problems) {
-    this.study = study;
+    this.material = material;
     this.session = session;
     this.origin = origin;
     this.files = files;
@@ -63,6 +62,11 @@ final class SessionFiles {
   /** As BIDS wants it: UTC says so by a Z. */
   static String time(OffsetDateTime time) {
     return TIME.format(time.withOffsetSameInstant(ZoneOffset.UTC));
+  }
+
+  /** A label has letters and digits only. */
+  private static String task(String step) {
+    return step.replaceAll("[^0-9A-Za-z]", "");
   }
 
   void add() throws IOException {
@@ -83,14 +87,14 @@ final class SessionFiles {
           "there is no head log of this run to be read; the run is left out");
       return;
     }
-    String task = SessionFolder.label(run.step());
+    String task = task(run.step());
     String name = "%s_task-%s".formatted(stem, task);
     String number = String.format(Locale.ROOT, "_run-%02d", run.number());
     String motion = name + "_tracksys-head" + number;
     Bids.files(log.get(), motion, task, origin.program() + " " + origin.version())
         .forEach((file, text) -> files.add(folder + "motion/" + file, text));
     DataTable events = new DataTable("events", "", RunEvents.columns());
-    RunEvents.rows(run, log, study.study().fade()).forEach(events::add);
+    RunEvents.rows(run, log, material.study().fade()).forEach(events::add);
     files.add(folder + "motion/" + name + number + "_events", events, stimulus(task));
     scans.add(
         "motion/" + motion + Bids.DATA, run.started(log).map(SessionFiles::time).orElse(null));
@@ -113,10 +117,10 @@ final class SessionFiles {
     }
   }
 
-  private void answers() throws IOException {
+  private void answers() {
     for (Map.Entry<String, List<List<@Nullable Object>>> screen :
-        SessionAnswers.rows(study, session, problems).entrySet()) {
-      String task = SessionFolder.label(screen.getKey());
+        SessionAnswers.rows(material, session, problems).entrySet()) {
+      String task = task(screen.getKey());
       DataTable table = new DataTable("beh", "", SessionAnswers.columns());
       screen.getValue().forEach(table::add);
       ObjectNode more = BidsFolder.nothing();

@@ -4,25 +4,28 @@ import java.io.IOException;
 import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
 import org.selectiverenderer.experiment.session.SessionFolder;
+import org.selectiverenderer.experiment.session.SessionHistory;
+import org.selectiverenderer.experiment.study.SessionFlag;
 
 /** A session as its journal tells it. */
 public final class RecordedSession {
   private final SessionFolder folder;
   private final List<JournalLine> events;
   private final List<RecordedRun> runs;
+  private final SessionHistory history;
 
   private RecordedSession(SessionFolder folder, List<JournalLine> events) {
     this.folder = folder;
     this.events = List.copyOf(events);
     runs = runs(events);
+    history = SessionHistory.of(events.stream().map(JournalLine::members).toList());
   }
 
   /**
@@ -131,18 +134,17 @@ public final class RecordedSession {
 
   /** Whether a simulated participant took part, if only for a while. */
   public boolean simulated() {
-    return events.stream().anyMatch(line -> line.members().path("unattended").asBoolean());
+    return history.unattended();
   }
 
   /** What is to be known of its quality, each once, in order. */
-  public Set<String> flags() {
-    Set<String> flags = new LinkedHashSet<>();
-    for (JournalLine line : events) {
-      if (line.event().equals("flag")) {
-        flags.add(line.text("flag"));
-      }
-    }
-    return flags;
+  public List<String> flags() {
+    return history.raised().stream().map(SessionFlag::spelling).toList();
+  }
+
+  /** The answers of each step so far, personal ones too; none of who does not take part. */
+  Map<String, Map<String, GivenAnswer>> given() {
+    return history.refused() ? Map.of() : history.given();
   }
 
   /** The program that ran it. */

@@ -13,9 +13,10 @@
  * </pre>
  *
  * <p>A table is made in one place, so that a column means the same in BIDS and in the exported
- * files. Nothing is ever written into the study's folder. Personal answers come into none. Uses
- * {@code experiment.session} for where things are, {@code experiment.questionnaire} for what was
- * asked, {@code experiment.headlog} for what was looked at, and {@code base}; no GL, no AWT.
+ * files. Nothing is ever written into the study's folder, and what a questionnaire calls personal
+ * leaves it in no table. Uses {@code experiment.session} for where things are and what was asked,
+ * {@code experiment.questionnaire} for answers, {@code experiment.headlog} for what was looked at,
+ * {@code experiment.study} and {@code base}; no GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.dataset;

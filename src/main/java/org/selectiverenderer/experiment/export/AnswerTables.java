@@ -1,23 +1,13 @@
 package org.selectiverenderer.experiment.export;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
-import java.util.function.Predicate;
 import org.selectiverenderer.base.csv.CsvFaults;
-import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.dataset.DataTable;
-import org.selectiverenderer.experiment.dataset.RecordedSession;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 
 /** Tables of answers as the program writes them elsewhere, with what their columns mean. */
@@ -72,11 +62,6 @@ final class AnswerTables {
         : TableColumn.text(name, "column " + name + " of the program's table of " + table);
   }
 
-  private static DataTable empty(String name, String meaning, List<String> columns) {
-    return new DataTable(
-        name, meaning, columns.stream().map(column -> column(column, name)).toList());
-  }
-
   /**
    * A table of the program.
    *
@@ -84,49 +69,10 @@ final class AnswerTables {
    */
   DataTable table(String name, String meaning, String csv) {
     CsvTable read = CsvTable.parse(name, csv, faults()).orElseThrow();
-    DataTable table = empty(name, meaning, read.header());
+    DataTable table =
+        new DataTable(
+            name, meaning, read.header().stream().map(column -> column(column, name)).toList());
     read.rows().forEach(row -> table.add(read.header().stream().map(row::cell).toList()));
-    return table;
-  }
-
-  /**
-   * A table that each session has in its folder; without rows where none has.
-   *
-   * @param columns that it has in any case
-   * @param wanted the rows that are to be in it
-   */
-  DataTable ofSessions(
-      List<RecordedSession> sessions,
-      String name,
-      String meaning,
-      List<String> columns,
-      Predicate<CsvRow> wanted)
-      throws IOException {
-    List<CsvTable> parts = new ArrayList<>();
-    Set<String> all = new LinkedHashSet<>(columns);
-    for (RecordedSession session : sessions) {
-      Path file = session.folder().path().resolve(name + ".csv");
-      if (Files.isRegularFile(file)) {
-        Optional<CsvTable> part =
-            CsvTable.parse(file.toString(), Files.readAllBytes(file), faults());
-        part.ifPresent(
-            read -> {
-              parts.add(read);
-              all.addAll(read.header());
-            });
-      }
-    }
-    DataTable table = empty(name, meaning, List.copyOf(all));
-    for (CsvTable part : parts) {
-      part.rows().stream()
-          .filter(wanted)
-          .forEach(
-              row ->
-                  table.add(
-                      all.stream()
-                          .map(column -> part.has(column) ? row.cell(column) : "")
-                          .toList()));
-    }
     return table;
   }
 

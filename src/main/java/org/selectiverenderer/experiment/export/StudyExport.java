@@ -37,8 +37,10 @@ public record StudyExport(List<String> files) {
    *
    * @param responses recognition
    * @param ratings expectancy
+   * @param others to questions of other kinds
+   * @param scores computed from them
    */
-  public record Answers(String responses, String ratings) {}
+  public record Answers(String responses, String ratings, String others, String scores) {}
 
   /**
    * Writes all files, or none; what an earlier export has written is replaced.
@@ -93,29 +95,8 @@ public record StudyExport(List<String> files) {
         asked.table(
             "ratings", "how likely a participant finds an object in an area", answers.ratings()));
     tables.add(
-        asked.ofSessions(
-            study.sessions(),
-            "answers",
-            "the answer to a question of another kind",
-            List.of(
-                "participant",
-                "session",
-                "condition",
-                "questionnaire",
-                "page",
-                "question",
-                "kind",
-                "value",
-                "response_ms",
-                "place"),
-            row -> !study.personal(row.cell("questionnaire"), row.cell("question"))));
-    tables.add(
-        asked.ofSessions(
-            study.sessions(),
-            "scores",
-            "a score of a questionnaire",
-            List.of("participant", "session", "condition", "questionnaire", "score", "value"),
-            row -> true));
+        asked.table("answers", "the answer to a question of another kind", answers.others()));
+    tables.add(asked.table("scores", "a score of a questionnaire", answers.scores()));
     return tables;
   }
 

@@ -24,18 +24,11 @@ public final class AnswersCsv {
     Map<String, Answer> answers = new HashMap<>();
     given.forEach((question, one) -> answers.put(question, one.answer()));
     Map<String, Answer> counting = questionnaire.counting(answers);
-    for (Page page : questionnaire.shown(counting)) {
-      for (Question question : page.asked(counting)) {
-        if (question.inTables()) {
-          List<Object> cells =
-              question
-                  .kind()
-                  .row(
-                      by, page.id(), question, given.getOrDefault(question.id(), GivenAnswer.NONE));
-          rows.computeIfAbsent(question.kind().table(), table -> new StringBuilder())
-              .append(CsvText.line(cells.toArray()));
-        }
-      }
+    for (TabledAnswer one : questionnaire.tabled(given)) {
+      QuestionKind kind = one.question().kind();
+      List<Object> cells = kind.row(by, one.page().id(), one.question(), one.given());
+      rows.computeIfAbsent(kind.table(), table -> new StringBuilder())
+          .append(CsvText.line(cells.toArray()));
     }
     for (ScaleScore score : questionnaire.scores()) {
       score

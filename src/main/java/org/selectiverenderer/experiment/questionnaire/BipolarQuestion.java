@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /** A place between two opposites, such as dark and bright, from 1 to an odd or even number. */
@@ -17,6 +18,11 @@ public record BipolarQuestion(int to, String left, String right) implements Ques
   @Override
   public String spelling() {
     return SPELLING;
+  }
+
+  @Override
+  public List<String> values() {
+    return IntStream.rangeClosed(1, to).mapToObj(Integer::toString).toList();
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
+import java.util.Optional;
 
 /** How likely is the object in such a place? 1 to 6 (thesis Appendix A, Fig 54). */
 public record Expectancy(QuestionItem item) implements QuestionKind {
@@ -27,6 +28,11 @@ public record Expectancy(QuestionItem item) implements QuestionKind {
   @Override
   public boolean example() {
     return item.example();
+  }
+
+  @Override
+  public Optional<QuestionItem> about() {
+    return Optional.of(item);
   }
 
   @Override

@@ -23,6 +23,11 @@ record MultipleQuestion(List<Option> options) implements QuestionKind {
   }
 
   @Override
+  public List<String> values() {
+    return options.stream().map(Option::value).toList();
+  }
+
+  @Override
   public List<AnswerField> fields(Wording wording) {
     return List.of(new AnswerField.Choice(options, true, "", ""));
   }

@@ -33,6 +33,11 @@ record NumberQuestion(AnswerField.Line.Range range, String unit) implements Ques
   }
 
   @Override
+  public Optional<AnswerField.Line.Range> numbers() {
+    return Optional.of(range);
+  }
+
+  @Override
   public List<AnswerField> fields(Wording wording) {
     return List.of(new AnswerField.Line(1, Optional.of(range), unit));
   }

@@ -45,6 +45,21 @@ public sealed interface QuestionKind
     return false;
   }
 
+  /** All values that an answer may choose from; empty for words and numbers of one's own. */
+  default List<String> values() {
+    return List.of();
+  }
+
+  /** The numbers that are allowed; empty for kinds whose answers are none. */
+  default Optional<AnswerField.Line.Range> numbers() {
+    return Optional.empty();
+  }
+
+  /** The object that it asks about; empty for kinds that ask about none. */
+  default Optional<QuestionItem> about() {
+    return Optional.empty();
+  }
+
   /** The table that has its answers. */
   default AnswerTable table() {
     return AnswerTable.ANSWERS;

@@ -95,6 +95,27 @@ public record Questionnaire(
     return counting;
   }
 
+  /**
+   * What tables may have of these answers, in order: a row for each question that was asked, but
+   * for examples and what is personal.
+   */
+  public List<TabledAnswer> tabled(Map<String, GivenAnswer> given) {
+    Map<String, Answer> answers = new HashMap<>();
+    given.forEach((question, one) -> answers.put(question, one.answer()));
+    Map<String, Answer> counting = counting(answers);
+    List<TabledAnswer> tabled = new ArrayList<>();
+    for (Page page : shown(counting)) {
+      for (Question question : page.asked(counting)) {
+        if (!question.personal() && !question.kind().example()) {
+          tabled.add(
+              new TabledAnswer(
+                  page, question, given.getOrDefault(question.id(), GivenAnswer.NONE)));
+        }
+      }
+    }
+    return tabled;
+  }
+
   /** The answer that decides something of the session. */
   public Optional<String> set(Question.Sets what, Map<String, Answer> answers) {
     Map<String, Answer> counting = counting(answers);

@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 
@@ -37,6 +38,11 @@ record Recognition(QuestionItem item) implements QuestionKind {
   public Answer simulated(Wording wording, Random random) {
     boolean yes = random.nextDouble() < (item.present() ? HIT : FALSE_ALARM);
     return new Answer(yes ? "yes" : "no", 1 + random.nextInt(5));
+  }
+
+  @Override
+  public Optional<QuestionItem> about() {
+    return Optional.of(item);
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /**
@@ -46,6 +47,11 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
   @Override
   public String spelling() {
     return SPELLING;
+  }
+
+  @Override
+  public List<String> values() {
+    return IntStream.rangeClosed(from, to).mapToObj(Integer::toString).toList();
   }
 
   @Override

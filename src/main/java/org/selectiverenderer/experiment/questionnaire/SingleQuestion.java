@@ -54,6 +54,11 @@ record SingleQuestion(List<Option> options) implements QuestionKind {
   }
 
   @Override
+  public List<String> values() {
+    return options.stream().map(Option::value).toList();
+  }
+
+  @Override
   public List<AnswerField> fields(Wording wording) {
     return List.of(AnswerField.Choice.of(options));
   }

@@ -22,6 +22,11 @@ record YesNoQuestion() implements QuestionKind {
   }
 
   @Override
+  public List<String> values() {
+    return List.of("yes", "no");
+  }
+
+  @Override
   public List<AnswerField> fields(Wording wording) {
     return List.of(field(wording));
   }

@@ -149,6 +149,8 @@ public record CollectedAnswers(
             by(folder.participant(), session(folder), condition(history), form),
             material.form(),
             history.given(form));
+      } else {
+        sheet.ifPresent(typed -> form(form, folder.participant(), typed));
       }
     }
 

@@ -13,7 +13,6 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.paper.TypedTable;
 import org.selectiverenderer.experiment.questionnaire.paper.TypedTable.Filled;
 
@@ -56,7 +55,7 @@ public final class PaperAnswers {
       Optional<TypedTable> table =
           TypedTable.read(
               file,
-              (participant, step) -> asked(material, participant, step),
+              (participant, step) -> material.questionnaire(step, participant),
               material.wording(),
               problems);
       if (table.isPresent()) {
@@ -66,20 +65,11 @@ public final class PaperAnswers {
     return paper;
   }
 
-  private static Optional<Questionnaire> asked(
-      StudyMaterial material, String participant, String step) {
-    return material.steps().stream()
-        .filter(one -> StudyMaterial.asks(one) && one.id().equals(step))
-        .findFirst()
-        .map(one -> material.questionnaire(one, participant));
-  }
-
   private void add(StudyMaterial material, TypedTable table, Problems problems) {
     Set<Key> others = Set.copyOf(sheets.keySet());
     Set<Key> told = new HashSet<>();
     for (Filled row : table.rows()) {
-      Key key =
-          new Key(row.participant(), row.step());
+      Key key = new Key(row.participant(), row.step());
       if (!belongs(material, row, problems)) {
         continue;
       }

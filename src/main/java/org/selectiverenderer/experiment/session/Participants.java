@@ -90,7 +90,7 @@ public final class Participants {
               schedule.condition(place),
               place,
               wanted.filter(chosen -> chosen != turn).map(chosen -> turn),
-              age,
+              cell(age),
               simulated);
       String missing = text.isEmpty() ? HEADER : text.endsWith("\n") ? "" : "\n";
       channel.position(channel.size());
@@ -99,6 +99,14 @@ public final class Participants {
       Disk.forceFolder(study.folder());
       return assigned;
     }
+  }
+
+  /**
+   * A form's own words may have tabs and lines, which would end the cell; BIDS leaves none empty.
+   */
+  private static String cell(String text) {
+    String line = text.strip().replaceAll("\\s+", " ");
+    return line.isEmpty() ? "n/a" : line;
   }
 
   /**

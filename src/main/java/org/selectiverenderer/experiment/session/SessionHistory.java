@@ -25,7 +25,7 @@ import org.selectiverenderer.experiment.study.StudyQuality;
  * What a session's journal says has happened. Lines that are damaged or that a crash cut off are no
  * events; {@link #tellDamage} says them. May be asked by any thread while a journal adds to it.
  */
-final class SessionHistory {
+public final class SessionHistory {
   private static final String FORM = new SessionStep.Form().id();
 
   private final Set<String> finished = new LinkedHashSet<>();
@@ -49,15 +49,22 @@ final class SessionHistory {
     return new SessionHistory();
   }
 
+  /** Of a journal's events. */
+  public static SessionHistory of(Iterable<? extends JsonNode> events) {
+    SessionHistory history = new SessionHistory();
+    events.forEach(history::add);
+    return history;
+  }
+
   /**
    * Reads a journal; harmless while a program writes it.
    *
    * @throws IOException if it cannot be read
    */
   public static SessionHistory read(Path journal) throws IOException {
-    SessionHistory history = new SessionHistory();
-    history.text = JournalText.read(journal);
-    history.text.events().forEach(history::add);
+    JournalText text = JournalText.read(journal);
+    SessionHistory history = of(text.events());
+    history.text = text;
     return history;
   }
 
@@ -144,6 +151,13 @@ final class SessionHistory {
     return List.copyOf(flags);
   }
 
+  /** The same without the steps. */
+  public Set<SessionFlag> raised() {
+    Set<SessionFlag> raised = new LinkedHashSet<>();
+    flags().forEach(flag -> raised.add(flag.flag()));
+    return raised;
+  }
+
   /** Those of its flags by which a study leaves the session out. */
   List<RaisedFlag> excluding(StudyQuality quality) {
     return refused()
@@ -176,6 +190,15 @@ final class SessionHistory {
   /** The same, and how they came about. */
   public synchronized Map<String, GivenAnswer> given(SessionStep step) {
     return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
+  }
+
+  /**
+   * Those of all steps, by the steps' ids, in the order in which they were begun to be answered.
+   */
+  public synchronized Map<String, Map<String, GivenAnswer>> given() {
+    Map<String, Map<String, GivenAnswer>> all = new LinkedHashMap<>();
+    answers.forEach((step, given) -> all.put(step, Map.copyOf(given)));
+    return all;
   }
 
   /** The page of a step that was shown last. */

@@ -124,6 +124,14 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
         .orElseThrow(() -> new IllegalArgumentException("no questions in " + step.id()));
   }
 
+  /** The same of a step by its id; empty where the study has no such step, or it asks nothing. */
+  public Optional<Questionnaire> questionnaire(String step, String participant) {
+    return steps().stream()
+        .filter(one -> asks(one) && one.id().equals(step))
+        .findFirst()
+        .map(one -> questionnaire(one, participant));
+  }
+
   /** All questionnaires of a participant, in order, without the form. */
   public List<Questionnaire> questionnaires(String participant) {
     return steps().stream()

@@ -121,18 +121,24 @@ class LabStreamsTest {
               {"time": "2026-03-01T10:00:00Z", "event": "answer", "step": "recognition-hall",
                "object": "boat", "value": "yes", "confidence": 4, "condition": "high"}
               """));
+      streams.event(
+          JsonTree.parse(
+              """
+              {"time": "2026-03-01T10:00:01Z", "event": "assigned", "condition": "high", "place": 7,
+               "assigned_by": "schedule", "age": "18-22"}
+              """));
       for (int frame = 0; frame <= 10; frame++) {
         poses.add(JsonTree.parse(posing.next()));
       }
       assertThat(JsonTree.parse(looking.next()).path(1).asText()).isEqualTo("Box");
       assertThat(JsonTree.parse(looking.next()).path(1).asText()).isEqualTo("none");
       List<JsonNode> events = new ArrayList<>();
-      while (events.stream().noneMatch(event -> event.path("event").asText().equals("answer"))) {
+      while (events.stream().noneMatch(event -> event.path("event").asText().equals("assigned"))) {
         events.add(JsonTree.parse(JsonTree.parse(hearing.next()).path(1).asText()));
       }
       assertThat(events)
           .extracting(event -> event.path("event").asText())
-          .containsExactly("start", "end", "answer");
+          .containsExactly("start", "end", "answer", "assigned");
       assertThat(events.get(2).toString())
           .as("no answer and no condition goes out")
           .isEqualTo(
@@ -140,6 +146,9 @@ class LabStreamsTest {
                   + "\"study\":\""
                   + id
                   + "\"}");
+      assertThat(events.get(3).toString())
+          .as("nor the place in the schedule, which tells the condition")
+          .isEqualTo("{\"event\":\"assigned\",\"study\":\"" + id + "\"}");
     }
     double half = Math.sqrt(0.5);
     double[] last = {1, 0, 0, 0, half, 0, half, 1};

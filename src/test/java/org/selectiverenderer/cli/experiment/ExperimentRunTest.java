@@ -125,7 +125,7 @@ class ExperimentRunTest extends CommandRun {
     assertThat(run()).isEqualTo(2);
     assertThat(messages())
         .contains(
-            "the tracker opentrack:" + port + " sent no record within 2 s; nobody was assigned a",
+            "the tracker opentrack:" + port + " sent no record within 2 s; no step was begun.",
             "--without-tracker runs the session without it")
         .hasLineCount(1);
     assertThat(folder.resolve("participants.tsv")).doesNotExist();

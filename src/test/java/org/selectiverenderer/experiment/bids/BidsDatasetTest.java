@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -88,13 +89,47 @@ class BidsDatasetTest {
 
   @Test
   void theLastAnswerToEachQuestionCountsAndSaysWhatWasTrue() throws IOException {
-    assertThat(text("sub-001/ses-01/beh/sub-001_ses-01_task-recognitionhall_beh.tsv"))
+    assertThat(text("sub-001/ses-01/beh/sub-001_ses-01_task-memoryhall_beh.tsv"))
         .isEqualTo(
             """
             question\tresponse\tconfidence\tresponse_time\tplace\tarea\tconsistency\tpresent
-            boat\tno\t4\t5.5\t1\thall\tinconsistent\tno
+            boat\tno\t3\t5.5\t1\thall\tinconsistent\tno
             coat\tyes\t5\t1.5\t2\thall\tconsistent\tyes
             """);
+  }
+
+  @Test
+  void anAnswerThatIsPersonalOrNoLongerAskedForIsInNoFile() throws IOException {
+    assertThat(text("sub-001/ses-01/beh/sub-001_ses-01_task-form_beh.tsv"))
+        .contains("eyes\tbrown\t")
+        .hasLineCount(2);
+    assertThat(text("sub-001/ses-01/beh/sub-001_ses-01_task-closing_beh.tsv").lines().skip(1))
+        .containsExactly(
+            "changes\tno\tn/a\t0.3\t1\tn/a\tn/a\tn/a",
+            "remarks\tlong, \"but\" fine\tn/a\t9\t2\tn/a\tn/a\tn/a");
+    try (Stream<Path> all = Files.walk(dataset)) {
+      for (Path file : all.filter(Files::isRegularFile).toList()) {
+        assertThat(Files.readString(file)).doesNotContain("Maria", "210 1234", "the boat");
+      }
+    }
+  }
+
+  @Test
+  void answersOfWhoDidNotConsentAreInNoFile() throws IOException {
+    Path session = Files.createDirectories(study.resolve("sub-N3/ses-01"));
+    Files.writeString(
+        session.resolve("events.jsonl"),
+        """
+        {"time":"2026-03-01T12:00:00.000Z","event":"session-began","software":"selective-renderer 2.0"}
+        {"time":"2026-03-01T12:00:01.000Z","event":"step-began","step":"form","run":1}
+        {"time":"2026-03-01T12:00:02.000Z","event":"answer","step":"form","object":"eyes","value":"grey","ms":9,"place":2}
+        {"time":"2026-03-01T12:00:03.000Z","event":"refused"}
+        """);
+    Path other = folder.resolve("other");
+    BidsDataset.write(
+        RecordedStudy.read(RecordedFolder.material(study), problems), ORIGIN, other, problems);
+    assertThat(other.resolve("sub-N3/sub-N3_sessions.tsv")).content().contains("\trefused\t");
+    assertThat(other.resolve("sub-N3/ses-01/beh")).doesNotExist();
   }
 
   @Test
@@ -128,7 +163,8 @@ class BidsDatasetTest {
                         + " out"))
         .anyMatch(line -> line.contains("events.jsonl:6:1: the last line is cut off"))
         .anyMatch(line -> line.contains("_tracker.csv"))
-        .hasSize(3);
+        .anyMatch(line -> line.contains("the study no longer has dropped; the answers to it are"))
+        .hasSize(4);
   }
 
   @Test

@@ -19,7 +19,25 @@ public final class RecordedFolder {
       """
       {"name": "Hall, tried", "scene": "hall.x3d", "conditions": ["high", "selective"],
        "participants": 4, "fade": 1, "areas": [{"name": "hall", "viewpoint": "HallView", "seconds": 5}],
-       "questionnaires": [{"kind": "recognition", "items": "r.csv"}]}
+       "form": "form.json",
+       "questionnaires": [{"kind": "recognition", "name": "memory", "items": "r.csv"},
+                          {"file": "closing.json"}]}
+      """;
+
+  private static final String FORM =
+      """
+      {"name": "form", "pages": [{"questions": [
+        {"id": "name", "kind": "text", "personal": true, "text": "Name"},
+        {"id": "eyes", "kind": "text", "text": "Colour of the eyes"}]}]}
+      """;
+
+  private static final String CLOSING =
+      """
+      {"name": "closing", "pages": [{"name": "p1", "questions": [
+        {"id": "changes", "kind": "yes-no", "text": "Did something change?"},
+        {"id": "which", "kind": "text", "text": "What?",
+         "when": {"question": "changes", "is": ["yes"]}},
+        {"id": "remarks", "kind": "text", "text": "Remarks"}]}]}
       """;
 
   private static final String ITEMS =
@@ -38,6 +56,8 @@ public final class RecordedFolder {
       """
       {"time":"2026-03-01T10:00:00.000+02:00","event":"session-began","participant":"001","session":1,"software":"selective-renderer 2.0","unattended":false}
       {"time":"2026-03-01T10:00:01.000+02:00","event":"step-began","step":"form","run":1}
+      {"time":"2026-03-01T10:00:07.000+02:00","event":"answer","step":"form","object":"name","value":"Maria Nobody","ms":4000,"place":1}
+      {"time":"2026-03-01T10:00:08.000+02:00","event":"answer","step":"form","object":"eyes","value":"brown","ms":1000,"place":2}
       {"time":"2026-03-01T10:00:09.000+02:00","event":"assigned","condition":"selective","place":1}
       {"time":"2026-03-01T10:00:10.000+02:00","event":"step-finished","step":"form"}
       {"time":"2026-03-01T10:00:11.000+02:00","event":"step-began","step":"exposure-hall","run":1,"head_log":"exposure-hall_run-01"}
@@ -51,11 +71,18 @@ public final class RecordedFolder {
       {"time":"2026-03-01T10:00:18.500+02:00","event":"scene","step":"exposure-hall","what":{"t":4.5,"event":"exit","sensor":"DeskProx","schemas":[]}}
       {"time":"2026-03-01T10:00:19.000+02:00","event":"flag","flag":"low-frame-rate","step":"exposure-hall"}
       {"time":"2026-03-01T10:00:21.000+02:00","event":"step-finished","step":"exposure-hall","condition":"selective","figures":{"fps":50.0,"frame_ms":{"p50":20,"p99":25}}}
-      {"time":"2026-03-01T10:00:22.000+02:00","event":"step-began","step":"recognition-hall","run":1}
-      {"time":"2026-03-01T10:00:25.000+02:00","event":"answer","step":"recognition-hall","object":"boat","value":"yes","confidence":2,"ms":2500,"place":1}
-      {"time":"2026-03-01T10:00:27.000+02:00","event":"answer","step":"recognition-hall","object":"coat","value":"yes","confidence":5,"ms":1500,"place":2}
-      {"time":"2026-03-01T10:00:28.000+02:00","event":"answer","step":"recognition-hall","object":"boat","value":"no","confidence":4,"ms":5500,"place":1}
-      {"time":"2026-03-01T10:00:29.000+02:00","event":"step-finished","step":"recognition-hall"}
+      {"time":"2026-03-01T10:00:22.000+02:00","event":"step-began","step":"memory-hall","run":1}
+      {"time":"2026-03-01T10:00:25.000+02:00","event":"answer","step":"memory-hall","object":"boat","value":"yes","confidence":2,"ms":2500,"place":1}
+      {"time":"2026-03-01T10:00:27.000+02:00","event":"answer","step":"memory-hall","object":"coat","value":"yes","confidence":5,"ms":1500,"place":2}
+      {"time":"2026-03-01T10:00:28.000+02:00","event":"answer","step":"memory-hall","object":"boat","value":"no","confidence":4,"ms":5500,"place":1}
+      {"time":"2026-03-01T10:00:28.500+02:00","event":"answer","step":"memory-hall","object":"boat","value":"no","confidence":3,"ms":6000,"place":1}
+      {"time":"2026-03-01T10:00:28.600+02:00","event":"answer","step":"closing","object":"changes","value":"yes","ms":100,"place":1}
+      {"time":"2026-03-01T10:00:28.700+02:00","event":"answer","step":"closing","object":"which","value":"the boat","ms":200,"place":2}
+      {"time":"2026-03-01T10:00:28.800+02:00","event":"answer","step":"closing","object":"changes","value":"no","ms":300,"place":1}
+      {"time":"2026-03-01T10:00:28.900+02:00","event":"answer","step":"closing","object":"remarks","value":"long, \\"but\\" fine","ms":9000,"place":2}
+      {"time":"2026-03-01T10:00:28.950+02:00","event":"answer","step":"dropped","object":"phone","value":"210 1234","ms":9000,"place":1}
+      {"time":"2026-03-01T10:00:28.960+02:00","event":"step-finished","step":"closing"}
+      {"time":"2026-03-01T10:00:29.000+02:00","event":"step-finished","step":"memory-hall"}
       {"time":"2026-03-01T10:00:30.000+02:00","event":"session-finished"}
       """;
 
@@ -78,16 +105,11 @@ public final class RecordedFolder {
     Files.writeString(folder.resolve("hall.x3d"), SCENE);
     Files.writeString(folder.resolve("study.json"), STUDY);
     Files.writeString(folder.resolve("r.csv"), ITEMS);
+    Files.writeString(folder.resolve("form.json"), FORM);
+    Files.writeString(folder.resolve("closing.json"), CLOSING);
     Files.writeString(folder.resolve("participants.tsv"), PEOPLE);
     Path first = Files.createDirectories(folder.resolve("sub-001/ses-01/head"));
     Files.writeString(first.resolveSibling("events.jsonl"), FIRST);
-    Files.writeString(
-        first.resolveSibling("responses.csv"),
-        """
-        participant,condition,area,object,consistency,present,response,confidence
-        001,selective,hall,boat,inconsistent,no,no,4
-        001,selective,hall,coat,consistent,yes,yes,5
-        """);
     Files.writeString(
         first.resolve("exposure-hall_run-01_tracker.csv"),
         "t,yaw,pitch,roll,number,wall,mono\n0.5,0,0,0,1,2026-03-01T08:00:12.500Z,100.5\n"

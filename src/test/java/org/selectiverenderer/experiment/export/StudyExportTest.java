@@ -32,13 +32,6 @@ class StudyExportTest {
   void export() throws IOException {
     Path study = Files.createDirectory(folder.resolve("study"));
     RecordedFolder.write(study);
-    Files.writeString(
-        study.resolve("sub-001/ses-01/answers.csv"),
-        """
-        participant,session,condition,questionnaire,page,question,kind,value,response_ms,place
-        001,1,selective,presence,p1,there,scale,4,1200,1
-        001,1,selective,end,p1,remarks,text,"long, ""but"" fine",9000,2
-        """);
     StudyMaterial material = RecordedFolder.material(study);
     CollectedAnswers answers =
         CollectedAnswers.of(material, OptionalInt.empty(), PaperAnswers.none(), new Problems());
@@ -46,7 +39,8 @@ class StudyExportTest {
     StudyExport written =
         StudyExport.write(
             RecordedStudy.read(material, problems),
-            new StudyExport.Answers(answers.responses(), answers.ratings()),
+            new StudyExport.Answers(
+                answers.responses(), answers.ratings(), answers.others(), answers.scores()),
             Map.of("analysis.R", "print(1)\n"),
             tables,
             problems);
@@ -93,13 +87,17 @@ class StudyExportTest {
   }
 
   @Test
-  void answersAreThoseThatCollectTakesAndThoseInTheSessionsFolders() throws IOException {
+  void answersAreThoseThatCollectTakes() throws IOException {
     assertThat(lines("responses.csv").get(0))
         .startsWith("participant,condition,area,object,consistency,present,response,confidence");
     assertThat(lines("responses.csv"))
-        .anyMatch(line -> line.contains("hall,boat,inconsistent,no,no,4"));
-    assertThat(lines("answers.csv").get(2))
-        .isEqualTo("001,1,selective,end,p1,remarks,text,\"long, \"\"but\"\" fine\",9000,2");
+        .anyMatch(line -> line.contains("hall,boat,inconsistent,no,no,3"));
+    assertThat(lines("answers.csv"))
+        .containsExactly(
+            "participant,session,condition,questionnaire,page,question,kind,value,response_ms,place",
+            "001,1,selective,form,page-1,eyes,text,brown,1000,2",
+            "001,1,selective,closing,p1,changes,yes-no,no,300,1",
+            "001,1,selective,closing,p1,remarks,text,\"long, \"\"but\"\" fine\",9000,2");
     assertThat(lines("scores.csv"))
         .containsExactly("participant,session,condition,questionnaire,score,value");
   }
@@ -146,7 +144,7 @@ class StudyExportTest {
             cat(nrow(t$gaze), sum(t$gaze$dwell), t$sessions$participant[1],
                 levels(t$participants$condition), sep = ",")
             cat("\\n", as.numeric(difftime(t$events$wall[2], t$events$wall[1], units = "secs")),
-                t$answers$value[2], is.na(t$gaze$first[2]), class(t$gaze$looks), sep = ",")
+                t$answers$value[3], is.na(t$gaze$first[2]), class(t$gaze$looks), sep = ",")
             """);
     assertThat(said.lines())
         .containsExactly(

@@ -103,6 +103,9 @@ class CollectedAnswersTest extends TwoRoomsStudy {
         .hasSize(2);
   }
 
+  private static final String RATINGS_BUT_THE_EXAMPLE =
+      "participant,area,object,schema,rating,response_ms,place\n001,hall,coat,HallSchema,2,1000,1\n";
+
   @Test
   void ratingsOfAnExampleCountNowhere() throws IOException {
     Files.writeString(
@@ -122,16 +125,10 @@ class CollectedAnswersTest extends TwoRoomsStudy {
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems);
 
     assertThat(problems.list()).isEmpty();
-    assertThat(collected.ratings())
-        .isEqualTo(
-            "participant,area,object,schema,rating,response_ms,place\n"
-                + "001,hall,coat,HallSchema,2,1000,1\n");
+    assertThat(collected.ratings()).isEqualTo(RATINGS_BUT_THE_EXAMPLE);
     assertThat(collected.bands()).contains("hall").doesNotContain("bed");
     assertThat(collected.answers()).isEqualTo(4);
-    assertThat(folder.resolve("sub-001/ses-01/ratings.csv"))
-        .hasContent(
-            "participant,area,object,schema,rating,response_ms,place\n"
-                + "001,hall,coat,HallSchema,2,1000,1\n");
+    assertThat(folder.resolve("sub-001/ses-01/ratings.csv")).hasContent(RATINGS_BUT_THE_EXAMPLE);
   }
 
   @Test

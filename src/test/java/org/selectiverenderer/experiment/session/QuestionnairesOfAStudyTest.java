@@ -198,6 +198,32 @@ class QuestionnairesOfAStudyTest {
   }
 
   @Test
+  void aFormOnPaperCountsBesideASessionThatWasEndedBeforeItsForm() throws IOException {
+    StudyMaterial material = material();
+    try (Session session =
+        Session.begin(material, "007", 1, TwoRoomsStudy.OPTIONS, new Problems())) {
+      session.began(session.remaining().get(0), false);
+      session.abort("form");
+    }
+    Path typed = folder.resolve("007.csv");
+    Files.writeString(
+        typed,
+        """
+        participant,condition,questionnaire,page,question,kind,value,confidence,allowed
+        007,high,form,page-1,years,number,33,,
+        007,high,recognition-hall,hall,coat,recognition,no,4,
+        """);
+    Problems problems = new Problems();
+    CollectedAnswers collected =
+        CollectedAnswers.of(
+            material,
+            OptionalInt.empty(),
+            PaperAnswers.read(material, List.of(typed), problems),
+            problems);
+    assertThat(collected.others()).contains("007,,high,form,page-1,years,number,33,,\n");
+  }
+
+  @Test
   void aPictureThatIsNoneIsFoundBeforeASession() throws IOException {
     Path own = folder.resolve("own.json");
     Files.writeString(

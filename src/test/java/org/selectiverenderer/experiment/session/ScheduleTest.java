@@ -116,6 +116,16 @@ class ScheduleTest {
   }
 
   @Test
+  void anAgeInOnesOwnWordsKeepsToItsCell() throws IOException {
+    Participants participants = new Participants(study());
+    Participants.Assigned first =
+        participants.assign("a", Optional.empty(), "thirty\tor\r\nso ", false);
+    assertThat(participants.assign("b", Optional.empty(), " ", false).age()).isEqualTo("n/a");
+    assertThat(participants.all()).hasSize(2).first().isEqualTo(first);
+    assertThat(first.age()).isEqualTo("thirty or so");
+  }
+
+  @Test
   void whoIsThereAlreadyKeepsTheConditionAndATornLineIsNobody() throws IOException {
     Participants participants = new Participants(study());
     Participants.Assigned first = participants.assign("a", Optional.empty(), "", false);

@@ -22,6 +22,7 @@ import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.QuestionKind;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.hmd.EyeGeometry;
 
 /** Reads the JSON file of a questionnaire, which {@code questionnaire.schema.json} describes. */
 public final class QuestionnaireReader {
@@ -162,12 +163,39 @@ public final class QuestionnaireReader {
                     Question.Sets.AGE))
             : Optional.empty();
     Optional<QuestionKind> kind = QuestionKind.read(keys, texts);
+    if (sets.equals(Optional.of(Question.Sets.IPD)) && kind.isPresent() && !isIpd(kind.get())) {
+      keys.fault(
+          "sets",
+          ("the distance of the pupils is a \"number\" in millimetres; it needs \"min\" and "
+                  + "\"max\" from 0 to %.0f")
+              .formatted(EyeGeometry.LARGEST_IPD));
+    }
+    if (kind.isPresent() && must.isPresent()) {
+      known(keys, "must", must.get(), kind.get());
+    }
     Optional<Question> read =
         kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
     if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
       keys.fault("id", "the question " + id + " is there twice");
     }
     return read;
+  }
+
+  /** Tells of a value that no answer can have: it would never be met. */
+  private static void known(JsonMembers keys, String key, String value, QuestionKind kind) {
+    List<String> values = kind.values();
+    if (!values.isEmpty() && !values.contains(value)) {
+      keys.fault(
+          key,
+          "no answer can be '%s'; it is one of %s".formatted(value, String.join(", ", values)));
+    }
+  }
+
+  /** Whether whatever is answered is a distance of pupils. */
+  private static boolean isIpd(QuestionKind kind) {
+    return kind.numbers()
+        .filter(range -> range.least() >= 0 && range.most() <= EyeGeometry.LARGEST_IPD)
+        .isPresent();
   }
 
   /**
@@ -193,6 +221,10 @@ public final class QuestionnaireReader {
           List<String> is = new ArrayList<>(condition.texts("is"));
           if (is.isEmpty()) {
             condition.fault("is", "a condition needs the values that the answer \"is\" one of");
+          }
+          Question asked = questions.get(question);
+          if (asked != null) {
+            is.forEach(value -> known(condition, "is", value, asked.kind()));
           }
           return new AskedIf(question, Set.copyOf(is));
         });

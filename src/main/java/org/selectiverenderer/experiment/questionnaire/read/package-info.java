@@ -9,7 +9,7 @@
  * {@code questionnaire.schema.json}.
  *
  * <p>Uses {@code experiment.questionnaire}, {@code statistics.detection} for the types of objects,
- * and {@code base}. No GL, no AWT.
+ * {@code hmd} for the bounds of the distance of pupils, and {@code base}. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.questionnaire.read;

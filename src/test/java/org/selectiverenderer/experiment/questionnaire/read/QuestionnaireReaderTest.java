@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.questionnaire.Answer;
@@ -59,6 +60,43 @@ class QuestionnaireReaderTest {
       answers.put(pairs[i], Answer.of(pairs[i + 1]));
     }
     return answers;
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "\"kind\": \"text\"",
+        "\"kind\": \"yes-no\"",
+        "\"kind\": \"number\", \"max\": 80, \"min\": -1",
+        "\"kind\": \"number\", \"min\": 45"
+      })
+  void whatIsNoDistanceOfPupilsCannotSetIt(String kind) {
+    Problems problems = new Problems();
+    String text =
+        "{\"name\": \"me\", \"pages\": [{\"questions\": [\n"
+            + " {\"id\": \"eyes\", \"text\": \"IPD\", \"sets\": \"ipd\", %s}]}]}".formatted(kind);
+    assertThat(read(text, problems)).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .singleElement()
+        .asString()
+        .startsWith("all.json:2:")
+        .contains("\"min\" and \"max\" from 0 to 100");
+  }
+
+  @Test
+  void aValueThatNoAnswerCanHaveIsAnError() {
+    Problems problems = new Problems();
+    String wrong =
+        TEXT.replace("\"must\": \"yes\"", "\"must\": \"Yes\"")
+            .replace("\"is\": [\"b\"]", "\"is\": [\"b\", \"B\"]");
+    assertThat(read(wrong, problems)).isEmpty();
+    assertThat(problems.list())
+        .extracting(Problem::toString)
+        .satisfiesExactly(
+            must ->
+                assertThat(must).startsWith("all.json:5:").contains("'Yes'; it is one of yes, no"),
+            when -> assertThat(when).startsWith("all.json:13:").contains("'B'; it is one of a, b"));
   }
 
   @Test
