@@ -7,13 +7,14 @@ import org.selectiverenderer.base.markup.Markup;
 final class HtmlPage {
   private static final String STYLE =
       """
-      body { font: 15px/1.45 'DejaVu Sans', Verdana, sans-serif; color: #222; max-width: 62rem;
+      body { font: 15px/1.45 'DejaVu Sans', Verdana, sans-serif; color: #222; max-width: 72rem;
         margin: 2rem auto; padding: 0 1rem; }
+      p, ul { max-width: 62rem; }
       h1 { font-size: 1.6rem; } h2 { font-size: 1.3rem; margin-top: 2.2rem; border-bottom: 1px solid #ccc; }
       h3 { font-size: 1.1rem; } h4 { font-size: 1rem; }
       table { border-collapse: collapse; margin: 1rem 0; font-size: 13px; }
       caption { text-align: left; font-weight: bold; padding: .3rem 0; }
-      th, td { padding: .22rem .7rem; text-align: right; white-space: nowrap; }
+      th, td { padding: .22rem .45rem; text-align: right; white-space: nowrap; }
       th:first-child, td:first-child { text-align: left; }
       th.name, td.name { text-align: left; }
       td.words { white-space: normal; text-align: left; }
@@ -26,7 +27,8 @@ final class HtmlPage {
       figcaption { font-size: 12px; color: #444; max-width: 460px; }
       details { margin: .6rem 0; border-left: 3px solid #ddd; padding-left: .8rem; }
       summary { cursor: pointer; font-weight: bold; }
-      @media print { body { max-width: none; font-size: 11px; } figure, tr { break-inside: avoid; } }
+      @media print { body { max-width: none; font-size: 11px; } table { font-size: 9px; }
+        .wide { overflow: visible; } figure, tr { break-inside: avoid; } }
       """;
 
   /** Cells of more characters are set as words. */

@@ -236,7 +236,8 @@ class ExperimentCommandsTest extends CommandRun {
                 "--date",
                 "2026-05-01"))
         .isZero();
-    assertThat(text(out)).contains(" on 2026-05-01 from usable-answers.csv, SHA-256 ");
+    assertThat(text(out).replaceAll("\\s+", " "))
+        .contains(" on 2026-05-01 from usable-answers.csv, SHA-256 ");
     assertThat(figures.resolve("kitchen-d_prime-all.svg")).content().contains("<svg");
     assertThat(tables.resolve("kitchen-effects.csv")).content().contains("p corrected");
     assertThat(tables.resolve("methods.txt")).content().contains("Benjamini & Hochberg, 1995");
