@@ -20,16 +20,21 @@ import org.selectiverenderer.runtime.render.window.Monitor;
 public final class WindowDialogue implements SessionDialogue {
   private final Wording wording;
   private final Optional<DesktopPlace> place;
+  private final Optional<DesktopPlace> reading;
   private @Nullable ControlWindow control;
 
   /**
-   * @param operator the operator's monitor; empty for wherever the desktop puts windows
+   * @param stage says on which monitors the windows open
    */
-  public WindowDialogue(Wording wording, Optional<Monitor> operator) {
+  public WindowDialogue(Wording wording, SessionStage stage) {
     this.wording = wording;
-    place =
-        operator.map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()));
+    place = stage.monitor().map(WindowDialogue::place);
+    reading = stage.reading().map(WindowDialogue::place);
     FlatLightLaf.setup();
+  }
+
+  private static DesktopPlace place(Monitor at) {
+    return new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height());
   }
 
   @Override
@@ -76,14 +81,15 @@ public final class WindowDialogue implements SessionDialogue {
                 session.lastPage(step),
                 mayRefuse),
             answers,
-            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort));
+            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort),
+            reading);
     answers.check();
     return through;
   }
 
   @Override
   public void thanks(Session session) {
-    ThanksWindow.show(wording);
+    ThanksWindow.show(wording, reading);
   }
 
   @Override

@@ -160,7 +160,7 @@ final class ExperimentRunCommand extends CliCommand {
         SessionDialogue dialogue =
             unattended
                 ? new SimulatedDialogue()
-                : new WindowDialogue(material.wording(), stage.monitor())) {
+                : new WindowDialogue(material.wording(), stage)) {
       SessionShow show =
           plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
       session.journal().listen(streams::event);

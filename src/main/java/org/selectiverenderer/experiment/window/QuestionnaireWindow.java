@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
-import java.awt.GraphicsEnvironment;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
@@ -76,7 +75,8 @@ public final class QuestionnaireWindow {
   private final Listener listener;
   private final Consumer<Boolean> done;
   private final Map<String, Answer> answers;
-  private final JFrame frame = new JFrame();
+  private final DesktopPlace place;
+  private final JFrame frame;
   private final JPanel middle = new JPanel(new BorderLayout());
   private final PageFoot foot;
   private final KeyEventDispatcher keys = this::key;
@@ -84,8 +84,14 @@ public final class QuestionnaireWindow {
   private PagePanel panel;
 
   private QuestionnaireWindow(
-      Asking asking, Listener listener, SessionEnd sessionEnd, Consumer<Boolean> done) {
+      Asking asking,
+      Listener listener,
+      SessionEnd sessionEnd,
+      DesktopPlace place,
+      Consumer<Boolean> done) {
     this.asking = asking;
+    this.place = place;
+    frame = new JFrame(place.configuration());
     this.listener = listener;
     this.done = done;
     answers = new HashMap<>(asking.known());
@@ -96,7 +102,6 @@ public final class QuestionnaireWindow {
             .filter(each -> asking.from().equals(Optional.of(each.id())))
             .findFirst()
             .orElse(shown.get(0));
-    panel = make(page);
     JPanel south = new JPanel(new BorderLayout());
     south.add(foot.component(), BorderLayout.CENTER);
     if (asking.mayRefuse()) {
@@ -107,6 +112,7 @@ public final class QuestionnaireWindow {
     frame.add(middle, BorderLayout.CENTER);
     frame.add(south, BorderLayout.SOUTH);
     size();
+    panel = make(page, frame.getWidth());
     lay();
     sessionEnd.watch(frame, () -> end(false));
     frame.addWindowFocusListener(
@@ -134,9 +140,11 @@ public final class QuestionnaireWindow {
    * Asks, and waits until all is answered or the session ends.
    *
    * @param listener hears of every page, every answer and every change of one
+   * @param place the monitor; empty for wherever the desktop puts windows
    * @return whether all was answered and the participant went on
    */
-  public static boolean ask(Asking asking, Listener listener, SessionEnd sessionEnd) {
+  public static boolean ask(
+      Asking asking, Listener listener, SessionEnd sessionEnd, Optional<DesktopPlace> place) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
         finished ->
@@ -144,6 +152,7 @@ public final class QuestionnaireWindow {
                     asking,
                     listener,
                     sessionEnd,
+                    place.orElse(DesktopPlace.USUAL),
                     complete -> {
                       through.set(complete);
                       finished.run();
@@ -158,7 +167,7 @@ public final class QuestionnaireWindow {
 
   /** One size for all pages: that of the tallest, as far as the screen goes. */
   private void size() {
-    Rectangle most = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    Rectangle most = place.area();
     int width = Math.min(WIDTH, most.width);
     int tallest =
         asking.questionnaire().pages().stream()
@@ -172,18 +181,18 @@ public final class QuestionnaireWindow {
                                 width)
                             .getPreferredSize()
                             .height
-                        + make(each).component().getPreferredSize().height)
+                        + make(each, width).component().getPreferredSize().height)
             .max()
             .orElse(0);
     int height = tallest + foot.component().getPreferredSize().height + 60;
     frame.setSize(
         new Dimension(
             width, Math.min(most.height, Math.max(LEAST_HEIGHT, Math.min(MOST_HEIGHT, height)))));
-    frame.setLocationRelativeTo(null);
+    place.centre(frame);
   }
 
-  private PagePanel make(Page which) {
-    return new PagePanel(which, answers, asking.wording(), WIDTH - 80, this::answered);
+  private PagePanel make(Page which, int width) {
+    return new PagePanel(which, answers, asking.wording(), width - 80, this::answered);
   }
 
   private void lay() {
@@ -281,7 +290,7 @@ public final class QuestionnaireWindow {
   private void turn(Page to) {
     panel.settle();
     page = to;
-    panel = make(page);
+    panel = make(page, frame.getWidth());
     lay();
   }
 

@@ -1,6 +1,7 @@
 package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JFrame;
@@ -12,13 +13,17 @@ import org.selectiverenderer.experiment.questionnaire.Wording;
 public final class ThanksWindow {
   private ThanksWindow() {}
 
-  /** Shows it until it is closed. */
-  public static void show(Wording wording) {
-    Waiting.on(done -> frame(wording, done));
+  /**
+   * Shows it until it is closed.
+   *
+   * @param place the monitor; empty for wherever the desktop puts windows
+   */
+  public static void show(Wording wording, Optional<DesktopPlace> place) {
+    Waiting.on(done -> frame(wording, place.orElse(DesktopPlace.USUAL), done));
   }
 
-  private static JFrame frame(Wording wording, Runnable done) {
-    JFrame frame = new JFrame(wording.of("thanks.title"));
+  private static JFrame frame(Wording wording, DesktopPlace place, Runnable done) {
+    JFrame frame = new JFrame(wording.of("thanks.title"), place.configuration());
     frame.setName("thanks");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(new ClosingAsks(done));
@@ -32,7 +37,7 @@ public final class ThanksWindow {
     frame.add(close, BorderLayout.SOUTH);
     frame.getRootPane().setDefaultButton(close);
     frame.pack();
-    frame.setLocationRelativeTo(null);
+    place.centre(frame);
     return frame;
   }
 }

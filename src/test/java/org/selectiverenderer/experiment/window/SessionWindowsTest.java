@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.BorderLayout;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,6 +23,7 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -99,6 +101,15 @@ class SessionWindowsTest {
 
   private FutureTask<Boolean> asking(
       StudyMaterial material, Questionnaire asked, boolean mayRefuse, List<String> heard) {
+    return asking(material, asked, mayRefuse, heard, Optional.empty());
+  }
+
+  private FutureTask<Boolean> asking(
+      StudyMaterial material,
+      Questionnaire asked,
+      boolean mayRefuse,
+      List<String> heard,
+      Optional<DesktopPlace> place) {
     return OpenWindow.asking(
         () ->
             QuestionnaireWindow.ask(
@@ -121,7 +132,8 @@ class SessionWindowsTest {
                     times.add(ms);
                   }
                 },
-                end));
+                end,
+                place));
   }
 
   private void choose(JFrame window, String name, List<String> heard) {
@@ -166,6 +178,27 @@ class SessionWindowsTest {
     pictures(form, "session-form-greek");
     JButton cancel = Hands.named(form, material.wording().of("form.cancel"), JButton.class);
     OpenWindow.click(hands, cancel, () -> !form.isShowing());
+    assertThat(OpenWindow.answer(asked)).isFalse();
+  }
+
+  @Test
+  void aQuestionnaireKeepsToItsMonitorAndNothingOfItIsCutOff() throws IOException {
+    StudyMaterial material = form("en");
+    DesktopPlace monitor = new DesktopPlace(0, 560, 300, 700, 640);
+    FutureTask<Boolean> asked =
+        asking(material, material.form(), true, new ArrayList<>(), Optional.of(monitor));
+    JFrame form = OpenWindow.named(hands, "questionnaire");
+    Rectangle all = Hands.onEdt(form::getBounds);
+    assertThat(new Rectangle(560, 299, 700, 641).contains(all)).as("%s", all).isTrue();
+    JToggleButton oldest = Hands.named(form, "Age: 43+", JToggleButton.class);
+    Rectangle button =
+        Hands.onEdt(
+            () ->
+                SwingUtilities.convertRectangle(
+                    oldest.getParent(), oldest.getBounds(), form.getContentPane()));
+    assertThat(button.getMaxX()).isLessThan(Hands.onEdt(form.getContentPane()::getWidth));
+    pictures(form, "session-form-narrow");
+    over.set(true);
     assertThat(OpenWindow.answer(asked)).isFalse();
   }
 
@@ -446,7 +479,7 @@ class SessionWindowsTest {
     FutureTask<Boolean> shown =
         OpenWindow.asking(
             () -> {
-              ThanksWindow.show(wording);
+              ThanksWindow.show(wording, Optional.empty());
               return true;
             });
     JFrame thanks = OpenWindow.named(hands, "thanks");
