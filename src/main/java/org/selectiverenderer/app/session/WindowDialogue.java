@@ -20,21 +20,16 @@ import org.selectiverenderer.runtime.render.window.Monitor;
 public final class WindowDialogue implements SessionDialogue {
   private final Wording wording;
   private final Optional<DesktopPlace> place;
-  private final Optional<DesktopPlace> reading;
   private @Nullable ControlWindow control;
 
   /**
-   * @param stage says on which monitors the windows open
+   * @param operator the operator's monitor; empty for wherever the desktop puts windows
    */
-  public WindowDialogue(Wording wording, SessionStage stage) {
+  public WindowDialogue(Wording wording, Optional<Monitor> operator) {
     this.wording = wording;
-    place = stage.monitor().map(WindowDialogue::place);
-    reading = stage.reading().map(WindowDialogue::place);
+    place =
+        operator.map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()));
     FlatLightLaf.setup();
-  }
-
-  private static DesktopPlace place(Monitor at) {
-    return new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height());
   }
 
   @Override
@@ -81,15 +76,14 @@ public final class WindowDialogue implements SessionDialogue {
                 session.lastPage(step),
                 mayRefuse),
             answers,
-            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort),
-            reading);
+            new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort));
     answers.check();
     return through;
   }
 
   @Override
   public void thanks(Session session) {
-    ThanksWindow.show(wording, reading);
+    ThanksWindow.show(wording);
   }
 
   @Override

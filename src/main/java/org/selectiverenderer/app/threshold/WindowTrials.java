@@ -116,7 +116,7 @@ public final class WindowTrials implements ThresholdDialogue {
   @Override
   public void thanks() {
     window.close();
-    ThanksWindow.show(wording, Optional.empty());
+    ThanksWindow.show(wording);
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -40,6 +41,7 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
+import org.selectiverenderer.runtime.render.window.Monitor;
 import org.selectiverenderer.runtime.render.window.Monitors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -96,7 +98,7 @@ final class ExperimentRunCommand extends CliCommand {
       negatable = true,
       description =
           "opens a window for the experimenter that shows the participant's picture "
-              + "(default: unless --unattended)")
+              + "(default: where there is a second monitor, unless --unattended)")
   private @Nullable Boolean operator;
 
   @Option(
@@ -143,12 +145,13 @@ final class ExperimentRunCommand extends CliCommand {
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    SessionStage stage = stage(material.study(), presentation.get());
+    List<Monitor> monitors = Monitors.all(); // With this JOGL begins; then Swing may.
+    SessionStage stage = stage(material.study(), presentation.get(), monitors);
     SessionShow plain =
         new SessionShow(
             presentation.get(),
             trackerFlags.options(),
-            operator == null ? !unattended : operator,
+            operator == null ? !unattended && viewFits(monitors) : operator,
             stage,
             new RunOutput(console(), event -> {}));
     StudyStreams wanted =
@@ -160,9 +163,8 @@ final class ExperimentRunCommand extends CliCommand {
         SessionDialogue dialogue =
             unattended
                 ? new SimulatedDialogue()
-                : new WindowDialogue(material.wording(), stage)) {
-      SessionShow show =
-          plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
+                : new WindowDialogue(material.wording(), stage.monitor())) {
+      SessionShow show = plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
       session.journal().listen(streams::event);
       console().message("session: " + session.folder().path());
       return ended(
@@ -231,15 +233,25 @@ final class ExperimentRunCommand extends CliCommand {
             });
   }
 
-  /** Looks at the monitors, with which JOGL begins; then Swing may. */
-  private SessionStage stage(Study study, Presentation presentation) {
+  private boolean viewFits(List<Monitor> monitors) {
+    if (SessionStage.viewFits(monitors)) {
+      return true;
+    }
+    console()
+        .message(
+            "there is one monitor, on which the experimenter's view would cover the participant's"
+                + " picture: it is left out; --operator opens it");
+    return false;
+  }
+
+  private SessionStage stage(Study study, Presentation presentation, List<Monitor> monitors) {
     try {
       return SessionStage.of(
           study,
           presentation,
           Optional.ofNullable(operatorMonitor),
           showCondition,
-          Monitors.all(),
+          monitors,
           console()::message);
     } catch (IllegalArgumentException e) {
       throw CommandFailure.usage(
@@ -263,8 +275,7 @@ final class ExperimentRunCommand extends CliCommand {
             Optional.ofNullable(condition),
             exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure),
             unattended,
-            TrackerPresence.instead(
-                material.study().tracker(), withoutTracker, console()::message),
+            TrackerPresence.instead(material.study().tracker(), withoutTracker, console()::message),
             new ProgramVersion().getVersion()[0]);
     String id = participant.of(material.study(), resume, ConsoleQuestion::ask);
     TrackerPresence presence = new TrackerPresence(tracker, show);

@@ -4,7 +4,6 @@ import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
-import java.awt.Window;
 import java.awt.geom.AffineTransform;
 import java.util.Arrays;
 
@@ -55,18 +54,6 @@ public record DesktopPlace(int screen, int x, int y, int width, int height) {
         (int) Math.round(y / scale.getScaleY()),
         (int) Math.round(width / scale.getScaleX()),
         (int) Math.round(height / scale.getScaleY()));
-  }
-
-  /** Puts a window in the middle of it. */
-  void centre(Window window) {
-    if (width == 0) {
-      window.setLocationRelativeTo(null);
-      return;
-    }
-    Rectangle most = area();
-    window.setLocation(
-        most.x + (most.width - window.getWidth()) / 2,
-        most.y + (most.height - window.getHeight()) / 2);
   }
 
   private static Rectangle pixels(GraphicsConfiguration screen) {

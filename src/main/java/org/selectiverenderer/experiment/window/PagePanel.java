@@ -85,8 +85,7 @@ final class PagePanel implements QuestionRow.Listener {
     top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
     scroll = new JScrollPane(top);
     scroll.setBorder(BorderFactory.createEmptyBorder());
-    // For a monitor that is narrower than a row of buttons; else there is nothing to scroll to.
-    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     JComponent heading = shape.heading(page, wording);
     if (heading.getComponentCount() > 0) {
       scroll.setColumnHeaderView(heading);
@@ -98,6 +97,12 @@ final class PagePanel implements QuestionRow.Listener {
 
   JScrollPane component() {
     return scroll;
+  }
+
+  /** The height in pixels with every row, for a page that is measured and not shown. */
+  int tallest() {
+    rows.forEach(row -> row.panel().setVisible(true));
+    return scroll.getPreferredSize().height;
   }
 
   /** The page has come on the screen: from now on questions are in view. */

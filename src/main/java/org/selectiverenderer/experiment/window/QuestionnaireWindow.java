@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
+import java.awt.GraphicsEnvironment;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
@@ -23,6 +24,7 @@ import javax.swing.JPanel;
 import javax.swing.WindowConstants;
 import javax.swing.text.JTextComponent;
 import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.AnswerField;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
@@ -75,8 +77,7 @@ public final class QuestionnaireWindow {
   private final Listener listener;
   private final Consumer<Boolean> done;
   private final Map<String, Answer> answers;
-  private final DesktopPlace place;
-  private final JFrame frame;
+  private final JFrame frame = new JFrame();
   private final JPanel middle = new JPanel(new BorderLayout());
   private final PageFoot foot;
   private final KeyEventDispatcher keys = this::key;
@@ -84,14 +85,8 @@ public final class QuestionnaireWindow {
   private PagePanel panel;
 
   private QuestionnaireWindow(
-      Asking asking,
-      Listener listener,
-      SessionEnd sessionEnd,
-      DesktopPlace place,
-      Consumer<Boolean> done) {
+      Asking asking, Listener listener, SessionEnd sessionEnd, Consumer<Boolean> done) {
     this.asking = asking;
-    this.place = place;
-    frame = new JFrame(place.configuration());
     this.listener = listener;
     this.done = done;
     answers = new HashMap<>(asking.known());
@@ -102,6 +97,7 @@ public final class QuestionnaireWindow {
             .filter(each -> asking.from().equals(Optional.of(each.id())))
             .findFirst()
             .orElse(shown.get(0));
+    panel = make(page);
     JPanel south = new JPanel(new BorderLayout());
     south.add(foot.component(), BorderLayout.CENTER);
     if (asking.mayRefuse()) {
@@ -112,7 +108,6 @@ public final class QuestionnaireWindow {
     frame.add(middle, BorderLayout.CENTER);
     frame.add(south, BorderLayout.SOUTH);
     size();
-    panel = make(page, frame.getWidth());
     lay();
     sessionEnd.watch(frame, () -> end(false));
     frame.addWindowFocusListener(
@@ -140,11 +135,9 @@ public final class QuestionnaireWindow {
    * Asks, and waits until all is answered or the session ends.
    *
    * @param listener hears of every page, every answer and every change of one
-   * @param place the monitor; empty for wherever the desktop puts windows
    * @return whether all was answered and the participant went on
    */
-  public static boolean ask(
-      Asking asking, Listener listener, SessionEnd sessionEnd, Optional<DesktopPlace> place) {
+  public static boolean ask(Asking asking, Listener listener, SessionEnd sessionEnd) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
         finished ->
@@ -152,7 +145,6 @@ public final class QuestionnaireWindow {
                     asking,
                     listener,
                     sessionEnd,
-                    place.orElse(DesktopPlace.USUAL),
                     complete -> {
                       through.set(complete);
                       finished.run();
@@ -167,7 +159,7 @@ public final class QuestionnaireWindow {
 
   /** One size for all pages: that of the tallest, as far as the screen goes. */
   private void size() {
-    Rectangle most = place.area();
+    Rectangle most = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     int width = Math.min(WIDTH, most.width);
     int tallest =
         asking.questionnaire().pages().stream()
@@ -181,18 +173,18 @@ public final class QuestionnaireWindow {
                                 width)
                             .getPreferredSize()
                             .height
-                        + make(each, width).component().getPreferredSize().height)
+                        + make(each).tallest())
             .max()
             .orElse(0);
     int height = tallest + foot.component().getPreferredSize().height + 60;
     frame.setSize(
         new Dimension(
             width, Math.min(most.height, Math.max(LEAST_HEIGHT, Math.min(MOST_HEIGHT, height)))));
-    place.centre(frame);
+    frame.setLocationRelativeTo(null);
   }
 
-  private PagePanel make(Page which, int width) {
-    return new PagePanel(which, answers, asking.wording(), width - 80, this::answered);
+  private PagePanel make(Page which) {
+    return new PagePanel(which, answers, asking.wording(), WIDTH - 80, this::answered);
   }
 
   private void lay() {
@@ -240,7 +232,13 @@ public final class QuestionnaireWindow {
         wording.filled(
             "keys",
             kinds.size() == 1 ? wording.of("keys." + kinds.get(0)) : wording.of("keys.mixed"));
-    return shown().size() > 1 ? keysOf + " " + wording.of("keys.back") : keysOf;
+    boolean lines =
+        page.questions().stream()
+            .flatMap(question -> question.kind().fields(wording).stream())
+            .anyMatch(field -> field instanceof AnswerField.Line line && line.lines() > 1);
+    return keysOf
+        + (lines ? " " + wording.of("keys.lines") : "")
+        + (shown().size() > 1 ? " " + wording.of("keys.back") : "");
   }
 
   private boolean key(KeyEvent event) {
@@ -290,7 +288,7 @@ public final class QuestionnaireWindow {
   private void turn(Page to) {
     panel.settle();
     page = to;
-    panel = make(page, frame.getWidth());
+    panel = make(page);
     lay();
   }
 

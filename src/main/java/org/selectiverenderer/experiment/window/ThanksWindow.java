@@ -1,7 +1,6 @@
 package org.selectiverenderer.experiment.window;
 
 import java.awt.BorderLayout;
-import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JFrame;
@@ -13,17 +12,13 @@ import org.selectiverenderer.experiment.questionnaire.Wording;
 public final class ThanksWindow {
   private ThanksWindow() {}
 
-  /**
-   * Shows it until it is closed.
-   *
-   * @param place the monitor; empty for wherever the desktop puts windows
-   */
-  public static void show(Wording wording, Optional<DesktopPlace> place) {
-    Waiting.on(done -> frame(wording, place.orElse(DesktopPlace.USUAL), done));
+  /** Shows it until it is closed. */
+  public static void show(Wording wording) {
+    Waiting.on(done -> frame(wording, done));
   }
 
-  private static JFrame frame(Wording wording, DesktopPlace place, Runnable done) {
-    JFrame frame = new JFrame(wording.of("thanks.title"), place.configuration());
+  private static JFrame frame(Wording wording, Runnable done) {
+    JFrame frame = new JFrame(wording.of("thanks.title"));
     frame.setName("thanks");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(new ClosingAsks(done));
@@ -37,7 +32,7 @@ public final class ThanksWindow {
     frame.add(close, BorderLayout.SOUTH);
     frame.getRootPane().setDefaultButton(close);
     frame.pack();
-    place.centre(frame);
+    frame.setLocationRelativeTo(null);
     return frame;
   }
 }

@@ -4,7 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.BorderLayout;
-import java.awt.Rectangle;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -21,6 +22,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
@@ -101,15 +103,6 @@ class SessionWindowsTest {
 
   private FutureTask<Boolean> asking(
       StudyMaterial material, Questionnaire asked, boolean mayRefuse, List<String> heard) {
-    return asking(material, asked, mayRefuse, heard, Optional.empty());
-  }
-
-  private FutureTask<Boolean> asking(
-      StudyMaterial material,
-      Questionnaire asked,
-      boolean mayRefuse,
-      List<String> heard,
-      Optional<DesktopPlace> place) {
     return OpenWindow.asking(
         () ->
             QuestionnaireWindow.ask(
@@ -132,8 +125,7 @@ class SessionWindowsTest {
                     times.add(ms);
                   }
                 },
-                end,
-                place));
+                end));
   }
 
   private void choose(JFrame window, String name, List<String> heard) {
@@ -182,24 +174,42 @@ class SessionWindowsTest {
   }
 
   @Test
-  void aQuestionnaireKeepsToItsMonitorAndNothingOfItIsCutOff() throws IOException {
-    StudyMaterial material = form("en");
-    DesktopPlace monitor = new DesktopPlace(0, 560, 300, 700, 640);
-    FutureTask<Boolean> asked =
-        asking(material, material.form(), true, new ArrayList<>(), Optional.of(monitor));
-    JFrame form = OpenWindow.named(hands, "questionnaire");
-    Rectangle all = Hands.onEdt(form::getBounds);
-    assertThat(new Rectangle(560, 299, 700, 641).contains(all)).as("%s", all).isTrue();
-    JToggleButton oldest = Hands.named(form, "Age: 43+", JToggleButton.class);
-    Rectangle button =
+  void aQuestionThatAnAnswerBringsHasItsRoom() throws IOException {
+    StudyMaterial material = material("en");
+    Questionnaire closing =
+        material.questionnaires("001").stream()
+            .filter(each -> each.id().equals("closing"))
+            .findFirst()
+            .orElseThrow();
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, closing, false, heard);
+    JFrame window = OpenWindow.named(hands, "questionnaire");
+    Question changes = closing.questions().get(1);
+    choose(window, changes.text() + ": Yes", heard);
+    JTextComponent which = Hands.named(window, "What changed?", JTextComponent.class);
+    hands.await("what changed", which::isShowing);
+    JScrollPane rows =
         Hands.onEdt(
             () ->
-                SwingUtilities.convertRectangle(
-                    oldest.getParent(), oldest.getBounds(), form.getContentPane()));
-    assertThat(button.getMaxX()).isLessThan(Hands.onEdt(form.getContentPane()::getWidth));
-    pictures(form, "session-form-narrow");
+                (JScrollPane)
+                    SwingUtilities.getAncestorOfClass(
+                        JScrollPane.class,
+                        SwingUtilities.getAncestorOfClass(JScrollPane.class, which)));
+    assertThat(Hands.onEdt(rows.getVerticalScrollBar()::isShowing)).isFalse();
+    String read = Hands.onEdt(() -> texts(window.getContentPane()));
+    assertThat(read).as("Enter begins a line").contains("Ctrl+Enter");
+    pictures(window, "session-closing");
     over.set(true);
     assertThat(OpenWindow.answer(asked)).isFalse();
+  }
+
+  private static String texts(Container in) {
+    StringBuilder all = new StringBuilder();
+    for (Component each : in.getComponents()) {
+      all.append(each instanceof JTextComponent text ? text.getText() + "\n" : "");
+      all.append(each instanceof Container more ? texts(more) : "");
+    }
+    return all.toString();
   }
 
   @Test
@@ -479,7 +489,7 @@ class SessionWindowsTest {
     FutureTask<Boolean> shown =
         OpenWindow.asking(
             () -> {
-              ThanksWindow.show(wording, Optional.empty());
+              ThanksWindow.show(wording);
               return true;
             });
     JFrame thanks = OpenWindow.named(hands, "thanks");
