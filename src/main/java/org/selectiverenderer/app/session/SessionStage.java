@@ -21,6 +21,14 @@ public record SessionStage(Optional<Monitor> monitor, boolean pointerKept, boole
   public static final SessionStage DESK = new SessionStage(Optional.empty(), false, true);
 
   /**
+   * Whether the operator's view has a place: on the only monitor it would lie over the picture of
+   * the participant.
+   */
+  public static boolean viewFits(List<Monitor> monitors) {
+    return monitors.size() > 1;
+  }
+
+  /**
    * As a study wants it on a desktop.
    *
    * @param wantedMonitor number or name of the operator's monitor instead of the study's

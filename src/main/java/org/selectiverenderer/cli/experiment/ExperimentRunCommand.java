@@ -3,6 +3,7 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -42,6 +43,7 @@ import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.runtime.render.window.Monitor;
 import org.selectiverenderer.runtime.render.window.Monitors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -98,7 +100,7 @@ final class ExperimentRunCommand extends CliCommand {
       negatable = true,
       description =
           "opens a window for the experimenter that shows the participant's picture "
-              + "(default: unless --unattended)")
+              + "(default: where there is a second monitor, unless --unattended)")
   private @Nullable Boolean operator;
 
   @Option(
@@ -145,12 +147,13 @@ final class ExperimentRunCommand extends CliCommand {
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    SessionStage stage = stage(material.study(), presentation.get());
+    List<Monitor> monitors = Monitors.all(); // With this JOGL begins; then Swing may.
+    SessionStage stage = stage(material.study(), presentation.get(), monitors);
     SessionShow plain =
         new SessionShow(
             presentation.get(),
             trackerFlags.options(),
-            operator == null ? !unattended : operator,
+            operator == null ? !unattended && viewFits(monitors) : operator,
             stage,
             new RunOutput(console(), event -> {}));
     StudyStreams wanted =
@@ -247,15 +250,26 @@ final class ExperimentRunCommand extends CliCommand {
     }
   }
 
+  private boolean viewFits(List<Monitor> monitors) {
+    if (SessionStage.viewFits(monitors)) {
+      return true;
+    }
+    console()
+        .message(
+            "there is one monitor, on which the experimenter's view would cover the participant's"
+                + " picture: it is left out; --operator opens it");
+    return false;
+  }
+
   /** Looks at the monitors, with which JOGL begins; then Swing may. */
-  private SessionStage stage(Study study, Presentation presentation) {
+  private SessionStage stage(Study study, Presentation presentation, List<Monitor> monitors) {
     try {
       return SessionStage.of(
           study,
           presentation,
           Optional.ofNullable(operatorMonitor),
           showCondition,
-          Monitors.all(),
+          monitors,
           console()::message);
     } catch (IllegalArgumentException e) {
       throw CommandFailure.usage(

@@ -99,6 +99,12 @@ final class PagePanel implements QuestionRow.Listener {
     return scroll;
   }
 
+  /** The height in pixels with every row, for a page that is measured and not shown. */
+  int tallest() {
+    rows.forEach(row -> row.panel().setVisible(true));
+    return scroll.getPreferredSize().height;
+  }
+
   /** The page has come on the screen: from now on questions are in view. */
   void begin() {
     SwingUtilities.invokeLater(

@@ -23,6 +23,7 @@ import javax.swing.JPanel;
 import javax.swing.WindowConstants;
 import javax.swing.text.JTextComponent;
 import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.questionnaire.AnswerField;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
@@ -181,7 +182,7 @@ public final class QuestionnaireWindow {
                                 width)
                             .getPreferredSize()
                             .height
-                        + make(each).component().getPreferredSize().height)
+                        + make(each).tallest())
             .max()
             .orElse(0);
     int height = tallest + foot.component().getPreferredSize().height + 60;
@@ -240,7 +241,13 @@ public final class QuestionnaireWindow {
         wording.filled(
             "keys",
             kinds.size() == 1 ? wording.of("keys." + kinds.get(0)) : wording.of("keys.mixed"));
-    return shown().size() > 1 ? keysOf + " " + wording.of("keys.back") : keysOf;
+    boolean lines =
+        page.questions().stream()
+            .flatMap(question -> question.kind().fields(wording).stream())
+            .anyMatch(field -> field instanceof AnswerField.Line line && line.lines() > 1);
+    return keysOf
+        + (lines ? " " + wording.of("keys.lines") : "")
+        + (shown().size() > 1 ? " " + wording.of("keys.back") : "");
   }
 
   private boolean key(KeyEvent event) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -22,8 +24,10 @@ import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -217,6 +221,45 @@ class SessionWindowsTest {
     JButton cancel = Hands.named(form, material.wording().of("form.cancel"), JButton.class);
     OpenWindow.click(hands, cancel, () -> !form.isShowing());
     assertThat(OpenWindow.answer(asked)).isFalse();
+  }
+
+  @Test
+  void aQuestionThatAnAnswerBringsHasItsRoom() throws IOException {
+    StudyMaterial material = material("en");
+    Questionnaire closing =
+        material.questionnaires("001").stream()
+            .filter(each -> each.id().equals("closing"))
+            .findFirst()
+            .orElseThrow();
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, closing, false, heard);
+    JFrame window = OpenWindow.named(hands, "questionnaire");
+    Question changes = closing.questions().get(1);
+    choose(window, changes.text() + ": Yes", heard);
+    JTextComponent which = Hands.named(window, "What changed?", JTextComponent.class);
+    hands.await("what changed", which::isShowing);
+    JScrollPane rows =
+        Hands.onEdt(
+            () ->
+                (JScrollPane)
+                    SwingUtilities.getAncestorOfClass(
+                        JScrollPane.class,
+                        SwingUtilities.getAncestorOfClass(JScrollPane.class, which)));
+    assertThat(Hands.onEdt(rows.getVerticalScrollBar()::isShowing)).isFalse();
+    String read = Hands.onEdt(() -> texts(window.getContentPane()));
+    assertThat(read).as("Enter begins a line").contains("Ctrl+Enter");
+    pictures(window, "session-closing");
+    over.set(true);
+    assertThat(OpenWindow.answer(asked)).isFalse();
+  }
+
+  private static String texts(Container in) {
+    StringBuilder all = new StringBuilder();
+    for (Component each : in.getComponents()) {
+      all.append(each instanceof JTextComponent text ? text.getText() + "\n" : "");
+      all.append(each instanceof Container more ? texts(more) : "");
+    }
+    return all.toString();
   }
 
   @Test
