@@ -12,8 +12,8 @@
  * org.selectiverenderer.lsl.LslOutlet}; or a condition on streams for an {@link
  * org.selectiverenderer.lsl.LslResolver}, which finds them, each to be read by an {@link
  * org.selectiverenderer.lsl.LslInlet}. Times are seconds of the library's clock on this machine
- * ({@link org.selectiverenderer.lsl.LslLibrary#clock}). Uses nothing of the program
- * of errors; each object belongs to one thread at a time.
+ * ({@link org.selectiverenderer.lsl.LslLibrary#clock}). Uses nothing of the program of errors; each
+ * object belongs to one thread at a time.
  */
 @NullMarked
 package org.selectiverenderer.lsl;

@@ -21,7 +21,8 @@ import org.selectiverenderer.tracker.LatencyMeter;
  * @param drawn triangles sent to the graphics card after culling, per frame and for all eyes
  * @param shading that was asked for
  * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
- * @param trackerSilence the longest time without a tracker's record, in seconds; 0 without a tracker
+ * @param trackerSilence the longest time without a tracker's record, in seconds; 0 without a
+ *     tracker
  */
 public record RunFigures(
     double loadMs,

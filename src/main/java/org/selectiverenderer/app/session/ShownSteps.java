@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.run.GuidedRun;
@@ -52,9 +51,7 @@ final class ShownSteps implements WindowChain.Runs {
   }
 
   private Optional<SessionStep> upcoming() {
-    return session.remaining().stream()
-        .findFirst()
-        .filter(SessionStep::shows);
+    return session.remaining().stream().findFirst().filter(SessionStep::shows);
   }
 
   /** Whether there is a scene to be shown next. */
@@ -119,9 +116,7 @@ final class ShownSteps implements WindowChain.Runs {
                 .filling(width, height)
                 .operator(show.operator())
                 .operatorOn(show.stage().monitor()))
-        .with(
-            show.tracker(session.tracker()),
-            Optional.of(new HeadLogSettings(log)));
+        .with(show.tracker(session.tracker()), Optional.of(new HeadLogSettings(log)));
   }
 
   /** The seed of the random condition: each participant has a lot of his own, always the same. */

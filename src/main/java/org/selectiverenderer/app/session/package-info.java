@@ -10,9 +10,9 @@
  *
  * <p>In: a {@link org.selectiverenderer.experiment.session.Session} begun or resumed, and a {@link
  * org.selectiverenderer.app.session.SessionDialogue}, which asks participant and experimenter. Out:
- * the session's files, and how it ended. Uses {@code app.run} with its settings and figures, {@code app.head}, {@code
- * experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code runtime} and {@code base};
- * Swing is behind the dialogue.
+ * the session's files, and how it ended. Uses {@code app.run} with its settings and figures, {@code
+ * app.head}, {@code experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code runtime} and
+ * {@code base}; Swing is behind the dialogue.
  */
 @NullMarked
 package org.selectiverenderer.app.session;

@@ -96,8 +96,7 @@ final class ExperimentPaperCommand extends CliCommand {
       OutputFile.writeOnce(
           "--csv",
           csv,
-          PaperTable.text(
-              asked, material.get().wording(), participant, group(material.get())));
+          PaperTable.text(asked, material.get().wording(), participant, group(material.get())));
     }
     return ExitStatus.of(problems);
   }

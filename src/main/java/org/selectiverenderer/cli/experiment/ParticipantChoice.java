@@ -60,7 +60,8 @@ final class ParticipantChoice {
       throw CommandFailure.usage(
           "there is no participant %s to continue with%s"
               .formatted(
-                  id, alike.map(other -> "; did you mean --participant " + other + "?").orElse("")));
+                  id,
+                  alike.map(other -> "; did you mean --participant " + other + "?").orElse("")));
     }
     Optional<String> folder = ids.sameFolder(id);
     if (folder.isPresent()) {
@@ -75,8 +76,7 @@ final class ParticipantChoice {
     return id;
   }
 
-  private static void confirm(
-      String id, String other, Function<String, Optional<String>> ask) {
+  private static void confirm(String id, String other, Function<String, Optional<String>> ask) {
     Optional<String> answer =
         ask.apply(
             "The participant %s is new, but looks like %s, who is there already. Is %s somebody else? [y/n] "

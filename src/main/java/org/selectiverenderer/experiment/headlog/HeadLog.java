@@ -24,8 +24,8 @@ public record HeadLog(HeadLogDescription description, List<HeadSample> samples) 
   private static final double SHORTEST_PAUSE = 0.005;
 
   /**
-   * For how long the session was paused between a sample and the one before, in seconds: what
-   * the machine's clock went on beyond the frame's own time. 0 for none, and in a log without that
+   * For how long the session was paused between a sample and the one before, in seconds: what the
+   * machine's clock went on beyond the frame's own time. 0 for none, and in a log without that
    * clock.
    */
   double pauseBefore(int sample) {

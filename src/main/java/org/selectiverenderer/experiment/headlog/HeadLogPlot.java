@@ -27,6 +27,7 @@ public final class HeadLogPlot {
   private static final int ROWS = 24;
 
   private static final String INK = "#222222";
+
   /** Of times without a picture. */
   private static final String DARK = "#cccccc";
 

@@ -10,8 +10,9 @@ import org.selectiverenderer.experiment.headlog.SceneMap.Box;
 /**
  * How much of a room a head log has seen: the room's box is lined with cells, floor, ceiling and
  * four walls, and a cell counts as seen when its middle was within the field of view of some sample
- * that the participant saw, taken in the room. What stands in between is not considered, so that it is the most that can have
- * been seen; the thesis left out a participant who had not viewed the whole room (6.1.4).
+ * that the participant saw, taken in the room. What stands in between is not considered, so that it
+ * is the most that can have been seen; the thesis left out a participant who had not viewed the
+ * whole room (6.1.4).
  *
  * @param seconds spent in the room
  * @param seen share of the cells, 0 to 1

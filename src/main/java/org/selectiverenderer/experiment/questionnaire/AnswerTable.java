@@ -7,9 +7,7 @@ import org.selectiverenderer.statistics.data.ResponsesCsv;
 /** A table of answers, one file of a session and of a study. */
 public enum AnswerTable {
   /** Answers about memory, as {@code experiment analyse} reads them. */
-  RESPONSES(
-      "responses.csv",
-      ResponsesCsv.of(List.of()).strip() + ",response_ms,place\n"),
+  RESPONSES("responses.csv", ResponsesCsv.of(List.of()).strip() + ",response_ms,place\n"),
   /** Ratings of expectancy, as {@code enrich --ratings} reads them. */
   RATINGS("ratings.csv", "participant,area,object,schema,rating,response_ms,place\n"),
   /** All others, a row for each question that was asked. */

@@ -7,5 +7,4 @@ package org.selectiverenderer.experiment.questionnaire;
  * @param condition empty before it is assigned
  * @param questionnaire the id of the step
  */
-public record AskedBy(
-    String participant, String session, String condition, String questionnaire) {}
+public record AskedBy(String participant, String session, String condition, String questionnaire) {}

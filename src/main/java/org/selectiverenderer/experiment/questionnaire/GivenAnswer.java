@@ -24,7 +24,8 @@ public record GivenAnswer(Answer answer, OptionalLong first, OptionalLong last, 
   public GivenAnswer then(Answer other, OptionalLong at, int where) {
     boolean same = other.value().equals(answer.value());
     OptionalLong earliest = answer.value().isEmpty() ? at : first;
-    return new GivenAnswer(other, other.value().isEmpty() ? first : earliest, same ? last : at, where);
+    return new GivenAnswer(
+        other, other.value().isEmpty() ? first : earliest, same ? last : at, where);
   }
 
   /** For tables: the time of the value that counts; empty without one. */

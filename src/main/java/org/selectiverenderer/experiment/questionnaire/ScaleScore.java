@@ -44,8 +44,8 @@ public record ScaleScore(
    * Computes it.
    *
    * @param answers that count
-   * @return empty when an answer is wanting or is no number: a score of half the questions cannot be
-   *     compared with the others
+   * @return empty when an answer is wanting or is no number: a score of half the questions cannot
+   *     be compared with the others
    */
   public OptionalDouble of(Questionnaire questionnaire, Map<String, Answer> answers) {
     OptionalDouble raw = raw(questionnaire, answers);

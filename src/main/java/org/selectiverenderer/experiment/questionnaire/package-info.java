@@ -9,8 +9,8 @@
  * <p>What a question is like is its {@link
  * org.selectiverenderer.experiment.questionnaire.QuestionKind}, a sealed type with one class for
  * each kind: how a file names it and which keys it has there, what there is to fill in, how a
- * simulated participant answers, in which table its answers go. What there is to fill in is told
- * as {@link org.selectiverenderer.experiment.questionnaire.AnswerField}s, of which there are two
+ * simulated participant answers, in which table its answers go. What there is to fill in is told as
+ * {@link org.selectiverenderer.experiment.questionnaire.AnswerField}s, of which there are two
  * sorts: options to choose from, and a line to write on. Windows, paper and what was typed in from
  * it know the fields and no kinds; so a new kind changes none of them.
  *

@@ -50,9 +50,7 @@ public final class ParticipantIds {
     return String.format(Locale.ROOT, "%03d", number);
   }
 
-  /**
-   * One that differs in capitals only: on Windows and macOS both would have the same folder.
-   */
+  /** One that differs in capitals only: on Windows and macOS both would have the same folder. */
   public Optional<String> sameFolder(String id) {
     return known.stream()
         .filter(other -> !other.equals(id) && other.equalsIgnoreCase(id))

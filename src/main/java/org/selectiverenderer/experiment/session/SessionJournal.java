@@ -67,8 +67,7 @@ public final class SessionJournal implements AutoCloseable {
    */
   static SessionJournal resume(Path file) throws IOException {
     SessionHistory history = SessionHistory.read(file);
-    return new SessionJournal(
-        file, FileChannel.open(file, StandardOpenOption.APPEND), history);
+    return new SessionJournal(file, FileChannel.open(file, StandardOpenOption.APPEND), history);
   }
 
   /** What has happened so far, as far as it is on the disk; grows as events are kept. */

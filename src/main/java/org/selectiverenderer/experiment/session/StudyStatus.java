@@ -219,10 +219,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       ArrayNode flags = node.putArray("flags");
       row.flags.forEach(
           raised ->
-              flags
-                  .addObject()
-                  .put("flag", raised.flag().spelling())
-                  .put("step", raised.step()));
+              flags.addObject().put("flag", raised.flag().spelling()).put("step", raised.step()));
       node.put("excluded", row.excluded);
     }
     return JsonText.of(root);

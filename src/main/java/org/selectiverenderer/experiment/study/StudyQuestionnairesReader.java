@@ -40,8 +40,7 @@ final class StudyQuestionnairesReader {
   StudyQuestionnaires read(JsonMembers keys, boolean areas, boolean practice) {
     return new StudyQuestionnaires(
         keys.text("form", false).map(name -> files.find(keys, "form", name)),
-        keys.objects(
-            "questionnaires", "a questionnaire", each -> source(each, areas, practice)));
+        keys.objects("questionnaires", "a questionnaire", each -> source(each, areas, practice)));
   }
 
   private Source source(JsonMembers keys, boolean areas, boolean practice) {

@@ -6,9 +6,9 @@
  * column; and the folder of a new study, which is the thesis's. The keys are published as a JSON
  * Schema, {@code study.schema.json}, beside the file.
  *
- * <p>Uses {@code experiment.questionnaire} for what may be asked, {@code control} for the conditions, {@code hmd} for the ways of showing, {@code tracker}
- * and {@code runtime.walk} for their spellings, and {@code base} for files and problems. No GL, no
- * AWT.
+ * <p>Uses {@code experiment.questionnaire} for what may be asked, {@code control} for the
+ * conditions, {@code hmd} for the ways of showing, {@code tracker} and {@code runtime.walk} for
+ * their spellings, and {@code base} for files and problems. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.study;

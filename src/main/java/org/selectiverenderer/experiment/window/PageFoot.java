@@ -53,8 +53,7 @@ final class PageFoot {
     right.add(buttons, BorderLayout.SOUTH);
     panel.setBorder(
         BorderFactory.createCompoundBorder(
-            rule(),
-            BorderFactory.createEmptyBorder(10, 16, 14, 10)));
+            rule(), BorderFactory.createEmptyBorder(10, 16, 14, 10)));
     panel.add(told, BorderLayout.CENTER);
     panel.add(right, BorderLayout.EAST);
   }
@@ -79,8 +78,7 @@ final class PageFoot {
    * @param keys what keys do; empty for a page to be read
    * @param begins whether the session begins behind the last page
    */
-  void show(
-      int at, int pages, int open, int asked, boolean refused, String keys, boolean begins) {
+  void show(int at, int pages, int open, int asked, boolean refused, String keys, boolean begins) {
     left.setText(
         refused
             ? wording.of("form.refused")

@@ -51,8 +51,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
     boolean lines =
         fields.stream()
             .allMatch(
-                field ->
-                    field instanceof AnswerField.Choice choice && !ChoiceView.list(choice));
+                field -> field instanceof AnswerField.Choice choice && !ChoiceView.list(choice));
     boolean beside =
         lines && questions.stream().allMatch(question -> question.text().length() <= BESIDE);
     boolean named = questions.stream().anyMatch(question -> !question.text().isEmpty());

@@ -97,9 +97,7 @@ class SceneRunTest {
     assertThat(rows).extracting(HeadSample::t).containsExactly(0.0, 2.0, 4.0, 4.25);
     assertThat(rows).extracting(HeadSample::frameMs).containsExactly(0.0, 2000.0, 2000.0, 250.0);
     assertThat(rows).extracting(HeadSample::visible).containsExactly(false, true, false, true);
-    assertThat(rows)
-        .extracting(row -> row.moment().mono())
-        .containsExactly(7.0, 9.0, 11.0, 11.25);
+    assertThat(rows).extracting(row -> row.moment().mono()).containsExactly(7.0, 9.0, 11.0, 11.25);
     assertThat(rows).allMatch(row -> row.moment().wall() != null);
   }
 

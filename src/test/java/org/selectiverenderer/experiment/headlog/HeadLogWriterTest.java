@@ -18,7 +18,8 @@ class HeadLogWriterTest {
   private final LinkedBlockingQueue<Problem> problems = new LinkedBlockingQueue<>();
 
   private static HeadSample sample(double t) {
-    return new HeadSample(t, 0, 0, 0, 0, 0, 0, false, "A", 1, 0, List.of(), List.of(), 4, HeadSample.Moment.UNTOLD);
+    return new HeadSample(
+        t, 0, 0, 0, 0, 0, 0, false, "A", 1, 0, List.of(), List.of(), 4, HeadSample.Moment.UNTOLD);
   }
 
   private abstract static class Disk implements HeadLogWriter.Lines {

@@ -16,7 +16,23 @@ final class KilledSession {
     long begun = System.nanoTime();
     while (true) {
       double t = (System.nanoTime() - begun) * 1e-9;
-      writer.add(new HeadSample(t, 0, 0, 0, 0, 0, 0, false, "A", 1, 0, List.of(), List.of(), 4, HeadSample.Moment.UNTOLD));
+      writer.add(
+          new HeadSample(
+              t,
+              0,
+              0,
+              0,
+              0,
+              0,
+              0,
+              false,
+              "A",
+              1,
+              0,
+              List.of(),
+              List.of(),
+              4,
+              HeadSample.Moment.UNTOLD));
       System.out.println(t);
       LockSupport.parkNanos(4_000_000);
     }

@@ -34,7 +34,8 @@ class SessionLockTest {
   void whoHoldsItIsSaidAsWellAsItIsKnown() throws IOException {
     Files.writeString(folder.resolve("running.json"), "{\"program\":\"sel");
     assertThatThrownBy(() -> SessionLock.take(folder, "test", channel -> null))
-        .hasMessage(folder + " is being run by another program; wait until that has ended, or end it");
+        .hasMessage(
+            folder + " is being run by another program; wait until that has ended, or end it");
     Files.writeString(
         folder.resolve("running.json"),
         "{\"program\":\"selective-renderer 1\",\"pid\":7,\"host\":\"lab\",\"since\":\"noon\"}");

@@ -66,8 +66,7 @@ class SessionProcessesTest extends TwoRoomsStudy {
       session.began(session.remaining().get(0), false);
       // Reading the journal must not let go of the lock.
       StudyStatus.of(material(), new Problems());
-      CollectedAnswers.of(
-          material(), OptionalInt.empty(), PaperAnswers.none(), new Problems());
+      CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), new Problems());
       String events = Files.readString(session.folder().journal());
       for (String how : List.of("resume", "begin")) {
         assertThat(said(process("", "001", how)))
@@ -93,8 +92,7 @@ class SessionProcessesTest extends TwoRoomsStudy {
     Path folder = new SessionFolder(material().study().folder(), "001", 1).path();
     assertThatThrownBy(() -> resume("001"))
         .isInstanceOf(IOException.class)
-        .hasMessageStartingWith(
-            folder + " is being run by test (process " + first.pid() + " on ");
+        .hasMessageStartingWith(folder + " is being run by test (process " + first.pid() + " on ");
     first.destroyForcibly().waitFor();
     assertThat(folder.resolve(SessionLock.HOLDER)).exists();
     try (Session session = resume("001")) {

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.stream.Collectors;
 import java.util.OptionalLong;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problems;
@@ -53,7 +53,8 @@ abstract class TwoRoomsStudy {
     Files.writeString(
         file,
         Files.readString(file)
-            .replace("\"participants\"", "\"quality\": {\"exclude\": " + list + "}, \"participants\""));
+            .replace(
+                "\"participants\"", "\"quality\": {\"exclude\": " + list + "}, \"participants\""));
   }
 
   StudyMaterial material() throws IOException {

@@ -105,7 +105,8 @@ class StudyReaderTest {
         .anyMatch(line -> line.contains("an area needs \"seconds\""))
         .anyMatch(
             line ->
-                line.contains("an area has no \"secs\" (known keys: name, seconds, stay, viewpoint, within)"));
+                line.contains(
+                    "an area has no \"secs\" (known keys: name, seconds, stay, viewpoint, within)"));
   }
 
   @ParameterizedTest

@@ -55,8 +55,8 @@ public final class PaperPage {
    *
    * @throws IOException if a picture cannot be read
    */
-  public static String html(
-      List<Questionnaire> questionnaires, Wording wording, String participant) throws IOException {
+  public static String html(List<Questionnaire> questionnaires, Wording wording, String participant)
+      throws IOException {
     PaperPage page = new PaperPage(wording);
     try {
       return "<!DOCTYPE html>\n<html lang=\"%s\">\n<head><meta charset=\"utf-8\"><title>%s</title>\n<style>\n%s</style></head>\n<body>\n%s</body>\n</html>\n"
@@ -158,7 +158,8 @@ public final class PaperPage {
   private boolean row(Question question) {
     return question.kind().fields(wording).stream()
         .allMatch(
-            field -> field instanceof AnswerField.Choice choice && !choice.several() && choice.inLine());
+            field ->
+                field instanceof AnswerField.Choice choice && !choice.several() && choice.inLine());
   }
 
   /** How many cells each field takes, and what the options mean. */
@@ -167,8 +168,7 @@ public final class PaperPage {
         .<Object>map(
             field ->
                 field instanceof AnswerField.Choice choice
-                    ? List.of(
-                        choice.options(), choice.least().isEmpty(), choice.most().isEmpty())
+                    ? List.of(choice.options(), choice.least().isEmpty(), choice.most().isEmpty())
                     : field)
         .toList();
   }
@@ -182,7 +182,8 @@ public final class PaperPage {
                 field ->
                     field instanceof AnswerField.Choice choice
                         && choice.options().stream().anyMatch(option -> !option.note().isEmpty()));
-    StringBuilder first = new StringBuilder("<tr><th%s></th>".formatted(noted ? " rowspan=\"2\"" : ""));
+    StringBuilder first =
+        new StringBuilder("<tr><th%s></th>".formatted(noted ? " rowspan=\"2\"" : ""));
     StringBuilder second = new StringBuilder();
     for (int i = 0; i < fields.size(); i++) {
       AnswerField.Choice choice = (AnswerField.Choice) fields.get(i);
@@ -244,7 +245,8 @@ public final class PaperPage {
   private String field(AnswerField field) {
     if (field instanceof AnswerField.Line line) {
       return line.range().isPresent()
-          ? "<p><span class=\"line short\"></span> %s</p>\n".formatted(Markup.attribute(line.unit()))
+          ? "<p><span class=\"line short\"></span> %s</p>\n"
+              .formatted(Markup.attribute(line.unit()))
           : "<div class=\"line\"></div>\n".repeat(line.lines());
     }
     AnswerField.Choice choice = (AnswerField.Choice) field;
@@ -254,7 +256,8 @@ public final class PaperPage {
     return choice.options().stream()
         .map(
             option ->
-                "<li><span class=\"box\"></span>%s</li>\n".formatted(Markup.attribute(option.label())))
+                "<li><span class=\"box\"></span>%s</li>\n"
+                    .formatted(Markup.attribute(option.label())))
         .collect(Collectors.joining("", "<ul class=\"options\">\n", "</ul>\n"));
   }
 }

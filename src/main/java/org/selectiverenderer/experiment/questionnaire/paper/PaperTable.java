@@ -49,7 +49,9 @@ public final class PaperTable {
             .map(question -> question.kind().table())
             .collect(Collectors.toSet());
     Optional<AnswerTable> only =
-        tables.stream().filter(table -> table != AnswerTable.ANSWERS && tables.size() == 1).findFirst();
+        tables.stream()
+            .filter(table -> table != AnswerTable.ANSWERS && tables.size() == 1)
+            .findFirst();
     if (only.isPresent()) {
       AnswersCsv empty = new AnswersCsv();
       questionnaires.forEach(

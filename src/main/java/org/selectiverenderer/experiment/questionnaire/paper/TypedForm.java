@@ -9,7 +9,11 @@ import org.selectiverenderer.experiment.questionnaire.ItemsKind;
 /** Which columns of a typed table hold what. */
 enum TypedForm {
   /** Of all kinds of questions. */
-  ANY("questionnaire", "question", "value", List.of("participant", "questionnaire", "question", "value")),
+  ANY(
+      "questionnaire",
+      "question",
+      "value",
+      List.of("participant", "questionnaire", "question", "value")),
   RATINGS("area", "object", "rating", List.of("participant", "area", "object", "rating")),
   MEMORY(
       "area",

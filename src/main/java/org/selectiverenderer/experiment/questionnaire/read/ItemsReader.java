@@ -59,9 +59,7 @@ public final class ItemsReader {
     ItemsReader reader = new ItemsReader(kind, wording.language(), own);
     Optional<CsvTable> table =
         CsvTable.read(
-            file,
-            CsvColumns.of(reader.needed()),
-            (at, message) -> own.error(at, message + UNUSED));
+            file, CsvColumns.of(reader.needed()), (at, message) -> own.error(at, message + UNUSED));
     Map<String, List<Question>> areas = table.map(reader::areas).orElse(Map.of());
     return own.any()
         ? Optional.empty()

@@ -23,7 +23,8 @@ class FrameTimesTest {
     times.add(90);
     times.add(3);
     times.add(6);
-    assertThat(times.summary()).isEqualTo(new FrameTimes.Summary(3, 33, 3, 6, 6, 90, FrameTimes.Sorted.of(6, 3)));
+    assertThat(times.summary())
+        .isEqualTo(new FrameTimes.Summary(3, 33, 3, 6, 6, 90, FrameTimes.Sorted.of(6, 3)));
   }
 
   @Test
@@ -39,7 +40,8 @@ class FrameTimesTest {
 
   @Test
   void withoutAFrameEverythingIsZero() {
-    assertThat(new FrameTimes(4).summary()).isEqualTo(new FrameTimes.Summary(0, 0, 0, 0, 0, 0, FrameTimes.Sorted.of()));
+    assertThat(new FrameTimes(4).summary())
+        .isEqualTo(new FrameTimes.Summary(0, 0, 0, 0, 0, 0, FrameTimes.Sorted.of()));
     assertThat(new FrameTimes(4).summary().framesPerSecond()).isZero();
   }
 }
