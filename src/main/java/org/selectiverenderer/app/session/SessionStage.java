@@ -12,13 +12,18 @@ import org.selectiverenderer.runtime.render.window.Monitor;
  * What the operator of a session has and sees.
  *
  * @param monitor of the operator; empty for wherever the desktop puts windows
+ * @param reading the monitor of what the participant reads and answers; empty for wherever the
+ *     desktop puts windows. Where each eye has a monitor, these are inside the display that the
+ *     participant has taken off, and it is the operator's
  * @param pointerKept whether the pointer is kept in the participant's window while something is
  *     shown
  * @param blind whether the operator's windows keep the condition to themselves
  */
-public record SessionStage(Optional<Monitor> monitor, boolean pointerKept, boolean blind) {
+public record SessionStage(
+    Optional<Monitor> monitor, Optional<Monitor> reading, boolean pointerKept, boolean blind) {
   /** On a desk: one monitor, which everybody sees. */
-  public static final SessionStage DESK = new SessionStage(Optional.empty(), false, true);
+  public static final SessionStage DESK =
+      new SessionStage(Optional.empty(), Optional.empty(), false, true);
 
   /**
    * Whether the operator's view has a place: on the only monitor it would lie over the picture of
@@ -48,12 +53,14 @@ public record SessionStage(Optional<Monitor> monitor, boolean pointerKept, boole
     Optional<Monitor> monitor =
         OperatorMonitor.of(
             presentation, wantedMonitor.or(study.display()::operator), monitors, message);
+    boolean worn = OperatorMonitor.eyesHaveMonitors(presentation, monitors);
     boolean kept =
         switch (study.display().pointer()) {
           case KEPT -> true;
           case FREE -> false;
-          case AUTO -> OperatorMonitor.eyesHaveMonitors(presentation, monitors);
+          case AUTO -> worn;
         };
-    return new SessionStage(monitor, kept, study.course().blind() && !open);
+    return new SessionStage(
+        monitor, worn ? monitor : Optional.empty(), kept, study.course().blind() && !open);
   }
 }

@@ -20,19 +20,23 @@ import org.selectiverenderer.runtime.render.window.Monitor;
 public final class WindowDialogue implements SessionDialogue {
   private final Wording wording;
   private final DesktopPlace desk;
+  private final DesktopPlace reading;
   private @Nullable ControlWindow control;
 
   /**
-   * @param operator the operator's monitor, at which the participant answers too: the others are
-   *     before the eyes; empty for wherever the desktop puts windows
+   * @param stage says on which monitors the windows open
    */
-  public WindowDialogue(Wording wording, Optional<Monitor> operator) {
+  public WindowDialogue(Wording wording, SessionStage stage) {
     this.wording = wording;
-    desk =
-        operator
-            .map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()))
-            .orElse(DesktopPlace.USUAL);
+    desk = place(stage.monitor());
+    reading = place(stage.reading());
     FlatLightLaf.setup();
+  }
+
+  private static DesktopPlace place(Optional<Monitor> monitor) {
+    return monitor
+        .map(at -> new DesktopPlace(at.screen(), at.x(), at.y(), at.width(), at.height()))
+        .orElse(DesktopPlace.USUAL);
   }
 
   @Override
@@ -79,14 +83,14 @@ public final class WindowDialogue implements SessionDialogue {
                 mayRefuse),
             answers,
             new SessionEnd(() -> controls.aborted() || answers.failed(), controls::askAbort),
-            desk);
+            reading);
     answers.check();
     return through;
   }
 
   @Override
   public void thanks(Session session) {
-    ThanksWindow.show(wording, desk);
+    ThanksWindow.show(wording, reading);
   }
 
   @Override

@@ -164,9 +164,7 @@ final class ExperimentRunCommand extends CliCommand {
         Session session = open(material, plain, tracker, problems);
         LabStreams streams = streams(wanted, library, session);
         SessionDialogue dialogue =
-            unattended
-                ? new SimulatedDialogue()
-                : new WindowDialogue(material.wording(), stage.monitor())) {
+            unattended ? new SimulatedDialogue() : new WindowDialogue(material.wording(), stage)) {
       SessionShow show = plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
       session.journal().listen(streams::event);
       console().message("session: " + session.folder().path());

@@ -85,7 +85,8 @@ final class PagePanel implements QuestionRow.Listener {
     top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
     scroll = new JScrollPane(top);
     scroll.setBorder(BorderFactory.createEmptyBorder());
-    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    // For a monitor that is narrower than a row of buttons; else there is nothing to scroll to.
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
     JComponent heading = shape.heading(page, wording);
     if (heading.getComponentCount() > 0) {
       scroll.setColumnHeaderView(heading);

@@ -152,7 +152,7 @@ class AttendedSessionTest {
                 new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
                 new Problems());
         ChainTracker tracker = new ChainTracker();
-        SessionDialogue dialogue = new WindowDialogue(material.wording(), Optional.empty())) {
+        SessionDialogue dialogue = new WindowDialogue(material.wording(), SessionStage.DESK)) {
       return new SessionRunner(session, dialogue, show(), tracker, text -> {}).run();
     }
   }

@@ -24,8 +24,10 @@ import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /** What the operator may see and do while a step is shown. */
 class StepGuideTest {
-  private static final SessionStage OPEN = new SessionStage(Optional.empty(), false, false);
-  private static final SessionStage IN_A_DISPLAY = new SessionStage(Optional.empty(), true, true);
+  private static final SessionStage OPEN =
+      new SessionStage(Optional.empty(), Optional.empty(), false, false);
+  private static final SessionStage IN_A_DISPLAY =
+      new SessionStage(Optional.empty(), Optional.empty(), true, true);
 
   @TempDir private Path folder;
   private Session session;
