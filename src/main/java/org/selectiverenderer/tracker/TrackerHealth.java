@@ -22,7 +22,7 @@ public record TrackerHealth(
     long dropped,
     double silentSeconds,
     long reconnects) {
-  /** After this long without a good record a tracker counts as silent, in seconds (issue: 0.5). */
+  /** After this long without a good record a tracker counts as silent, in seconds. */
   public static final double SILENCE = 0.5;
 
   /** What a tracker is doing. */
