@@ -62,7 +62,8 @@ class ShownStepsTest {
         folder.resolve("form.json"),
         """
         {"name": "me", "pages": [{"questions": [
-          {"id": "eyes", "kind": "number", "sets": "ipd", "optional": true, "text": "IPD"}]}]}
+          {"id": "eyes", "kind": "number", "min": 40, "max": 80, "sets": "ipd",
+           "optional": true, "text": "IPD"}]}]}
         """);
     Path file =
         Files.writeString(
