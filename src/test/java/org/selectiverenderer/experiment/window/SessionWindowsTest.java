@@ -60,7 +60,7 @@ class SessionWindowsTest {
   private final List<String> pages = new CopyOnWriteArrayList<>();
   private final List<Integer> places = new CopyOnWriteArrayList<>();
   private final List<Long> times = new CopyOnWriteArrayList<>();
-  private DesktopPlace desk = DesktopPlace.USUAL;
+  private final DesktopPlace desk = DesktopPlace.USUAL;
   private final AtomicInteger closings = new AtomicInteger();
   private final SessionEnd end = new SessionEnd(over::get, closings::incrementAndGet);
 
@@ -150,27 +150,20 @@ class SessionWindowsTest {
   }
 
   @Test
-  void whatTheParticipantAnswersOpensOnTheMonitorThatIsNotBeforeAnEye() throws IOException {
+  void windowsArePutIntoTheMiddleOfTheMonitorThatIsNotBeforeAnEye() {
     // As beside an eye's monitor of 290 pixels.
-    desk = new DesktopPlace(0, 290, 0, 990, 700);
-    StudyMaterial material = form("en");
-    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
-    JFrame form = OpenWindow.named(hands, "questionnaire");
-    Rectangle monitor = new Rectangle(290, 0, 990, 700);
-    assertThat(Hands.onEdt(() -> monitor.contains(form.getBounds()))).isTrue();
-    over.set(true);
-    assertThat(OpenWindow.answer(asked)).isFalse();
-    FutureTask<Boolean> thanked =
-        OpenWindow.asking(
+    DesktopPlace beside = new DesktopPlace(0, 290, 0, 990, 700);
+    Rectangle window =
+        Hands.onEdt(
             () -> {
-              ThanksWindow.show(material.wording(), desk);
-              return true;
+              JFrame frame = new JFrame(beside.configuration());
+              frame.setSize(500, 300);
+              beside.center(frame);
+              Rectangle bounds = frame.getBounds();
+              frame.dispose();
+              return bounds;
             });
-    JFrame window = OpenWindow.named(hands, "thanks");
-    assertThat(Hands.onEdt(() -> window.getBounds().getCenterX())).isBetween(780.0, 790.0);
-    assertThat(Hands.onEdt(() -> window.getBounds().getCenterY())).isBetween(345.0, 355.0);
-    OpenWindow.close(window);
-    assertThat(OpenWindow.answer(thanked)).isTrue();
+    assertThat(window).isEqualTo(new Rectangle(535, 200, 500, 300));
   }
 
   private void choose(JFrame window, String name, List<String> heard) {
