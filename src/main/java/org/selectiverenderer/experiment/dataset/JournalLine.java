@@ -24,9 +24,6 @@ import org.selectiverenderer.base.problem.Problems;
  * @param members all that the line says
  */
 public record JournalLine(OffsetDateTime time, String event, String step, JsonNode members) {
-  /** Whether an answer stays in the journal. */
-  static final String PERSONAL = "personal";
-
   /**
    * Reads a journal.
    *

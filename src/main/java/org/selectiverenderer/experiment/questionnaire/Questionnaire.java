@@ -106,10 +106,9 @@ public record Questionnaire(
     List<TabledAnswer> tabled = new ArrayList<>();
     for (Page page : shown(counting)) {
       for (Question question : page.asked(counting)) {
-        if (!question.personal() && !question.kind().example()) {
-          tabled.add(
-              new TabledAnswer(
-                  page, question, given.getOrDefault(question.id(), GivenAnswer.NONE)));
+        GivenAnswer own = given.getOrDefault(question.id(), GivenAnswer.NONE);
+        if (!question.personal() && !own.personal() && !question.kind().example()) {
+          tabled.add(new TabledAnswer(page, question, own));
         }
       }
     }

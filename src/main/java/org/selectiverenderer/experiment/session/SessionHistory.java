@@ -125,11 +125,13 @@ public final class SessionHistory {
   }
 
   private static GivenAnswer given(JsonNode event, @Nullable GivenAnswer earlier) {
-    return (earlier == null ? GivenAnswer.NONE : earlier)
-        .then(
-            new Answer(event.path("value").asText(), event.path("confidence").asInt()),
-            event.has("ms") ? OptionalLong.of(event.path("ms").asLong()) : OptionalLong.empty(),
-            event.path("place").asInt());
+    GivenAnswer given =
+        (earlier == null ? GivenAnswer.NONE : earlier)
+            .then(
+                new Answer(event.path("value").asText(), event.path("confidence").asInt()),
+                event.has("ms") ? OptionalLong.of(event.path("ms").asLong()) : OptionalLong.empty(),
+                event.path("place").asInt());
+    return event.path("personal").asBoolean() ? given.keptPersonal() : given;
   }
 
   /** Journals of before there were flags say these in their own way. */

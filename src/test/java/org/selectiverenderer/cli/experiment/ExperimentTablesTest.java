@@ -258,6 +258,27 @@ class ExperimentTablesTest extends CommandRun {
   }
 
   @Test
+  void whatWasPersonalWhenItWasAnsweredStaysSo() throws IOException {
+    write(
+        "form.json",
+        Files.readString(study.resolve("form.json")).replace("\"personal\": true, ", ""));
+    Path collected = folder.resolve("collected.csv");
+    execute(
+        "experiment",
+        "collect",
+        study.toString(),
+        "--responses",
+        folder.resolve("responses.csv").toString(),
+        "--answers",
+        collected.toString());
+    assertThat(collected).content().contains(",form,page-1,sex,").doesNotContain(NAME);
+    assertThat(all(export())).contains(",form,page-1,sex,").doesNotContain(NAME);
+    Path dataset = folder.resolve("bids");
+    execute("experiment", "bids", study.toString(), "--output", dataset.toString());
+    assertThat(all(dataset)).contains("\nsex\t").doesNotContain(NAME);
+  }
+
+  @Test
   @RequiresProgram("Rscript")
   void theScriptThatComesWithTheTablesAnalysesThem() throws IOException, InterruptedException {
     Path tables = export();
