@@ -1,6 +1,5 @@
 package org.selectiverenderer.experiment.session;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,16 +9,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.selectiverenderer.base.files.Disk;
-import org.selectiverenderer.base.json.JsonText;
-import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.AnswerTable;
-import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
-import org.selectiverenderer.experiment.questionnaire.AskedBy;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
@@ -42,7 +34,8 @@ public final class Session implements AutoCloseable {
   private final MotionFiles motion;
   private boolean closed;
 
-  private Session(
+  /** A session that {@link SessionOpening} has begun or goes on with, and tells of. */
+  Session(
       StudyMaterial material,
       SessionFolder folder,
       SessionOptions options,
@@ -83,78 +76,7 @@ public final class Session implements AutoCloseable {
       SessionOptions options,
       Problems problems)
       throws IOException {
-    SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
-    Files.createDirectories(folder.path().resolve("head"));
-    SessionLock lock = SessionLock.take(folder.path(), options.software());
-    try {
-      folder.requireNew();
-      Session session =
-          new Session(material, folder, options, lock, SessionJournal.begin(folder.journal()));
-      try {
-        session.tellBegun(problems);
-        return session;
-      } catch (IOException e) {
-        session.journal.close();
-        throw e;
-      }
-    } catch (IOException e) {
-      lock.close();
-      throw e;
-    }
-  }
-
-  private void tellBegun(Problems problems) throws IOException {
-    for (Path made = folder.path();
-        !made.equals(folder.study().getParent());
-        made = made.getParent()) {
-      Disk.forceFolder(made);
-    }
-    Map<String, Object> began = new LinkedHashMap<>();
-    began.put("participant", folder.participant());
-    began.put("session", folder.number());
-    began.put("study", material.study().name());
-    began.put("study_sha256", Checksums.of(material.study().file()));
-    began.putAll(options.recorded());
-    journal.keep("session-began", began);
-    options.flags().forEach(flag -> journal.flag(flag, Map.of()));
-    writeSettings();
-    tellConditionKept(
-        new Participants(material.study())
-            .of(folder.participant())
-            .map(Participants.Assigned::condition),
-        problems);
-  }
-
-  /** The study as it was, what the session was begun with, and checksums of what was shown. */
-  private void writeSettings() throws IOException {
-    folder.writeOnce("study.json", Files.readString(material.study().file()));
-    Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
-    settings.put("sha256", checksums());
-    folder.writeOnce("settings.json", JsonText.of(JsonTree.of(settings)));
-  }
-
-  /** SHA-256 of what is shown and asked, by the names of the files. */
-  private Map<String, String> checksums() throws IOException {
-    Map<String, String> sums = new LinkedHashMap<>();
-    if (material.study().scene().isPresent()) {
-      sums.putAll(Checksums.ofScene(material.study().scene().get()));
-    }
-    if (material.study().practice().isPresent()) {
-      sums.putAll(Checksums.ofScene(material.study().practice().get().scene()));
-    }
-    for (Map.Entry<String, Path> file : material.study().questionnaires().files().entrySet()) {
-      sums.put(file.getKey(), Checksums.of(file.getValue()));
-    }
-    return sums;
-  }
-
-  /** The files among those that have changed since the session began. */
-  private List<String> changedFiles() throws IOException {
-    JsonNode before = JsonTree.read(folder.path().resolve("settings.json")).path("sha256");
-    return checksums().entrySet().stream()
-        .filter(sum -> !before.path(sum.getKey()).asText().equals(sum.getValue()))
-        .map(Map.Entry::getKey)
-        .toList();
+    return SessionOpening.begin(material, participant, number, options, problems);
   }
 
   /**
@@ -170,86 +92,7 @@ public final class Session implements AutoCloseable {
       SessionOptions options,
       Problems problems)
       throws IOException {
-    SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
-    if (!Files.isRegularFile(folder.journal())) {
-      throw new IOException(folder.path() + " has no session to continue; leave --resume out");
-    }
-    SessionLock lock = SessionLock.take(folder.path(), options.software());
-    try {
-      Optional<Map<String, Object>> mended = JournalMending.mend(folder.journal(), problems);
-      SessionJournal journal = SessionJournal.resume(folder.journal());
-      try {
-        if (journal.history().over() || journal.history().refused()) {
-          throw new IOException(folder.path() + " is complete; there is nothing to continue");
-        }
-        Session session = new Session(material, folder, options, lock, journal);
-        session.tellResumed(mended, problems);
-        return session;
-      } catch (IOException e) {
-        journal.close();
-        throw e;
-      }
-    } catch (IOException e) {
-      lock.close();
-      throw e;
-    }
-  }
-
-  private void tellResumed(Optional<Map<String, Object>> mended, Problems problems)
-      throws IOException {
-    if (mended.isPresent()) {
-      journal.keep("journal-mended", mended.get());
-    }
-    String sum = Checksums.of(material.study().file());
-    Map<String, Object> resumed = new LinkedHashMap<>();
-    resumed.put(
-        "finished",
-        material.steps().stream().filter(history::finished).map(SessionStep::id).toList());
-    resumed.put("study_sha256", sum);
-    resumed.putAll(options.recorded());
-    journal.keep("resumed", resumed);
-    boolean shows = remaining().stream().anyMatch(SessionStep::shows);
-    for (SessionFlag flag : options.flags()) {
-      if (flag != SessionFlag.TRACKER_ABSENT || shows) { // Questions need no tracker.
-        journal.flag(flag, Map.of());
-      }
-    }
-    Files.createDirectories(folder.path().resolve("head"));
-    if (!Files.exists(folder.path().resolve("settings.json"))) {
-      writeSettings();
-    }
-    if (!history.checksum().equals(sum)) {
-      problems.warning(
-          Location.of(material.study().file().toString()),
-          "the study has changed since this session began; the session continues "
-              + "with the present study, and its events record this");
-    }
-    List<String> changed = changedFiles();
-    if (!changed.isEmpty()) {
-      problems.warning(
-          Location.of(folder.path().resolve("settings.json").toString()),
-          ("%s changed since this session began; the session continues with the "
-                      + "present files, and its events")
-                  .formatted(String.join(", ", changed))
-              + " record this");
-      journal.keep("files-changed", Map.of("files", changed));
-    }
-    history.headLogs().forEach(motion::write);
-    tellConditionKept(history.condition(), problems);
-  }
-
-  /**
-   * A participant keeps the condition of the first session; one that is asked for now is too late.
-   */
-  private void tellConditionKept(Optional<Condition> kept, Problems problems) throws IOException {
-    Optional<Condition> asked = options.condition();
-    if (kept.isPresent() && asked.isPresent() && !kept.equals(asked)) {
-      problems.warning(
-          Location.of(new Participants(material.study()).file().toString()),
-          "participant %s keeps the assigned condition %s; --condition %s is ignored"
-              .formatted(folder.participant(), kept.get().spelling(), asked.get().spelling()));
-      journal.keep("condition-kept", Map.of("asked_for", asked.get().spelling()));
-    }
+    return SessionOpening.resume(material, participant, number, options, problems);
   }
 
   /** The steps that are still to be done, in order. */
@@ -270,6 +113,11 @@ public final class Session implements AutoCloseable {
                     area ->
                         order.contains(area.name()) ? order.indexOf(area.name()) : order.size()))
             .toList());
+  }
+
+  /** Writes the motion data of a head log, beside what is done. */
+  void writeMotion(String headLog) {
+    motion.write(headLog);
   }
 
   public SessionJournal journal() {
@@ -461,29 +309,8 @@ public final class Session implements AutoCloseable {
   /** All steps are done: writes the answers as tables, and waits for the motion data. */
   public void end() throws IOException {
     motion.close();
-    AnswersCsv tables = new AnswersCsv();
-    for (SessionStep step : material.steps()) {
-      if (StudyMaterial.asks(step)) {
-        tables.add(by(step), questionnaire(step), history.given(step));
-      }
-    }
-    for (AnswerTable table : AnswerTable.values()) {
-      if (tables.has(table)) {
-        folder.writeOnce(table.file(), tables.text(table));
-      }
-    }
-    if (tables.hasScores()) {
-      folder.writeOnce("scores.csv", tables.scores());
-    }
+    new SessionTables(material, folder).write(history);
     journal.keep("session-finished", Map.of());
-  }
-
-  private AskedBy by(SessionStep step) {
-    return new AskedBy(
-        folder.participant(),
-        Integer.toString(folder.number()),
-        condition().map(Condition::spelling).orElse(""),
-        step.id());
   }
 
   /**
