@@ -1,0 +1,150 @@
+package org.selectiverenderer.experiment.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.BorderLayout;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionOptions;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.testing.OpenWindow;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** The experimenter's window, where windows are put, and the last one. */
+@RequiresDisplay
+class ControlWindowTest extends SessionWindowFixture {
+  @Test
+  void windowsArePutIntoTheMiddleOfTheMonitorThatIsNotBeforeAnEye() {
+    // As beside an eye's monitor of 290 pixels.
+    DesktopPlace beside = new DesktopPlace(0, 290, 0, 990, 700);
+    Rectangle window =
+        Hands.onEdt(
+            () -> {
+              JFrame frame = new JFrame(beside.configuration());
+              frame.setSize(500, 300);
+              beside.center(frame);
+              Rectangle bounds = frame.getBounds();
+              frame.dispose();
+              return bounds;
+            });
+    assertThat(window).isEqualTo(new Rectangle(535, 200, 500, 300));
+  }
+
+  @Test
+  void theExperimentersNotesPausesAndEndAreInTheJournal() throws IOException {
+    StudyMaterial material = material("en");
+    try (Session session =
+        Session.begin(
+            material,
+            "001",
+            1,
+            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
+            new Problems())) {
+      OperatorControls controls = new OperatorControls(session.journal());
+      assertThat(controls.askAbort()).as("nobody there to ask").isFalse();
+      ControlWindow opened = ControlWindow.open(controls, DesktopPlace.USUAL);
+      try {
+        JFrame window = OpenWindow.named(hands, "controls");
+        controls.status("exposure-kitchen: 12 s left");
+        JTextField note = Hands.named(window, "Note to keep", JTextField.class);
+        OpenWindow.click(hands, note, note::isFocusOwner);
+        hands.type("7");
+        hands.await("the note", () -> note.getText().equals("7"));
+        hands.press(KeyEvent.VK_ENTER);
+        JToggleButton pause = Hands.named(window, "Pause (F8)", JToggleButton.class);
+        OpenWindow.click(hands, pause, controls::paused);
+        JLabel status =
+            Hands.onEdt(
+                () ->
+                    (JLabel)
+                        ((BorderLayout) window.getContentPane().getLayout())
+                            .getLayoutComponent(BorderLayout.NORTH));
+        hands.await("the status", () -> status.getText().startsWith("exposure-kitchen: 12 s left"));
+        pictures(window, "session-controls");
+        OpenWindow.click(hands, pause, () -> !controls.paused());
+        AtomicBoolean went = new AtomicBoolean(); // Taken once.
+        OpenWindow.click(
+            hands,
+            Hands.named(window, "Go on (F9)", JButton.class),
+            () -> {
+              if (controls.takeGoOn()) {
+                went.set(true);
+              }
+              return went.get();
+            });
+        AtomicBoolean reset = new AtomicBoolean(); // Taken once.
+        OpenWindow.click(
+            hands,
+            Hands.named(window, "Reset Heading (F4)", JButton.class),
+            () -> {
+              if (controls.takeResetHeading()) {
+                reset.set(true);
+              }
+              return reset.get();
+            });
+        hands.press(KeyEvent.VK_F8);
+        hands.await("the pause", controls::paused);
+        hands.await("the button", () -> pause.getText().equals("Continue (F8)"));
+        hands.press(KeyEvent.VK_F8);
+        hands.await("no pause", () -> !controls.paused());
+        OpenWindow.click(
+            hands, Hands.named(window, "Abort ...", JButton.class), OpenWindow::asking);
+        OpenWindow.answerDialog(hands, "Continue the Session");
+        assertThat(controls.aborted()).isFalse();
+        OpenWindow.close(window);
+        OpenWindow.answerDialog(hands, "Continue the Session");
+        assertThat(controls.askAbort()).isTrue();
+        assertThat(controls.askAbort()).as("asked once").isTrue();
+        OpenWindow.answerDialog(hands, "End the Session");
+        hands.await("the end", controls::aborted);
+      } finally {
+        opened.close();
+      }
+      session.abort("form");
+    }
+    String events = Files.readString(folder.resolve("study/sub-001/ses-01/events.jsonl"));
+    assertThat(events.lines().map(line -> line.replaceAll(".*\"event\":\"([^\"]*)\".*", "$1")))
+        .containsExactly(
+            "session-began",
+            "note",
+            "paused",
+            "continued",
+            "go-on",
+            "paused",
+            "continued",
+            "aborted");
+    assertThat(events).containsPattern("\"time\":\"\\d{4}-.*\"event\":\"note\",\"text\":\"7\"");
+  }
+
+  @Test
+  void thanksGoWhenTheyAreClosed() throws IOException {
+    Wording wording = material("en").wording();
+    FutureTask<Boolean> shown =
+        OpenWindow.asking(
+            () -> {
+              ThanksWindow.show(wording, desk);
+              return true;
+            });
+    JFrame thanks = OpenWindow.named(hands, "thanks");
+    pictures(thanks, "session-thanks");
+    OpenWindow.close(thanks);
+    assertThat(OpenWindow.answer(shown)).isTrue();
+  }
+}

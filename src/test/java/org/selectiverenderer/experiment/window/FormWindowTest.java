@@ -1,0 +1,67 @@
+package org.selectiverenderer.experiment.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.FutureTask;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.testing.OpenWindow;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** The form before a session. */
+@RequiresDisplay
+class FormWindowTest extends SessionWindowFixture {
+  @Test
+  void theFormGoesOnWithAnAgeAndConsentOnly() throws IOException {
+    StudyMaterial material = form("en");
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, material.form(), true, heard);
+    JFrame form = OpenWindow.named(hands, "questionnaire");
+    JButton begin = Hands.named(form, "Begin", JButton.class);
+    choose(form, "Age: 28-32", heard);
+    assertThat(Hands.onEdt(begin::isEnabled)).isFalse();
+    String consent = material.form().questions().get(0).text();
+    choose(form, consent + ": No", heard);
+    assertThat(Hands.onEdt(begin::isEnabled)).as("who does not consent").isFalse();
+    pictures(form, "session-form-refused");
+    choose(form, consent + ": Yes", heard);
+    hands.await("Begin", begin::isEnabled);
+    pictures(form, "session-form");
+    OpenWindow.click(hands, begin, () -> !form.isShowing());
+    assertThat(OpenWindow.answer(asked)).isTrue();
+    assertThat(heard).containsExactly("age 28-32", "consent no", "consent yes");
+    assertThat(places).containsExactly(2, 1, 1);
+  }
+
+  @Test
+  void theFormSaysWhoDoesNotTakePart() throws IOException {
+    StudyMaterial material = form("el");
+    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
+    JFrame form = OpenWindow.named(hands, "questionnaire");
+    pictures(form, "session-form-greek");
+    JButton cancel = Hands.named(form, material.wording().of("form.cancel"), JButton.class);
+    OpenWindow.click(hands, cancel, () -> !form.isShowing());
+    assertThat(OpenWindow.answer(asked)).isFalse();
+  }
+
+  @Test
+  void closingTheFormAsksAndTheFormGoesWithTheSessionOnly() throws IOException {
+    StudyMaterial material = form("en");
+    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
+    JFrame form = OpenWindow.named(hands, "questionnaire");
+    OpenWindow.close(form);
+    hands.await("the question", () -> closings.get() == 1);
+    assertThat(Hands.onEdt(form::isShowing)).isTrue();
+    assertThat(asked.isDone()).isFalse();
+    over.set(true);
+    assertThat(OpenWindow.answer(asked)).isFalse();
+    hands.await("the form to go", () -> !form.isShowing());
+  }
+}
