@@ -16,6 +16,8 @@ import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.FileLibraries;
+import org.selectiverenderer.x3d.read.Libraries;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -30,6 +32,7 @@ final class FileLoader {
   private final TaskGroup tasks;
   private final ContentRoot root;
   private final ImageFiles images;
+  private final Libraries libraries;
   private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
   FileLoader(X3dReader reader, Tessellator tessellator, TaskGroup tasks, ContentRoot root) {
@@ -38,6 +41,7 @@ final class FileLoader {
     this.tasks = tasks;
     this.root = root;
     images = new ImageFiles(root);
+    libraries = new FileLibraries(reader, root);
   }
 
   /**
@@ -52,7 +56,7 @@ final class FileLoader {
   FileContent first(String name, InputStream in, long size, String key, ContentBase base)
       throws IOException {
     Problems problems = new Problems();
-    X3dFile file = reader.read(name, in, size, problems);
+    X3dFile file = reader.with(libraries, base).read(name, in, size, problems);
     FileContent content = new FileContent(key, base, file);
     content.problems().addAll(problems.list());
     files.put(key, CompletableFuture.completedFuture(new Outcome.Read(content)));
@@ -74,7 +78,8 @@ final class FileLoader {
   private Outcome read(Content source) {
     try (InputStream in = source.open()) {
       Problems problems = new Problems();
-      X3dFile file = reader.read(source.name(), in, source.size(), problems);
+      X3dFile file =
+          reader.with(libraries, source.base()).read(source.name(), in, source.size(), problems);
       FileContent content = new FileContent(source.key(), source.base(), file);
       content.problems().addAll(problems.list());
       follow(content);
