@@ -1,11 +1,12 @@
 package org.selectiverenderer.validation;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
 
 /**
  * A file to be checked.
@@ -13,34 +14,58 @@ import org.jspecify.annotations.Nullable;
  * @param path of the file; of a scene from standard input a name in the folder that its urls start
  *     from
  * @param name as reports name it: relative, with forward slashes
- * @param content what was read from standard input; null for a file on disk
+ * @param inMemory what was read from standard input, the network or the data of a url; null for a
+ *     file on disk
  */
-public record SourceFile(Path path, String name, byte @Nullable [] content) {
+public record SourceFile(Path path, String name, @Nullable Content inMemory) {
   /** A file on disk. */
   public static SourceFile of(Path path, Path base) {
     return new SourceFile(path, ReportedNames.relative(path, base), null);
   }
 
+  /** A scene from standard input, as if it lay in a folder under that name. */
+  public static SourceFile of(Path path, String name, byte[] content) {
+    Path parent = path.getParent();
+    ContentBase base = ContentBase.folder(parent == null ? Path.of("") : parent);
+    return new SourceFile(path, name, new Content.OfBytes(path.toString(), name, base, content));
+  }
+
+  /** What a url of a scene means. */
+  public static SourceFile of(Content content, Path base) {
+    return content
+        .file()
+        .map(path -> of(path, base))
+        .orElseGet(() -> new SourceFile(base, content.name(), content));
+  }
+
   public InputStream open() throws IOException {
-    return content == null ? Files.newInputStream(path) : new ByteArrayInputStream(content);
+    return inMemory == null ? Files.newInputStream(path) : inMemory.open();
   }
 
   public long size() throws IOException {
-    return content == null ? Files.size(path) : content.length;
+    return inMemory == null ? Files.size(path) : inMemory.size();
   }
 
-  /** The folder that its urls start from. */
+  /** Where its urls start. */
+  public ContentBase base() {
+    return inMemory == null ? ContentBase.folder(folder()) : inMemory.base();
+  }
+
+  /** The folder that it lies in, or counts as being in. */
   public Path folder() {
     Path parent = path.getParent();
     return parent == null ? Path.of("") : parent;
   }
 
-  /** One object per file on disk, whatever links lead to it. */
-  public Path key() {
+  /** The same for one file on disk, whatever links lead to it. */
+  public String key() {
+    if (inMemory != null) {
+      return inMemory.key();
+    }
     try {
-      return content == null ? path.toRealPath() : path;
+      return path.toRealPath().toString();
     } catch (IOException e) {
-      return path.toAbsolutePath().normalize(); // Not there: to open it will say so.
+      return path.toAbsolutePath().normalize().toString(); // Not there: to open it will say so.
     }
   }
 }

@@ -39,7 +39,7 @@ public class ValidationBenchmark {
             .map(
                 content -> {
                   String name = "object-" + contents.indexOf(content) + ".x3d";
-                  return new SourceFile(Path.of(name), name, content);
+                  return SourceFile.of(Path.of(name), name, content);
                 })
             .toList();
   }

@@ -112,7 +112,7 @@ class ManyFindingsTest {
     return new Validator(RuleCatalogue.standard(), settings, base)
         .validate(
             List.of(
-                new SourceFile(
+                SourceFile.of(
                     base.resolve("s.x3d"), "s.x3d", scene.getBytes(StandardCharsets.UTF_8))));
   }
 }

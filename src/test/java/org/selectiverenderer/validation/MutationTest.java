@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Assertions;
@@ -40,7 +39,7 @@ class MutationTest {
       List<SourceFile> files = new ArrayList<>();
       for (int i = 0; i < PER_RUN; i++) {
         String name = "case-" + (done + i) + ".x3d";
-        files.add(new SourceFile(BASE.resolve("scenes").resolve(name), name, mutants.next()));
+        files.add(SourceFile.of(BASE.resolve("scenes").resolve(name), name, mutants.next()));
       }
       Assertions.assertTimeoutPreemptively(Duration.ofSeconds(60), () -> check(files));
     }
@@ -73,7 +72,7 @@ class MutationTest {
     X3dReader reader = new X3dReader(NodeCatalogue.load());
     for (SourceFile file : files) {
       Problems problems = new Problems();
-      byte[] content = Objects.requireNonNull(file.content());
+      byte[] content = file.open().readAllBytes();
       reader.read(file.name(), new ByteArrayInputStream(content), problems);
       boolean wrong =
           problems.list().stream().anyMatch(problem -> problem.severity() == Severity.ERROR);

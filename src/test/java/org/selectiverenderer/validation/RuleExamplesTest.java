@@ -41,7 +41,7 @@ class RuleExamplesTest {
     byte[] bytes = scene.getBytes(StandardCharsets.UTF_8);
     Path base = Path.of("");
     return new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), base)
-            .validate(List.of(new SourceFile(base.resolve("example"), "example", bytes)))
+            .validate(List.of(SourceFile.of(base.resolve("example"), "example", bytes)))
             .findings()
             .stream()
             .map(finding -> finding.rule().id())

@@ -160,7 +160,7 @@ public final class ValidateCommand extends CliCommand {
             .reads("--baseline", baseline)
             .writes("--output", output);
     report.files().stream()
-        .filter(file -> file.content() == null)
+        .filter(file -> file.inMemory() == null)
         .forEach(file -> written.reads("", file.path()));
     written.check(); // Before it is written: Inlines are known now only.
     boolean colours = console().colours() && output == null;

@@ -16,6 +16,8 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -28,14 +30,15 @@ import org.selectiverenderer.x3d.read.X3dReader;
 final class SceneFiles {
   private final X3dReader reader = new X3dReader(NodeCatalogue.load());
   private final Tessellator tessellator = new Tessellator();
-  private final Map<Path, CompletableFuture<Optional<SceneFile>>> files = new ConcurrentHashMap<>();
+  private final Map<String, CompletableFuture<Optional<SceneFile>>> files =
+      new ConcurrentHashMap<>();
   private final ConcurrentLinkedQueue<CompletableFuture<?>> tasks = new ConcurrentLinkedQueue<>();
   private final ExecutorService executor;
   private final ContentRoot root;
-  private final Path nameFolder;
+  private final ContentBase base;
 
   private SceneFiles(Path nameFolder, ExecutorService executor) {
-    this.nameFolder = nameFolder;
+    base = ContentBase.folder(nameFolder);
     this.executor = executor;
     this.root = new ContentRoot(nameFolder);
   }
@@ -65,8 +68,8 @@ final class SceneFiles {
   private SceneFile load(Path scene) throws IOException {
     Problems problems = new Problems();
     SceneFile first = new SceneFile(reader.read(scene, problems), problems);
-    files.put(scene.toRealPath(), CompletableFuture.completedFuture(Optional.of(first)));
-    follow(first, nameFolder);
+    files.put(scene.toRealPath().toString(), CompletableFuture.completedFuture(Optional.of(first)));
+    follow(first, base);
     for (CompletableFuture<?> task = tasks.poll(); task != null; task = tasks.poll()) {
       task.join();
     }
@@ -74,30 +77,30 @@ final class SceneFiles {
   }
 
   /** Starts a task for each geometry and each Inline of a file. */
-  private void follow(SceneFile file, Path folder) {
+  private void follow(SceneFile file, ContentBase from) {
     Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    file.file().nodes().forEach(node -> follow(node, file, folder, seen));
+    file.file().nodes().forEach(node -> follow(node, file, from, seen));
   }
 
-  private void follow(ParsedNode node, SceneFile file, Path folder, Set<ParsedNode> seen) {
+  private void follow(ParsedNode node, SceneFile file, ContentBase from, Set<ParsedNode> seen) {
     if (!seen.add(node)) {
       return;
     }
     if (Structure.isInline(node)) {
       if (node.bool("load")) {
-        inline(node, file, folder);
+        inline(node, file, from);
       }
     } else if (Structure.isShape(node)) {
       Structure.geometry(node).filter(seen::add).ifPresent(geometry -> measure(geometry, file));
     } else {
-      Structure.children(node).forEach(child -> follow(child, file, folder, seen));
+      Structure.children(node).forEach(child -> follow(child, file, from, seen));
     }
   }
 
-  private void inline(ParsedNode inline, SceneFile file, Path folder) {
-    UrlChoice choice = UrlChoice.of(inline, root, folder, "the Inline is left out");
-    if (choice instanceof UrlChoice.File found) {
-      file.inlines().put(inline, content(found.path(), inline, file));
+  private void inline(ParsedNode inline, SceneFile file, ContentBase from) {
+    UrlChoice choice = UrlChoice.of(inline, root, inline.base(from), "the Inline is left out");
+    if (choice instanceof UrlChoice.Found found) {
+      file.inlines().put(inline, content(found.content(), inline, file));
     } else {
       file.problems().add(((UrlChoice.None) choice).problem());
     }
@@ -114,25 +117,24 @@ final class SceneFiles {
   }
 
   private CompletableFuture<Optional<SceneFile>> content(
-      Path path, ParsedNode inline, SceneFile requester) {
+      Content content, ParsedNode inline, SceneFile requester) {
     return files.computeIfAbsent(
-        path,
+        content.key(),
         wanted -> {
           CompletableFuture<Optional<SceneFile>> reading =
               CompletableFuture.supplyAsync(
-                  () -> inlined(wanted, inline.location(), requester.problems()), executor);
+                  () -> inlined(content, inline.location(), requester.problems()), executor);
           tasks.add(reading);
           return reading;
         });
   }
 
-  private Optional<SceneFile> inlined(Path path, Location requestedBy, Problems requester) {
-    String name = root.display(path);
+  private Optional<SceneFile> inlined(Content content, Location requestedBy, Problems requester) {
+    String name = content.name();
     Problems problems = new Problems();
-    try (var in = java.nio.file.Files.newInputStream(path)) {
-      SceneFile file = new SceneFile(reader.read(name, in, problems), problems);
-      Path folder = path.getParent();
-      follow(file, folder == null ? path : folder);
+    try (var in = content.open()) {
+      SceneFile file = new SceneFile(reader.read(name, in, content.size(), problems), problems);
+      follow(file, content.base());
       return Optional.of(file);
     } catch (IOException e) {
       requester.error(

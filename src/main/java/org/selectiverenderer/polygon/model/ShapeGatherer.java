@@ -1,6 +1,7 @@
 package org.selectiverenderer.polygon.model;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -8,14 +9,17 @@ import java.util.List;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshPlacement;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.geometry.tessellate.TransformPlacement;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
@@ -31,7 +35,7 @@ final class ShapeGatherer {
   private final ContentRoot root;
   private final Problems problems;
   private final List<ModelPart> parts = new ArrayList<>();
-  private final Set<Path> open = new LinkedHashSet<>();
+  private final Set<String> open = new LinkedHashSet<>();
 
   ShapeGatherer(X3dReader reader, Tessellator tessellator, ContentRoot root, Problems problems) {
     this.reader = reader;
@@ -143,28 +147,37 @@ final class ShapeGatherer {
     if (!inline.bool("load")) {
       return;
     }
-    Path file = file(inline, folder);
-    if (file == null) {
+    UrlChoice choice = UrlChoice.of(inline, root, base(inline, folder), "the Inline is left out");
+    if (!(choice instanceof UrlChoice.Found found)) {
+      problems.add(((UrlChoice.None) choice).problem());
       return;
     }
-    if (!open.add(file)) {
+    Content file = found.content();
+    if (!open.add(file.key())) {
       problems.error(
           inline.location(), "the Inline is part of the file that it names; it is left out");
       return;
     }
-    try {
-      X3dFile content = reader.read(file, problems);
+    try (InputStream in = file.open()) {
+      X3dFile content = reader.read(file.name(), in, file.size(), problems);
       double own = metres(content);
       Matrix4d scaled = new Matrix4d(placement).scale(own / metres);
-      Path folderOfFile = file.getParent() == null ? folder : file.getParent();
+      Path folderOfFile = file.base() instanceof ContentBase.Folder at ? at.path() : folder;
       for (NodeView node : content.nodes()) {
         visit(node, scaled, folderOfFile, own, depth + 1);
       }
     } catch (IOException e) {
-      problems.error(inline.location(), e.getMessage() + "; the Inline is left out");
+      problems.error(
+          inline.location(),
+          "%s cannot be read (%s); the Inline is left out".formatted(file.name(), e.getMessage()));
     } finally {
-      open.remove(file);
+      open.remove(file.key());
     }
+  }
+
+  private static ContentBase base(NodeView node, Path folder) {
+    ContentBase ofFile = ContentBase.folder(folder);
+    return node instanceof ParsedNode parsed ? parsed.base(ofFile) : ofFile;
   }
 
   /** What a file's unit of length is in metres. */
@@ -175,18 +188,5 @@ final class ShapeGatherer {
         .filter(factor -> factor > 0 && factor < Double.POSITIVE_INFINITY)
         .findFirst()
         .orElse(1);
-  }
-
-  private @Nullable Path file(NodeView inline, Path folder) {
-    String reason = "has no url";
-    for (String url : inline.strings("url")) {
-      ContentRoot.Target target = root.resolve(url, folder);
-      if (target instanceof ContentRoot.Target.File found) {
-        return found.path();
-      }
-      reason = "url " + url + " " + ((ContentRoot.Target.Refused) target).reason();
-    }
-    problems.error(inline.location(), "Inline " + reason + "; the Inline is left out");
-    return null;
   }
 }

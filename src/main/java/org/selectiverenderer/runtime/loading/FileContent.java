@@ -1,6 +1,5 @@
 package org.selectiverenderer.runtime.loading;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +9,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
@@ -17,14 +17,14 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
  * file that is inlined ten times is read once. Filled by several threads, read when all are done.
  *
- * @param path the real path; for text without a file, the folder it counts as being in
- * @param folder against which its urls are resolved
+ * @param key of what was read; for text without a file, the folder it counts as being in
+ * @param base where its relative urls start
  * @param problems found in this file, kept apart so that they can be reported in document order
  * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
 record FileContent(
-    Path path,
-    Path folder,
+    String key,
+    ContentBase base,
     X3dFile file,
     FileProblems problems,
     Map<ParsedNode, Optional<Mesh>> meshes,
@@ -44,10 +44,10 @@ record FileContent(
     record Failed(String sentence) implements Outcome {}
   }
 
-  FileContent(Path path, Path folder, X3dFile file) {
+  FileContent(String key, ContentBase base, X3dFile file) {
     this(
-        path,
-        folder,
+        key,
+        base,
         file,
         new FileProblems(),
         new ConcurrentHashMap<>(),

@@ -2,8 +2,6 @@ package org.selectiverenderer.runtime.loading;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -14,8 +12,12 @@ import java.util.function.Consumer;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.FileLibraries;
+import org.selectiverenderer.x3d.read.Libraries;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -30,7 +32,8 @@ final class FileLoader {
   private final TaskGroup tasks;
   private final ContentRoot root;
   private final ImageFiles images;
-  private final Map<Path, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
+  private final Libraries libraries;
+  private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
   FileLoader(X3dReader reader, Tessellator tessellator, TaskGroup tasks, ContentRoot root) {
     this.reader = reader;
@@ -38,6 +41,7 @@ final class FileLoader {
     this.tasks = tasks;
     this.root = root;
     images = new ImageFiles(root);
+    libraries = new FileLibraries(reader, root);
   }
 
   /**
@@ -45,47 +49,47 @@ final class FileLoader {
    * names when the tasks have ended.
    *
    * @param name for messages
-   * @param path the real file, or the folder it counts as being in
-   * @param folder against which its urls are resolved
+   * @param key of the file, or of the folder it counts as being in
+   * @param base where its relative urls start
    * @param size of the stream if it is known, else 0
    */
-  FileContent first(String name, InputStream in, long size, Path path, Path folder)
+  FileContent first(String name, InputStream in, long size, String key, ContentBase base)
       throws IOException {
     Problems problems = new Problems();
-    X3dFile file = reader.read(name, in, size, problems);
-    FileContent content = new FileContent(path, folder, file);
+    X3dFile file = reader.with(libraries, base).read(name, in, size, problems);
+    FileContent content = new FileContent(key, base, file);
     content.problems().addAll(problems.list());
-    files.put(path, CompletableFuture.completedFuture(new Outcome.Read(content)));
+    files.put(key, CompletableFuture.completedFuture(new Outcome.Read(content)));
     follow(content);
     return content;
   }
 
   /** Reads a file in a task; the outcome is there, with all that it names, when all have ended. */
-  CompletableFuture<Outcome> file(Path path) {
+  CompletableFuture<Outcome> file(Content content) {
     return files.computeIfAbsent(
-        path,
+        content.key(),
         wanted -> {
           CompletableFuture<Outcome> outcome = new CompletableFuture<>();
-          tasks.start(() -> outcome.complete(read(wanted)));
+          tasks.start(() -> outcome.complete(read(content)));
           return outcome;
         });
   }
 
-  private Outcome read(Path path) {
-    try (InputStream in = Files.newInputStream(path)) {
+  private Outcome read(Content source) {
+    try (InputStream in = source.open()) {
       Problems problems = new Problems();
-      X3dFile file = reader.read(root.display(path), in, Files.size(path), problems);
-      Path folder = path.getParent();
-      FileContent content = new FileContent(path, folder == null ? path : folder, file);
+      X3dFile file =
+          reader.with(libraries, source.base()).read(source.name(), in, source.size(), problems);
+      FileContent content = new FileContent(source.key(), source.base(), file);
       content.problems().addAll(problems.list());
       follow(content);
       return new Outcome.Read(content);
     } catch (IOException e) {
-      return new Outcome.Failed(root.display(path) + " " + Failure.clause(e));
+      return new Outcome.Failed(source.name() + " " + Failure.clause(e));
     }
   }
 
-  private record InlineFile(ParsedNode inline, Path path, long size) {}
+  private record InlineFile(ParsedNode inline, Content content) {}
 
   /** Begins to read what a file names and to make its meshes. */
   void follow(FileContent content) {
@@ -103,16 +107,16 @@ final class FileLoader {
           }
         });
     // The largest first: begun last, it would keep everybody waiting.
-    inlined.sort(Comparator.comparingLong(InlineFile::size).reversed());
-    inlined.forEach(found -> content.inlines().put(found.inline(), file(found.path())));
+    inlined.sort(Comparator.comparingLong((InlineFile found) -> found.content().size()).reversed());
+    inlined.forEach(found -> content.inlines().put(found.inline(), file(found.content())));
     assets.forEach(tasks::start);
   }
 
   private void find(ParsedNode inline, FileContent content, Consumer<InlineFile> found) {
-    UrlChoice choice = UrlChoice.of(inline, root, content.folder(), "the Inline is left out");
-    if (choice instanceof UrlChoice.File file) {
-      long size = file.path().toFile().length();
-      found.accept(new InlineFile(inline, file.path(), size));
+    UrlChoice choice =
+        UrlChoice.of(inline, root, inline.base(content.base()), "the Inline is left out");
+    if (choice instanceof UrlChoice.Found named) {
+      found.accept(new InlineFile(inline, named.content()));
     } else {
       content.problems().addAll(List.of(((UrlChoice.None) choice).problem()));
     }
@@ -131,6 +135,6 @@ final class FileLoader {
   }
 
   private void image(ParsedNode texture, FileContent content, Problems problems) {
-    content.images().put(texture, images.read(texture, content.folder(), problems));
+    content.images().put(texture, images.read(texture, texture.base(content.base()), problems));
   }
 }

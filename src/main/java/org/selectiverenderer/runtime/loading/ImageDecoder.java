@@ -4,8 +4,6 @@ import java.awt.image.BufferedImage;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.imageio.IIOException;
@@ -14,6 +12,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.files.Content;
 
 /** Reads image files (PNG, JPEG, GIF, BMP) and SFImage values. Needs no display. */
 final class ImageDecoder {
@@ -32,8 +31,8 @@ final class ImageDecoder {
    * @param budget bytes that may still be spent on images; lessened by this one
    * @throws IOException when it is no image that can be read; {@link Failure#clause} says why
    */
-  static Texture.Image read(Path file, AtomicLong budget) throws IOException {
-    try (InputStream in = Files.newInputStream(file);
+  static Texture.Image read(Content file, AtomicLong budget) throws IOException {
+    try (InputStream in = file.open();
         ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
       if (!readers.hasNext()) {

@@ -1,7 +1,6 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -9,6 +8,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
 
@@ -20,7 +21,7 @@ final class ImageFiles {
   private static final String CONSEQUENCE = "the texture is left out";
 
   private final ContentRoot root;
-  private final Map<Path, Decoded> files = new ConcurrentHashMap<>();
+  private final Map<String, Decoded> files = new ConcurrentHashMap<>();
   private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 4);
 
   /**
@@ -36,16 +37,16 @@ final class ImageFiles {
   /**
    * The image of a texture node.
    *
-   * @param folder against which its urls are resolved
+   * @param base where its relative urls start
    * @param problems hears why there is none
    */
-  Optional<Texture.Image> read(NodeView texture, Path folder, Problems problems) {
+  Optional<Texture.Image> read(NodeView texture, ContentBase base, Problems problems) {
     return switch (texture.type().name()) {
       case "PixelTexture" -> pixels(texture, problems);
       case "ImageTexture" -> {
-        UrlChoice choice = UrlChoice.of(texture, root, folder, CONSEQUENCE);
-        if (choice instanceof UrlChoice.File file) {
-          yield file(texture, file.path(), problems);
+        UrlChoice choice = UrlChoice.of(texture, root, base, CONSEQUENCE);
+        if (choice instanceof UrlChoice.Found found) {
+          yield file(texture, found.content(), problems);
         }
         problems.add(((UrlChoice.None) choice).problem());
         yield Optional.empty();
@@ -66,17 +67,16 @@ final class ImageFiles {
     }
   }
 
-  private Optional<Texture.Image> file(NodeView texture, Path file, Problems problems) {
-    Decoded decoded = files.computeIfAbsent(file, this::decode);
+  private Optional<Texture.Image> file(NodeView texture, Content file, Problems problems) {
+    Decoded decoded = files.computeIfAbsent(file.key(), key -> decode(file));
     if (!decoded.fault.isEmpty()) {
       problems.error(
-          texture.location(),
-          "%s %s; %s".formatted(root.display(file), decoded.fault, CONSEQUENCE));
+          texture.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
     }
     return decoded.image;
   }
 
-  private Decoded decode(Path file) {
+  private Decoded decode(Content file) {
     try {
       return new Decoded(Optional.of(ImageDecoder.read(file, budget)), "");
     } catch (IOException e) {

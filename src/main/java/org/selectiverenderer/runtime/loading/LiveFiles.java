@@ -114,7 +114,7 @@ public final class LiveFiles {
     return store
         .origin(node)
         .or(() -> store.origin(loaded.scene().root()))
-        .orElseGet(UrlBase::workingFolder);
+        .orElseGet(() -> UrlBase.workingFolder(loaded.loader().access()));
   }
 
   /** A node as it is now, for other threads. */

@@ -1,6 +1,5 @@
 package org.selectiverenderer.runtime.loading;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -63,9 +62,9 @@ final class SceneBuilder {
   }
 
   /**
-   * @param above the files that this one is inlined by, outermost first
+   * @param above the keys of the files that this one is inlined by, outermost first
    */
-  Scene build(FileContent content, List<Path> above) {
+  Scene build(FileContent content, List<String> above) {
     if (known.add(content)) {
       files.add(content);
     }
@@ -84,14 +83,14 @@ final class SceneBuilder {
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
 
-    FileBuilder(FileContent content, List<Path> above) {
+    FileBuilder(FileContent content, List<String> above) {
       this.content = content;
       X3dFile file = content.file();
       // Nearly no growing: a node with a name has some without in it.
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
-      List<Path> including = new ArrayList<>(above);
-      including.add(content.path());
-      origin = new UrlBase(root, content.folder(), List.copyOf(including), file.unitLength());
+      List<String> including = new ArrayList<>(above);
+      including.add(content.key());
+      origin = new UrlBase(root, content.base(), List.copyOf(including), file.unitLength());
       Node top = factory.make(groupType, null, Location.of(file.source()));
       store.origin(top, origin);
       scene =
@@ -224,11 +223,11 @@ final class SceneBuilder {
       Optional.ofNullable(content.images().get(parsed))
           .ifPresent(image -> store.assets().putImage(node, image));
       if (node instanceof InlineNode inline) {
-        store.origin(inline, origin);
+        store.origin(inline, origin.of(parsed));
         Optional.ofNullable(content.inlines().get(parsed))
             .ifPresent(outcome -> fill(inline, outcome.join()));
-      } else if (node.type().name().equals("ImageTexture")) {
-        store.origin(node, origin);
+      } else if (node.type().is("X3DUrlObject")) {
+        store.origin(node, origin.of(parsed));
       }
       if (store.firstKept(node.type())) {
         content.info(
@@ -245,7 +244,7 @@ final class SceneBuilder {
       }
       FileContent inner = ((Outcome.Read) outcome).content();
       String name = inner.file().source();
-      if (origin.including().contains(inner.path())) {
+      if (origin.including().contains(inner.key())) {
         content.error(
             inline.location(), "%s includes itself; the Inline is left out".formatted(name));
       } else if (origin.including().size() > MAX_INLINES) {

@@ -27,6 +27,8 @@ import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -44,17 +46,30 @@ public final class SceneLoader implements AutoCloseable {
   private final NodeFactory factory;
   private final X3dReader reader;
   private final Tessellator tessellator = new Tessellator();
+  private final ContentAccess access;
   private final Problems problems;
   private final SceneStore store;
   private final int maxNodes;
   private final ForkJoinPool threads;
 
+  /** A loader of scenes that may name no more than their own files and those of their project. */
+  public SceneLoader(
+      NodeCatalogue catalogue, NodeFactory factory, ReadLimits limits, Problems problems) {
+    this(catalogue, factory, limits, ContentAccess.none(), problems);
+  }
+
   /**
    * @param limits of each file; the limit of nodes also holds for a scene with all its Inlines
+   * @param access what scenes may name besides their own files
    * @param problems hears what is wrong with the files read
    */
   public SceneLoader(
-      NodeCatalogue catalogue, NodeFactory factory, ReadLimits limits, Problems problems) {
+      NodeCatalogue catalogue,
+      NodeFactory factory,
+      ReadLimits limits,
+      ContentAccess access,
+      Problems problems) {
+    this.access = access;
     this.catalogue = catalogue;
     this.factory = factory;
     this.problems = problems;
@@ -134,7 +149,8 @@ public final class SceneLoader implements AutoCloseable {
     Path parent = file.getParent();
     Path folder = parent == null ? Path.of("") : parent;
     try (InputStream in = Files.newInputStream(file)) {
-      return load(file.toString(), in, Files.size(file), file.toRealPath(), folder, hears);
+      return load(
+          file.toString(), in, Files.size(file), file.toRealPath().toString(), folder, hears);
     }
   }
 
@@ -155,25 +171,31 @@ public final class SceneLoader implements AutoCloseable {
    */
   public LoadedScene load(String name, InputStream in, Path folder, Problems hears)
       throws IOException {
-    return load(name, in, 0, folder, folder, hears);
+    return load(name, in, 0, folder.toString(), folder, hears);
   }
 
   private LoadedScene load(
-      String name, InputStream in, long size, Path path, Path folder, Problems hears)
+      String name, InputStream in, long size, String key, Path folder, Problems hears)
       throws IOException {
-    ContentRoot root = new ContentRoot(folder);
+    ContentRoot root = new ContentRoot(folder, access);
     TaskGroup tasks = new TaskGroup(threads);
     FileContent content =
-        new FileLoader(reader, tessellator, tasks, root).first(name, in, size, path, folder);
+        new FileLoader(reader, tessellator, tasks, root)
+            .first(name, in, size, key, ContentBase.folder(folder));
     TaskGroup.await(tasks.end());
     return new LoadedScene(build(content, root, List.of(), hears), this);
   }
 
-  private Scene build(FileContent content, ContentRoot root, List<Path> above, Problems hears) {
+  private Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
     SceneBuilder builder = new SceneBuilder(factory, catalogue.get("Group"), store, root, maxNodes);
     Scene scene = builder.build(content, above);
     builder.report(hears);
     return scene;
+  }
+
+  /** What scenes may name besides their own files. */
+  public ContentAccess access() {
+    return access;
   }
 
   SceneStore store() {
@@ -222,7 +244,7 @@ public final class SceneLoader implements AutoCloseable {
     TaskGroup tasks = new TaskGroup(threads);
     FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
     FileContent content =
-        new FileContent(origin.file(), origin.folder(), X3dFile.of(node, origin.unitLength()));
+        new FileContent(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
     tasks.start(() -> loader.follow(content));
     return arrival(tasks, node, hears -> making.make(content, hears));
   }
@@ -236,9 +258,9 @@ public final class SceneLoader implements AutoCloseable {
     tasks.start(
         () -> {
           UrlChoice choice =
-              UrlChoice.of(anchor, origin.root(), origin.folder(), "the viewer stays here");
-          if (choice instanceof UrlChoice.File file) {
-            CompletableFuture<Outcome> outcome = loader.file(file.path());
+              UrlChoice.of(anchor, origin.root(), origin.base(), "the viewer stays here");
+          if (choice instanceof UrlChoice.Found file) {
+            CompletableFuture<Outcome> outcome = loader.file(file.content());
             making.set(hears -> scene(outcome.join(), anchor, origin.root(), hears));
           } else {
             making.set(

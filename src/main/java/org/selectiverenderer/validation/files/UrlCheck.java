@@ -22,7 +22,7 @@ final class UrlCheck implements SceneCheck {
 
   /** Schemes whose url is the content itself. */
   private static final Pattern CONTENT =
-      Pattern.compile("(?is)\\s*(data|javascript|ecmascript|vrmlscript):.*");
+      Pattern.compile("(?is)\\s*(javascript|ecmascript|vrmlscript):.*");
 
   private static final Set<String> SHOWN_WITHOUT = Set.of("Anchor", "Script");
   private static final int SHOWN = 80;
@@ -48,7 +48,7 @@ final class UrlCheck implements SceneCheck {
         if (CONTENT.matcher(text).matches()) {
           return;
         }
-        urls.add(new Url(text, scene.root().resolve(text, file.file().folder())));
+        urls.add(new Url(text, scene.root().resolve(text, node.base(file.file().base()))));
       }
       // A link to a place in the scene, or to the web, is what an Anchor is for.
       if (node.type().name().equals("Anchor")) {
@@ -82,11 +82,11 @@ final class UrlCheck implements SceneCheck {
     }
 
     private void targets(List<Url> urls) {
-      boolean found = urls.stream().anyMatch(url -> url.target instanceof Target.File);
+      boolean found = urls.stream().anyMatch(url -> url.target instanceof Target.Found);
       boolean first = true;
       for (Url url : urls) {
-        if (url.target instanceof Target.File target) {
-          file(url, target.path());
+        if (url.target instanceof Target.Found target) {
+          target.content().file().ifPresent(path -> file(url, path));
         } else if (url.target instanceof Target.Refused refused) {
           if (!found && first) {
             refused(url, refused);
@@ -112,7 +112,7 @@ final class UrlCheck implements SceneCheck {
         case MISSING -> report(FileRules.MISSING, url);
         case CASE -> report(FileRules.CASE, url, similar(refused.reason()));
         case OUTSIDE -> report(FileRules.OUTSIDE, url);
-        case NETWORK -> report(FileRules.NETWORK, url, refused.reason());
+        case NETWORK, UNREACHABLE -> report(FileRules.NETWORK, url, refused.reason());
         case NO_FILE_NAME -> report(FileRules.NO_NAME, url, refused.reason());
       }
     }

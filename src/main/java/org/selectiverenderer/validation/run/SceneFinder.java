@@ -32,7 +32,7 @@ public final class SceneFinder {
   public List<SourceFile> find(String name) throws IOException {
     if (name.equals(STANDARD_INPUT)) {
       byte[] content = input.readAllBytes();
-      return List.of(new SourceFile(base.resolve("standard input"), "-", content));
+      return List.of(SourceFile.of(base.resolve("standard input"), "-", content));
     }
     return FileFinder.SCENES.find(name).stream().map(file -> SourceFile.of(file, base)).toList();
   }

@@ -51,7 +51,7 @@ final class ValidationRun {
   private final FileChecker checker;
   private final List<SceneCheck> sceneChecks;
   private final List<RunCheck> runChecks;
-  private final Map<Path, CompletableFuture<FileResult>> started = new LinkedHashMap<>();
+  private final Map<String, CompletableFuture<FileResult>> started = new LinkedHashMap<>();
   private final Queue<Pending> pending = new ArrayDeque<>();
 
   ValidationRun(RuleCatalogue rules, ValidationSettings settings, Path base, Executor executor) {
@@ -107,10 +107,10 @@ final class ValidationRun {
     }
     for (ParsedNode node : outline.nodes()) {
       if (node.type().name().equals("Inline")
-          && UrlChoice.of(node, scene.root, outline.file().folder(), "")
-              instanceof UrlChoice.File found
-          && java.nio.file.Files.isReadable(found.path())) {
-        pending.add(new Pending(scene, node, start(SourceFile.of(found.path(), base))));
+          && UrlChoice.of(node, scene.root, node.base(outline.file().base()), "")
+              instanceof UrlChoice.Found found
+          && found.content().file().map(java.nio.file.Files::isReadable).orElse(true)) {
+        pending.add(new Pending(scene, node, start(SourceFile.of(found.content(), base))));
       }
     }
   }

@@ -2,28 +2,32 @@ package org.selectiverenderer.x3d.files;
 
 import java.io.IOException;
 import java.net.URI;
-import java.net.URLDecoder;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Objects;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.Optional;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
- * Which files a scene may name: those in the folder of the scene that the user opened and below it,
- * and those in a folder {@value #INLINE_FOLDER} beside that folder and below it, where the thesis
- * keeps the versions of objects ({@code scenes/} and {@code inlineNodes/} are siblings). The same
- * holds for the files that those name in turn. Links are followed and must not lead outside. Never
- * the network.
+ * Which files a scene may name:
  *
- * <p>Messages name a file relative to the scene's folder as the user wrote it.
+ * <ul>
+ *   <li>those in the folder of the scene that the user opened and below it, and those in a folder
+ *       {@value #INLINE_FOLDER} beside that folder and below it, where the thesis keeps the
+ *       versions of objects ({@code scenes/} and {@code inlineNodes/} are siblings);
+ *   <li>those of its project: of the nearest folder above that holds a marker ({@code .git}, {@code
+ *       x3d-project}), unless a folder's name on the way begins with a dot. The user's home is no
+ *       project;
+ *   <li>those in folders that the user allows, and on hosts that the user allows;
+ *   <li>always, data in the url itself.
+ * </ul>
+ *
+ * The same holds for the files that those name in turn. Links are followed and must not lead
+ * outside.
+ *
+ * <p>Messages name a file relative to the scene's folder as the user wrote it. Thread-safe.
  */
 public final class ContentRoot {
   public static final String INLINE_FOLDER = "inlineNodes";
@@ -33,23 +37,17 @@ public final class ContentRoot {
 
   private static final Pattern FILE_SCHEME = Pattern.compile("(?i)file:");
 
-  /** What Windows takes for a file of another computer: two slashes, of whichever kind. */
-  private static final Pattern SHARE = Pattern.compile("[/\\\\]{2}.*", Pattern.DOTALL);
-
-  private static final Pattern ENCODED = Pattern.compile("(?s)(?:[^%]++|%[0-9a-fA-F]{2})*+");
-
   /** Characters above which a url is not looked at: more than the file systems' longest names. */
   static final int MAX_URL = 4096;
-
-  private static final String NETWORK =
-      "is on the network or has an unknown scheme; only local files are read";
 
   /** What is wrong with a url. */
   public enum Cause {
     /** It is no name of a file. */
     NO_FILE_NAME,
-    /** It names something on another machine, or of a scheme that is not read. */
+    /** It names something on another machine that is not allowed, or of an unknown scheme. */
     NETWORK,
+    /** The user allows it, but it could not be fetched. */
+    UNREACHABLE,
     /** The file is none that the scene may name. */
     OUTSIDE,
     MISSING,
@@ -57,9 +55,12 @@ public final class ContentRoot {
     CASE
   }
 
-  /** Why a url is not opened, or the file that it names. */
+  /** What a url means, or why it is not read. */
   public sealed interface Target {
-    record File(Path path) implements Target {}
+    /**
+     * @param fragment what stands behind the sign # of the url; empty for nothing
+     */
+    record Found(Content content, String fragment) implements Target {}
 
     /**
      * @param reason a clause that reads after "url ... "
@@ -70,145 +71,179 @@ public final class ContentRoot {
   private final Path named;
   private final Path folder;
   private final Path inlineFolder;
+  private final boolean wide;
+  private final Optional<Path> project;
+  private final ContentAccess access;
+  private final List<Path> allowed = new ArrayList<>();
+  private final CaseHints hints = new CaseHints();
 
-  /** Folders listed for a hint, once each: a scene may name very many files that are missing. */
-  private final Map<Path, Map<String, List<String>>> listed = new ConcurrentHashMap<>();
-
-  /**
-   * @param sceneFolder the folder of the scene that the user opened, as the user names it
-   */
+  /** With no more than the scene's own files and those of its project. */
   public ContentRoot(Path sceneFolder) {
-    named = sceneFolder;
-    folder = real(sceneFolder);
-    Path above = folder.getParent();
-    // Not its real path: were it a link, it would open what it leads to.
-    inlineFolder = (above == null ? folder : above).resolve(INLINE_FOLDER);
+    this(sceneFolder, ContentAccess.none());
   }
 
   /**
-   * @param url as the file gives it, relative to {@code base} or absolute
-   * @param base the folder of the file that names it
+   * @param sceneFolder the folder of the scene that the user opened, as the user names it
+   * @param access what the user allows besides
    */
+  public ContentRoot(Path sceneFolder, ContentAccess access) {
+    this(sceneFolder, access, Path.of(System.getProperty("user.home", "")));
+  }
+
+  ContentRoot(Path sceneFolder, ContentAccess access, Path home) {
+    named = sceneFolder;
+    this.access = access;
+    folder = LocalUrl.real(sceneFolder);
+    Path above = folder.getParent();
+    // Not its real path: were it a link, it would open what it leads to.
+    inlineFolder = (above == null ? folder : above).resolve(INLINE_FOLDER);
+    Path realHome = LocalUrl.real(home);
+    wide = ProjectFolder.wide(folder, realHome);
+    project = ProjectFolder.of(folder, realHome);
+    access.folders().forEach(allow -> allowed.add(LocalUrl.real(allow)));
+  }
+
+  /** What the user allows besides the scene's own files. */
+  public ContentAccess access() {
+    return access;
+  }
+
+  /** As {@link #resolve(String, ContentBase)}, for a file in a folder. */
   public Target resolve(String url, Path base) {
+    return resolve(url, ContentBase.folder(base));
+  }
+
+  /**
+   * Finds what a url means. Waits for the network where the user allows the url's host; so it is
+   * called by threads that may wait.
+   *
+   * @param url as the file gives it, relative to {@code base} or absolute
+   * @param base where relative urls of the file that names it start
+   */
+  public Target resolve(String url, ContentBase base) {
     String trimmed = url.strip();
+    int at = trimmed.indexOf('#');
+    String location = at < 0 ? trimmed : trimmed.substring(0, at);
+    String fragment = at < 0 ? "" : trimmed.substring(at + 1);
+    if (DataUrl.is(location)) {
+      return data(location, fragment, base);
+    }
     if (trimmed.length() > MAX_URL) {
       return new Target.Refused(Cause.NO_FILE_NAME, "is too long for a file name");
-    }
-    int fragment = trimmed.indexOf('#');
-    String location = fragment < 0 ? trimmed : trimmed.substring(0, fragment);
-    boolean absolute = FILE_SCHEME.matcher(location).lookingAt();
-    if (!absolute && SCHEME.matcher(location).lookingAt()) {
-      return new Target.Refused(Cause.NETWORK, NETWORK);
     }
     if (location.isEmpty()) {
       return new Target.Refused(Cause.NO_FILE_NAME, "names no file");
     }
-    Path path;
-    try {
-      if (share(location, absolute)) {
-        return new Target.Refused(Cause.NETWORK, NETWORK);
+    return find(location, fragment, base);
+  }
+
+  private Target find(String location, String fragment, ContentBase base) {
+    if (base instanceof ContentBase.FirstOf both) {
+      Target first = find(location, fragment, both.first());
+      if (first instanceof Target.Found) {
+        return first;
       }
-      path = absolute ? Path.of(URI.create(location)) : relative(location, base);
-    } catch (IllegalArgumentException | FileSystemNotFoundException e) {
-      return new Target.Refused(Cause.NO_FILE_NAME, "is not a file name");
+      Target second = find(location, fragment, both.second());
+      return second instanceof Target.Found ? second : first;
     }
-    Path real = real(path);
-    if (!real.startsWith(folder) && !real.startsWith(inlineFolder)) {
-      return new Target.Refused(Cause.OUTSIDE, "points outside the scene's folder");
+    if (WebUrl.is(location)) {
+      return web(WebUrl.of(location), fragment);
+    }
+    boolean absolute = FILE_SCHEME.matcher(location).lookingAt();
+    if (!absolute && SCHEME.matcher(location).lookingAt()) {
+      return new Target.Refused(
+          Cause.NETWORK,
+          "has an unknown scheme; only files, data: and, where allowed, http: and https: are read");
+    }
+    if (base instanceof ContentBase.Web web) {
+      return absolute
+          ? new Target.Refused(
+              Cause.OUTSIDE, "is a file of this machine, which a file of the network may not name")
+          : web(WebUrl.of(location, web.uri()), fragment);
+    }
+    LocalUrl.Meaning meaning =
+        LocalUrl.meaning(location, absolute, ((ContentBase.Folder) base).path());
+    return meaning instanceof LocalUrl.Meaning.File file
+        ? local(file.path(), fragment)
+        : ((LocalUrl.Meaning.None) meaning).why();
+  }
+
+  private static Target data(String location, String fragment, ContentBase base) {
+    try {
+      return new Target.Found(DataUrl.read(location, base), fragment);
+    } catch (IOException e) {
+      return new Target.Refused(Cause.NO_FILE_NAME, String.valueOf(e.getMessage()));
+    }
+  }
+
+  private Target web(Optional<URI> address, String fragment) {
+    if (address.isEmpty()) {
+      return new Target.Refused(Cause.NO_FILE_NAME, "is no address of the network");
+    }
+    URI uri = address.get();
+    if (!access.network().allows(uri)) {
+      return new Target.Refused(
+          Cause.NETWORK,
+          "is on the network; --allow-net %s would allow it".formatted(uri.getHost()));
+    }
+    try {
+      return new Target.Found(access.network().fetch(uri), fragment);
+    } catch (IOException e) {
+      return new Target.Refused(Cause.UNREACHABLE, String.valueOf(e.getMessage()));
+    }
+  }
+
+  private Target local(Path path, String fragment) {
+    Path real = LocalUrl.real(path);
+    if (!mayBeNamed(real)) {
+      return new Target.Refused(
+          Cause.OUTSIDE,
+          "points outside the folders this scene may name; --allow %s would allow it"
+              .formatted(hint(real)));
     }
     if (Files.isDirectory(real)) {
       return new Target.Refused(Cause.NO_FILE_NAME, "is a folder");
     }
     if (!Files.isRegularFile(real)) {
-      String similar = similar(path);
+      String similar = hints.of(path);
       return new Target.Refused(
           similar.isEmpty() ? Cause.MISSING : Cause.CASE, "is missing" + similar);
     }
-    return new Target.File(real);
+    return new Target.Found(content(real), fragment);
   }
 
-  /**
-   * Whether a url names another computer. Asked before a file system is, which would call there.
-   *
-   * @throws IllegalArgumentException when the url is malformed
-   */
-  private static boolean share(String location, boolean absolute) {
-    if (absolute) {
-      URI uri = URI.create(location);
-      return uri.getAuthority() != null || uri.getPath() != null && isShare(uri.getPath());
-    }
-    return isShare(location) || isShare(decoded(location));
+  /** A file that is known to be one that the scene may name, or that the user named. */
+  public Content content(Path real) {
+    return new Content.OfFile(real, display(real));
   }
 
-  private static boolean isShare(String path) {
-    return SHARE.matcher(path).matches();
+  /** Whether a scene may name files in a folder of this machine, a real path. */
+  public boolean mayBeNamed(Path real) {
+    return real.startsWith(folder) && (!wide || open(folder, real))
+        || real.startsWith(inlineFolder)
+        || project.filter(top -> real.startsWith(top) && open(top, real)).isPresent()
+        || allowed.stream().anyMatch(real::startsWith);
   }
 
-  /** As it is where its signs % begin no code. */
-  private static String decoded(String location) {
-    if (location.indexOf('%') < 0 || !ENCODED.matcher(location).matches()) {
-      return location;
-    }
-    return URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
-  }
-
-  /** Urls are percent-encoded; yet a file that has the name as it is written is meant first. */
-  private static Path relative(String location, Path base) {
-    Path literal = base.resolve(location.replace('\\', '/'));
-    if (location.indexOf('%') < 0 || Files.exists(literal)) {
-      return literal;
-    }
-    return base.resolve(decoded(location).replace('\\', '/'));
-  }
-
-  /** Follows links, so that none leads outside; a file that does not exist is only normalised. */
-  private static Path real(Path path) {
-    Path absolute = path.toAbsolutePath().normalize();
-    Path present = path;
-    while (present != null) {
-      try {
-        Path real = present.toRealPath();
-        return present == path ? real : real.resolve(present.relativize(absolute));
-      } catch (IOException e) {
-        present = present == path ? absolute.getParent() : present.getParent();
+  /** Whether no name on the way begins with a dot: there lies what is not meant to be shown. */
+  private static boolean open(Path top, Path real) {
+    for (Path part : top.relativize(real)) {
+      if (part.toString().startsWith(".")) {
+        return false;
       }
     }
-    return absolute;
+    return true;
   }
 
-  /** A hint for a name that differs in case only, which works on some systems and not on others. */
-  private String similar(Path path) {
-    Path parent = path.getParent();
-    Path name = path.getFileName();
-    if (parent == null || name == null) {
-      return "";
+  /** The folder to allow, as one would type it. */
+  private String hint(Path real) {
+    Path parent = real.getParent() == null ? real : real.getParent();
+    String shown = display(parent);
+    if (!LocalUrl.real(Path.of(shown)).equals(parent)) {
+      shown = parent.toString(); // The user's name of the scene leads through a link.
     }
-    return listed
-        .computeIfAbsent(parent, ContentRoot::list)
-        .getOrDefault(folded(name.toString()), List.of())
-        .stream()
-        .filter(file -> file.equalsIgnoreCase(name.toString()) && !file.equals(name.toString()))
-        .min(String::compareTo)
-        .map(file -> " (there is " + file + ", which differs in upper and lower case)")
-        .orElse("");
-  }
-
-  /** The names in a folder, by what they are in one case. */
-  private static Map<String, List<String>> list(Path folder) {
-    if (!Files.isDirectory(folder)) {
-      return Map.of();
-    }
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .map(file -> String.valueOf(file.getFileName()))
-          .collect(Collectors.groupingBy(ContentRoot::folded));
-    } catch (IOException e) {
-      return Map.of(); // It stays without a hint where the folder cannot be listed.
-    }
-  }
-
-  private static String folded(String name) {
-    return name.toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
+    String text = shown.isEmpty() ? "." : shown;
+    return text.indexOf(' ') < 0 ? text : '"' + text + '"';
   }
 
   /** A file as messages name it. */

@@ -1,15 +1,17 @@
 /**
- * Which files a scene may name, and which of a node's urls is meant.
+ * What the urls of a scene mean, and which of them may be read.
  *
- * <p>A scene may name files in the folder of the scene that the user opened and below it, and in a
- * folder {@code inlineNodes} beside that folder and below it ({@code scenes/} and {@code
- * inlineNodes/} are siblings, as in the thesis). Files inlined name others relative to themselves,
- * within the same two folders; so do Anchors, and what an application sets through the SAI. Links
- * are followed and must not lead outside. Nothing is ever fetched from the network. {@link
- * org.selectiverenderer.x3d.files.ContentRoot} alone decides.
+ * <p>{@link org.selectiverenderer.x3d.files.ContentRoot} alone decides, by the folder of the scene
+ * that the user opened (its own files, those of its project) and by what the user allows besides
+ * ({@link org.selectiverenderer.x3d.files.ContentAccess}: folders, hosts of the network). Files
+ * inlined name others relative to themselves ({@link org.selectiverenderer.x3d.files.ContentBase}),
+ * within the same bounds; so do Anchors, scripts, prototypes, and what an application sets through
+ * the SAI. Links are followed and must not lead outside.
  *
- * <p>In: a scene's file, urls. Out: paths, or why a file may not be read. Uses {@code
- * x3d.catalogue} and {@code base.problem}.
+ * <p>In: a scene's folder, urls. Out: {@link org.selectiverenderer.x3d.files.Content} with a name,
+ * bytes and a place where its own urls start, or why there is none. Nothing is fetched unless the
+ * user allows the host; then by {@link org.selectiverenderer.x3d.files.Network}, the only place
+ * that does. Uses {@code x3d.catalogue} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.x3d.files;

@@ -138,6 +138,9 @@ final class DocumentReader implements NodeReader.Links {
     if (scope.find(export.localDef()) != null) {
       return false;
     }
+    if (scope.isLost(export.localDef())) {
+      return true;
+    }
     reading.error(
         export.location(),
         "no node has the name "

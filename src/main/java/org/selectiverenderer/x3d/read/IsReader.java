@@ -93,6 +93,10 @@ final class IsReader {
       Connection connection = outer(in, scope);
       if (connection != null && enclosing != null) {
         ProtoDeclaration.Field field = inner.declaration().fields().get(connection.nodeField());
+        if (field == null && inner.declaration().lacking().contains(connection.nodeField())) {
+          in.skip();
+          continue;
+        }
         if (field == null || field.type() != connection.field().type()) {
           mismatch(in.location(), inner.declaration().name(), connection);
         } else {

@@ -23,8 +23,8 @@ final class NameScope {
   private final @Nullable ProtoInstance instance;
   private final Map<String, Named> names = new LinkedHashMap<>();
   private final Set<ParsedNode> open = Collections.newSetFromMap(new IdentityHashMap<>());
-  private final Map<String, ProtoDeclaration> prototypes = new HashMap<>();
-  private final Set<String> external = new HashSet<>();
+  private final Map<String, Prototype> prototypes = new HashMap<>();
+  private final Set<String> lost = new HashSet<>();
   private final Set<String> imported = new HashSet<>();
   private final List<PendingRoute> routes = new ArrayList<>();
 
@@ -64,33 +64,28 @@ final class NameScope {
     return open.contains(node);
   }
 
-  void declare(ProtoDeclaration prototype) {
+  void declare(Prototype prototype) {
     prototypes.put(prototype.name(), prototype);
-    external.remove(prototype.name());
   }
 
-  void declareExternal(String name) {
-    prototypes.remove(name);
-    external.add(name);
-  }
-
-  @Nullable ProtoDeclaration prototype(String name) {
+  @Nullable Prototype prototype(String name) {
     for (NameScope scope = this; scope != null; scope = scope.enclosing) {
-      ProtoDeclaration found = scope.prototypes.get(name);
-      if (found != null || scope.external.contains(name)) {
+      Prototype found = scope.prototypes.get(name);
+      if (found != null) {
         return found;
       }
     }
     return null;
   }
 
-  boolean isExternal(String name) {
-    for (NameScope scope = this; scope != null; scope = scope.enclosing) {
-      if (scope.external.contains(name)) {
-        return true;
-      }
-    }
-    return false;
+  /** Marks the name of an instance whose prototype cannot be had, which has been told. */
+  void lose(String name) {
+    lost.add(name);
+  }
+
+  /** Whether the node of that name is left out for a reason that has been told. */
+  boolean isLost(String name) {
+    return lost.contains(name) && !names.containsKey(name);
   }
 
   Set<String> prototypeNames() {

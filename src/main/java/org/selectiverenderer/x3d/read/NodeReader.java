@@ -101,7 +101,8 @@ final class NodeReader {
     }
     String def = in.attribute("DEF");
     String containerField = in.attribute("containerField");
-    ParsedNode node = new ParsedNode(type, givenName != null ? givenName : def, location);
+    ParsedNode node =
+        new ParsedNode(type, givenName != null ? givenName : def, location, reading.base());
     NameScope.Named named = new NameScope.Named(node, null);
     define(scope, def, named, location);
     attributes(in, node);
@@ -138,6 +139,9 @@ final class NodeReader {
     String containerField = in.attribute("containerField");
     in.skip();
     NameScope.Named found = scope.find(name);
+    if (found == null && scope.isLost(name)) {
+      return null;
+    }
     if (found == null) {
       reading.error(
           reading.at(place, attribute),

@@ -5,6 +5,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.files.ContentBase;
 
 /**
  * A node as a file gives it. A node that is USEd stands as the same object in every place. Values
@@ -15,13 +16,24 @@ public final class ParsedNode implements NodeView {
   private final NodeType type;
   private final @Nullable String name;
   private final Location location;
+  private final @Nullable ContentBase base;
   private final @Nullable Object[] values;
 
   /** A node with all fields at their defaults. */
   public ParsedNode(NodeType type, @Nullable String name, Location location) {
+    this(type, name, location, null);
+  }
+
+  /**
+   * The same of a prototype's body.
+   *
+   * @param base where its relative urls start, if that is not where those of its file do
+   */
+  ParsedNode(NodeType type, @Nullable String name, Location location, @Nullable ContentBase base) {
     this.type = type;
     this.name = name;
     this.location = location;
+    this.base = base;
     this.values = new Object[type.fields().size()];
   }
 
@@ -44,6 +56,16 @@ public final class ParsedNode implements NodeView {
   public @Nullable Object value(int field) {
     Object value = values[field];
     return value != null ? value : type.fields().get(field).defaultValue();
+  }
+
+  /**
+   * Where the relative urls of the node start: in the folder of the file that it is part of, unless
+   * it came with a prototype of another one.
+   *
+   * @param ofFile that of the file
+   */
+  public ContentBase base(ContentBase ofFile) {
+    return base == null ? ofFile : base.or(ofFile);
   }
 
   /** Whether the file gives this field a value. */

@@ -2,18 +2,28 @@ package org.selectiverenderer.x3d.read;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * A prototype: its interface and its body, kept for making instances (X3D 4.0, 4.4.4).
  *
  * @param environment the scope that declares it, whose prototypes its body may use
+ * @param base where relative urls in its body start; null for the file that is being read
+ * @param lacking fields that somebody expects it to have and that it has not, which was told
  */
 record ProtoDeclaration(
-    String name, Map<String, Field> fields, DocumentElement body, NameScope environment) {
+    String name,
+    Map<String, Field> fields,
+    DocumentElement body,
+    NameScope environment,
+    @Nullable ContentBase base,
+    Set<String> lacking)
+    implements Prototype {
   /**
    * A field of the interface.
    *
@@ -26,6 +36,10 @@ record ProtoDeclaration(
       FieldAccess access,
       @Nullable Object value,
       List<DocumentElement> nodes) {}
+
+  ProtoDeclaration without(Set<String> missing) {
+    return new ProtoDeclaration(name, fields, body, environment, base, Set.copyOf(missing));
+  }
 
   /** The field that takes or sends events under that name, by either spelling. */
   @Nullable Field event(String name, boolean input) {

@@ -1,8 +1,10 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
@@ -50,7 +52,7 @@ final class ProtoDeclarationReader {
       reading.error(location, "a ProtoDeclare needs a name and a ProtoBody; this one is left out");
       return;
     }
-    scope.declare(new ProtoDeclaration(name, fields, body, scope));
+    scope.declare(new ProtoDeclaration(name, fields, body, scope, reading.base(), Set.of()));
   }
 
   private ProtoDeclaration.@Nullable Field field(ElementCursor in) {
@@ -69,7 +71,7 @@ final class ProtoDeclarationReader {
     if (!in.name().equals("field") || name == null || type == null || access == null) {
       reading.error(
           location,
-          "a ProtoInterface may contain only field elements with name, type and "
+          "the interface of a prototype may contain only field elements with name, type and "
               + "accessType; this "
               + in.name()
               + " is left out");
@@ -83,17 +85,30 @@ final class ProtoDeclarationReader {
         name, type, access, parsed, type.isNode() ? children : List.of());
   }
 
-  /** Reads an ExternProtoDeclare, which is told and left out with its instances. */
+  /** Reads an ExternProtoDeclare; its file is looked for when there is an instance. */
   void declareExternal(ElementCursor in, NameScope scope) {
+    Location location = in.location();
     String name = in.attribute("name");
-    reading.warning(
-        in.location(),
-        "prototypes of other files are not loaded; "
-            + (name == null ? "this one" : name)
-            + " is left out with all its instances");
-    if (name != null) {
-      scope.declareExternal(name);
+    int url = in.indexOf("url");
+    Object urls = url < 0 ? null : in.attributeValue(url, FieldType.MFString);
+    List<ExternDeclaration.Field> fields = new ArrayList<>();
+    while (in.next()) {
+      Location at = in.location();
+      ProtoDeclaration.Field field = field(in);
+      if (field != null) {
+        fields.add(new ExternDeclaration.Field(field.name(), field.type(), field.access(), at));
+      }
     }
-    in.skip();
+    if (name == null) {
+      reading.error(location, "an ExternProtoDeclare needs a name; this one is left out");
+      return;
+    }
+    scope.declare(
+        new ExternDeclaration(
+            name,
+            List.copyOf(fields),
+            urls == null ? List.of() : List.of((String[]) urls),
+            reading.urlBase(),
+            location));
   }
 }

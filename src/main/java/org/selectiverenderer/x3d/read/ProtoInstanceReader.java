@@ -8,6 +8,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -20,6 +21,7 @@ final class ProtoInstanceReader {
   private final NodeReader nodes;
   private final RouteReader routes;
   private final IsReader connecting;
+  private final ExternReader externs;
   private final Set<DocumentElement> expanding = Collections.newSetFromMap(new IdentityHashMap<>());
 
   ProtoInstanceReader(
@@ -28,6 +30,7 @@ final class ProtoInstanceReader {
     this.nodes = nodes;
     this.routes = routes;
     this.connecting = connecting;
+    externs = new ExternReader(reading);
   }
 
   /**
@@ -43,17 +46,11 @@ final class ProtoInstanceReader {
       return nodes.use(in, scope, use, "ProtoInstance");
     }
     String name = in.attribute("name");
-    ProtoDeclaration declaration = name == null ? null : scope.prototype(name);
-    if (name == null || declaration == null) {
-      if (name == null || !scope.isExternal(name)) {
-        reading.error(
-            location,
-            (name == null
-                    ? "a ProtoInstance needs a name"
-                    : "no prototype above has the name "
-                        + name
-                        + reading.question(name, () -> scope.prototypeNames().iterator()))
-                + "; the instance is left out");
+    String def = in.attribute("DEF");
+    ProtoDeclaration declaration = declaration(scope, name, location);
+    if (declaration == null) {
+      if (def != null) {
+        scope.lose(def);
       }
       in.skip();
       return null;
@@ -64,7 +61,6 @@ final class ProtoInstanceReader {
       in.skip();
       return null;
     }
-    String def = in.attribute("DEF");
     String containerField = in.attribute("containerField");
     ProtoInstance instance = new ProtoInstance(declaration);
     List<IsReader.Connection> connections = arguments(in, scope, instance);
@@ -84,6 +80,26 @@ final class ProtoInstanceReader {
     return new NodeReader.Child(named, containerField, location);
   }
 
+  /** The prototype that a scope knows by a name; null after a message. */
+  private @Nullable ProtoDeclaration declaration(
+      NameScope scope, @Nullable String name, Location location) {
+    Prototype prototype = name == null ? null : scope.prototype(name);
+    if (prototype instanceof ExternDeclaration extern) {
+      return externs.find(extern);
+    }
+    if (prototype == null) {
+      reading.error(
+          location,
+          (name == null
+                  ? "a ProtoInstance needs a name"
+                  : "no prototype above has the name "
+                      + name
+                      + reading.question(name, () -> scope.prototypeNames().iterator()))
+              + "; the instance is left out");
+    }
+    return (ProtoDeclaration) prototype;
+  }
+
   private List<IsReader.Connection> arguments(
       ElementCursor in, NameScope scope, ProtoInstance instance) {
     List<IsReader.Connection> connections = new ArrayList<>();
@@ -101,6 +117,10 @@ final class ProtoInstanceReader {
     String name = in.attribute("name");
     ProtoDeclaration declaration = instance.declaration();
     ProtoDeclaration.Field field = name == null ? null : declaration.fields().get(name);
+    if (name != null && declaration.lacking().contains(name)) {
+      in.skip();
+      return;
+    }
     if (name == null || field == null) {
       reading.warning(
           in.location(),
@@ -145,6 +165,8 @@ final class ProtoInstanceReader {
     ProtoDeclaration declaration = instance.declaration();
     NameScope scope = new NameScope(declaration.environment(), instance);
     expanding.add(declaration.body());
+    ContentBase outside = reading.base();
+    reading.base(declaration.base());
     reading.startReplay();
     ParsedNode first = null;
     defaults(instance, scope);
@@ -155,6 +177,7 @@ final class ProtoInstanceReader {
     }
     routes.connect(scope);
     reading.endReplay();
+    reading.base(outside);
     expanding.remove(declaration.body());
     if (first == null) {
       reading.error(

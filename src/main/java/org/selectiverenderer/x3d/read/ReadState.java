@@ -3,12 +3,14 @@ package org.selectiverenderer.x3d.read;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.ElementLocation;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
@@ -21,14 +23,30 @@ final class ReadState {
   final FieldParser parser = new FieldParser();
   private final String source;
   private final Problems problems;
+  final Libraries libraries;
+  private final ContentBase ofFile;
   private final Set<Problem> replayed = new HashSet<>();
   private int reported;
   private int spent;
   private int replays;
   private int depth;
 
-  ReadState(String source, NodeCatalogue catalogue, ReadLimits limits, Problems problems) {
+  private @Nullable ContentBase base;
+
+  /**
+   * @param libraries where prototypes of other files come from
+   * @param ofFile where the relative urls of the file start
+   */
+  ReadState(
+      String source,
+      NodeCatalogue catalogue,
+      ReadLimits limits,
+      Problems problems,
+      Libraries libraries,
+      ContentBase ofFile) {
     this.source = source;
+    this.libraries = libraries;
+    this.ofFile = ofFile;
     this.catalogue = catalogue;
     this.limits = limits;
     this.problems = problems;
@@ -36,6 +54,20 @@ final class ReadState {
 
   String source() {
     return source;
+  }
+
+  /** Where relative urls of the prototype's body that is read start; null in the file itself. */
+  @Nullable ContentBase base() {
+    return base;
+  }
+
+  void base(@Nullable ContentBase ofBody) {
+    base = ofBody;
+  }
+
+  /** Where relative urls start now: beside the prototype, or else beside the file that uses it. */
+  ContentBase urlBase() {
+    return base == null ? ofFile : base.or(ofFile);
   }
 
   void error(Location location, String message) {
@@ -67,7 +99,7 @@ final class ReadState {
   }
 
   // A fault in a prototype's body is told once, however many instances there are.
-  private void report(Problem problem) {
+  void report(Problem problem) {
     if (replays > 0 && (replayed.size() >= Problems.LIMIT * 10 || !replayed.add(problem))) {
       return;
     }

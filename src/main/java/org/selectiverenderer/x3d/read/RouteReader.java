@@ -81,6 +81,9 @@ final class RouteReader {
   private @Nullable List<Field> fields(
       NameScope scope, PendingRoute route, PendingRoute.End end, boolean input) {
     NameScope.Named named = end.found() != null ? end.found() : scope.find(end.node());
+    if (named == null && scope.isLost(end.node())) {
+      return null;
+    }
     if (named == null) {
       if (scope.isImported(end.node())) {
         reading.warning(
@@ -116,7 +119,10 @@ final class RouteReader {
               + " is left out");
       return null;
     }
-    leaveOut(route, why(named, end, input));
+    ProtoInstance instance = named.instance();
+    if (instance == null || !instance.declaration().lacking().contains(end.field())) {
+      leaveOut(route, why(named, end, input));
+    }
     return null;
   }
 

@@ -11,6 +11,8 @@ import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.DocumentParser;
 import org.selectiverenderer.x3d.source.Preflight;
@@ -24,7 +26,7 @@ import org.selectiverenderer.x3d.source.XmlEvents;
  * Reads scenes in the XML encoding of X3D 3.0 to 4.0 (ISO/IEC 19776-1), plain or compressed by
  * gzip. Whatever a file holds, reading it ends with a scene of what could be read, problems with
  * their places for the rest, and bounded memory. Nothing is fetched: no DOCTYPE, no entity, no
- * Inline.
+ * Inline; prototypes of other files come from whom {@link #with} names.
  *
  * <p>Prototypes are replaced by what they stand for. Of an instance's body the first node takes the
  * instance's place; further nodes of the body are reachable by routes only.
@@ -34,14 +36,50 @@ import org.selectiverenderer.x3d.source.XmlEvents;
 public final class X3dReader {
   private final NodeCatalogue catalogue;
   private final ReadLimits limits;
+  private final Libraries libraries;
+  private final ContentBase base;
 
   public X3dReader(NodeCatalogue catalogue) {
     this(catalogue, ReadLimits.standard());
   }
 
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
+    this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")));
+  }
+
+  private X3dReader(
+      NodeCatalogue catalogue, ReadLimits limits, Libraries libraries, ContentBase base) {
     this.catalogue = catalogue;
     this.limits = limits;
+    this.libraries = libraries;
+    this.base = base;
+  }
+
+  /**
+   * A reader of files that use prototypes of other files.
+   *
+   * @param from where those come from
+   * @param newBase where the relative urls of what is read start
+   */
+  public X3dReader with(Libraries from, ContentBase newBase) {
+    return new X3dReader(catalogue, limits, from, newBase);
+  }
+
+  /**
+   * Reads the prototypes of a file.
+   *
+   * @throws IOException if it cannot be read
+   */
+  PrototypeLibrary library(Content content) throws IOException {
+    XmlDocument document;
+    try (InputStream in = content.open()) {
+      document = document(content.name(), in, content.size());
+    }
+    Problems problems = new Problems();
+    ReadState reading =
+        new ReadState(content.name(), catalogue, limits, problems, libraries, content.base());
+    reading.base(content.base());
+    return new LibraryReader(reading, problems).read(document);
   }
 
   /**
@@ -123,7 +161,8 @@ public final class X3dReader {
 
   /** Makes the scene that a document describes, without parsing it again. */
   public X3dFile scene(XmlDocument document, Problems problems) {
-    ReadState reading = new ReadState(document.name(), catalogue, limits, problems);
+    ReadState reading =
+        new ReadState(document.name(), catalogue, limits, problems, libraries, base);
     return new DocumentReader(reading).read(TreeCursor.of(document, reading));
   }
 
@@ -146,7 +185,7 @@ public final class X3dReader {
       problems.error(xml.fault().location(), xml.fault().message() + "; nothing can be shown");
       return empty(source);
     }
-    ReadState reading = new ReadState(source, catalogue, limits, problems);
+    ReadState reading = new ReadState(source, catalogue, limits, problems, libraries, base);
     X3dFile file = new DocumentReader(reading).read(new XmlCursor(xml, reading, cut != null));
     if (cut != null) {
       boolean flood = cut.kind() == DocumentFault.Kind.LIMIT;

@@ -8,17 +8,18 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.field.Tokens;
 
 /**
- * An attribute of a document. Long numeric values are kept as values only. Serves one thread, as
- * its document does.
+ * An attribute of a document. Long numeric values are kept as values only. Several threads may ask
+ * for values at a time, as those do that use one prototype.
  */
 public final class DocumentAttribute {
   private final DocumentElement element;
   private final int index;
   private final String name;
   private final @Nullable String text;
-  private @Nullable FieldType type;
-  private @Nullable Object value;
-  private List<FieldParser.Flaw> flaws = List.of();
+  private @Nullable Known known;
+
+  /** A value, in one object, so that other threads see all of it or nothing. */
+  private record Known(FieldType type, @Nullable Object value, List<FieldParser.Flaw> flaws) {}
 
   /**
    * @param index among the attributes of the element, as the parser counts
@@ -33,9 +34,7 @@ public final class DocumentAttribute {
   }
 
   void keep(FieldType parsedAs, @Nullable Object parsed, List<FieldParser.Flaw> found) {
-    type = parsedAs;
-    value = parsed;
-    flaws = found;
+    known = new Known(parsedAs, parsed, found);
   }
 
   public DocumentElement element() {
@@ -49,7 +48,8 @@ public final class DocumentAttribute {
 
   /** Whether its value as a field of that type is known already. */
   public boolean known(FieldType wanted) {
-    return type == wanted;
+    Known now = known;
+    return now != null && now.type == wanted;
   }
 
   /** The text, references replaced; of a long numeric value as it stands in the file. */
@@ -59,17 +59,25 @@ public final class DocumentAttribute {
 
   /** The value that the text means as a field of a type; null when nothing of it can be used. */
   public @Nullable Object value(FieldType wanted) {
-    if (type != wanted) {
-      FieldParser.Parsed parsed = element.source().parser().parse(wanted, text());
-      keep(wanted, parsed.value(), parsed.flaws());
-    }
-    return value;
+    return as(wanted).value;
   }
 
   /** What is wrong with the text as a value of that type. */
   public List<FieldParser.Flaw> flaws(FieldType wanted) {
-    value(wanted);
-    return flaws;
+    return as(wanted).flaws;
+  }
+
+  private Known as(FieldType wanted) {
+    Known now = known;
+    if (now == null || now.type != wanted) {
+      String written = text();
+      synchronized (element.source()) { // Its parser serves one thread.
+        FieldParser.Parsed parsed = element.source().parser().parse(wanted, written);
+        now = new Known(wanted, parsed.value(), parsed.flaws());
+      }
+      known = now;
+    }
+    return now;
   }
 
   /** Where the name stands. */

@@ -7,7 +7,7 @@ import org.selectiverenderer.base.problem.Location;
 
 /**
  * Where an element starts in its file. Places within its start tag are found by reading the tag
- * once more, which costs nothing as long as nothing is wrong.
+ * once more, which costs nothing as long as nothing is wrong. Several threads may ask at a time.
  *
  * @param offset of the tag's {@code <}
  * @param location of the same
@@ -42,20 +42,26 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
 
   /** The name of the attribute of that index, namespace declarations not counted. */
   public Location attribute(int index) {
-    WrittenAttribute found = written(index);
-    return found == null ? location : source.location(found.from());
+    synchronized (source) {
+      WrittenAttribute found = written(index);
+      return found == null ? location : source.location(found.from());
+    }
   }
 
   /** A character of its value, counted from the first that is no white space. */
   public Location inAttribute(int index, int character) {
-    WrittenAttribute found = written(index);
-    return found == null ? location : source.location(found.at(character));
+    synchronized (source) {
+      WrittenAttribute found = written(index);
+      return found == null ? location : source.location(found.at(character));
+    }
   }
 
   /** The value of that attribute as it is written, references and all. */
   String attributeText(int index) {
-    WrittenAttribute found = written(index);
-    return found == null ? "" : found.written();
+    synchronized (source) {
+      WrittenAttribute found = written(index);
+      return found == null ? "" : found.written();
+    }
   }
 
   private @Nullable WrittenAttribute written(int index) {

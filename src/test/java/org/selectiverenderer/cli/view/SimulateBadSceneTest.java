@@ -151,12 +151,12 @@ class SimulateBadSceneTest {
   }
 
   @Test
-  void prototypesOfOtherFilesAreLeftOut() {
+  void aPrototypeWhoseFileIsMissingIsLeftOut() {
     assertTold(
         "<ExternProtoDeclare name='E' url='\"e.x3d#E\"'/><ProtoInstance name='E'/>",
         12,
-        "scene.x3d:2:1: prototypes of other files are not loaded; E is left out with all its"
-            + " instances");
+        "scene.x3d:2:1: the prototype E cannot be had: url 'e.x3d#E' is missing; its instances are"
+            + " left out");
   }
 
   @Test

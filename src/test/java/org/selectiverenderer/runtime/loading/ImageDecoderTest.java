@@ -11,6 +11,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.files.Content;
 
 class ImageDecoderTest {
   @TempDir private Path folder;
@@ -20,7 +21,8 @@ class ImageDecoderTest {
     image.setRGB(0, 0, 2, argb.length / 2, argb, 0, 2);
     Path file = folder.resolve("a.png");
     ImageIO.write(image, "png", file.toFile());
-    return ImageDecoder.read(file, new AtomicLong(Long.MAX_VALUE));
+    return ImageDecoder.read(
+        new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test
@@ -42,8 +44,9 @@ class ImageDecoderTest {
     AtomicLong budget = new AtomicLong(60);
     Path file = folder.resolve("a.png");
     ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
-    assertThat(ImageDecoder.read(file, budget).width()).isEqualTo(2);
-    assertThatThrownBy(() -> ImageDecoder.read(file, budget))
+    assertThat(ImageDecoder.read(new Content.OfFile(file, file.toString()), budget).width())
+        .isEqualTo(2);
+    assertThatThrownBy(() -> ImageDecoder.read(new Content.OfFile(file, file.toString()), budget))
         .hasMessage("has 4 pixels, for which there is not enough memory");
     assertThat(budget).hasValue(12);
   }

@@ -63,7 +63,7 @@ class ContentRootTest {
   @Test
   void aSignPercentThatBeginsNoCodeIsPartOfTheName() throws IOException {
     Files.writeString(folder.resolve("100%.x3d"), "");
-    assertThat(resolve("100%.x3d")).isInstanceOf(ContentRoot.Target.File.class);
+    assertThat(resolve("100%.x3d")).isInstanceOf(ContentRoot.Target.Found.class);
     assertThat(refusal("50%.x3d")).isEqualTo("is missing");
   }
 }

@@ -167,7 +167,8 @@ class PrototypesTest {
             <ProtoInstance name='Door'/><ProtoInstance name='Door'/><Group/>
             """);
     fixture.assertOnly(
-        "test.x3d:2:1: prototypes of other files are not loaded; Door is left out with all its instances");
+        "test.x3d:2:1: the prototype Door cannot be had: it is in another file, which is not read here;"
+            + " its instances are left out");
     assertThat(file.nodes()).hasSize(1);
   }
 

@@ -75,7 +75,10 @@ final class VersionLoading {
     if (target instanceof ContentRoot.Target.Refused refused) {
       throw new IOException("This version " + refused.reason());
     }
-    return ((ContentRoot.Target.File) target).path();
+    return ((ContentRoot.Target.Found) target)
+        .content()
+        .file()
+        .orElseThrow(() -> new IOException("This version is no file of this machine"));
   }
 
   /** The choice alone, as a scene of its own. */

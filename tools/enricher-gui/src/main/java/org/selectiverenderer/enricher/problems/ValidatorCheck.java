@@ -36,7 +36,7 @@ public final class ValidatorCheck implements DocumentCheck {
   public List<Problem> check(Snapshot snapshot) {
     Path path = file.get().toAbsolutePath();
     Path folder = path.getParent() == null ? path : path.getParent();
-    SourceFile source = new SourceFile(path, SourceFile.of(path, folder).name(), snapshot.bytes());
+    SourceFile source = SourceFile.of(path, SourceFile.of(path, folder).name(), snapshot.bytes());
     try {
       return new Validator(rules, settings, folder)
           .validate(List.of(source)).findings().stream()

@@ -1,0 +1,96 @@
+package org.selectiverenderer.x3d.files;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.URLDecoder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Pattern;
+import org.selectiverenderer.x3d.files.ContentRoot.Cause;
+import org.selectiverenderer.x3d.files.ContentRoot.Target;
+
+/** Urls of files: which path one means, before anybody asks whether it may be read. */
+final class LocalUrl {
+  /** What Windows takes for a file of another computer: two slashes, of whichever kind. */
+  private static final Pattern SHARE = Pattern.compile("[/\\\\]{2}.*", Pattern.DOTALL);
+
+  private static final Pattern ENCODED = Pattern.compile("(?s)(?:[^%]++|%[0-9a-fA-F]{2})*+");
+
+  /** A path, or why there is none. */
+  sealed interface Meaning {
+    record File(Path path) implements Meaning {}
+
+    record None(Target.Refused why) implements Meaning {}
+  }
+
+  private LocalUrl() {}
+
+  /**
+   * @param location a url without fragment, of the scheme {@code file} or without any
+   * @param absolute whether it has the scheme
+   * @param base the folder of the file that names it
+   */
+  static Meaning meaning(String location, boolean absolute, Path base) {
+    try {
+      if (share(location, absolute)) {
+        return new Meaning.None(
+            new Target.Refused(
+                Cause.NETWORK, "is on the network, a share of another computer; it is not read"));
+      }
+      return new Meaning.File(absolute ? Path.of(URI.create(location)) : relative(location, base));
+    } catch (IllegalArgumentException | FileSystemNotFoundException e) {
+      return new Meaning.None(new Target.Refused(Cause.NO_FILE_NAME, "is not a file name"));
+    }
+  }
+
+  /**
+   * Whether a url names another computer. Asked before a file system is, which would call there.
+   *
+   * @throws IllegalArgumentException when the url is malformed
+   */
+  private static boolean share(String location, boolean absolute) {
+    if (absolute) {
+      URI uri = URI.create(location);
+      return uri.getAuthority() != null || uri.getPath() != null && isShare(uri.getPath());
+    }
+    return isShare(location) || isShare(decoded(location));
+  }
+
+  private static boolean isShare(String path) {
+    return SHARE.matcher(path).matches();
+  }
+
+  /** As it is where its signs % begin no code. */
+  private static String decoded(String location) {
+    if (location.indexOf('%') < 0 || !ENCODED.matcher(location).matches()) {
+      return location;
+    }
+    return URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
+  }
+
+  /** Urls are percent-encoded; yet a file that has the name as it is written is meant first. */
+  private static Path relative(String location, Path base) {
+    Path literal = base.resolve(location.replace('\\', '/'));
+    if (location.indexOf('%') < 0 || Files.exists(literal)) {
+      return literal;
+    }
+    return base.resolve(decoded(location).replace('\\', '/'));
+  }
+
+  /** Follows links, so that none leads outside; a file that does not exist is only normalised. */
+  static Path real(Path path) {
+    Path absolute = path.toAbsolutePath().normalize();
+    Path present = path;
+    while (present != null) {
+      try {
+        Path real = present.toRealPath();
+        return present == path ? real : real.resolve(present.relativize(absolute));
+      } catch (IOException e) {
+        present = present == path ? absolute.getParent() : present.getParent();
+      }
+    }
+    return absolute;
+  }
+}

@@ -1,0 +1,254 @@
+package org.selectiverenderer.x3d.files;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What may be fetched from the network: {@code http} and {@code https} from hosts that the user
+ * named, nothing from any other. What was fetched is kept in memory and not asked for again; what
+ * failed neither, for a minute. Thread-safe.
+ */
+public final class Network {
+  /** Bytes of one file. */
+  public static final int MAX_BYTES = 32 << 20;
+
+  /** Bytes kept; beyond them, what was used longest ago is forgotten. */
+  static final long MAX_KEPT = 8L * MAX_BYTES;
+
+  /** For one file, all redirects included. */
+  private static final Duration TIME = Duration.ofSeconds(10);
+
+  private static final int REDIRECTS = 5;
+
+  /** For so long a failure is remembered; somebody may mend it while the program runs. */
+  private static final Duration MEMORY = Duration.ofMinutes(1);
+
+  private final List<HostPattern> hosts;
+  private final Duration time;
+  private final int maxBytes;
+  private final AtomicReference<@Nullable HttpClient> client = new AtomicReference<>();
+  private final Map<String, CompletableFuture<Fetched>> asked = new ConcurrentHashMap<>();
+  private final Map<String, Integer> kept = new LinkedHashMap<>(16, 0.75f, true);
+  private long bytesKept;
+
+  /** What became of a request: bytes, or a clause that says why not. */
+  private sealed interface Fetched {
+    record Bytes(URI from, byte[] data) implements Fetched {}
+
+    record Failed(String clause, long nanoTime) implements Fetched {
+      Failed(String clause) {
+        this(clause, System.nanoTime());
+      }
+    }
+  }
+
+  /** Why one request of several ended. */
+  private static final class Refusal extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    Refusal(String clause) {
+      super(clause);
+    }
+  }
+
+  public Network(List<HostPattern> hosts) {
+    this(hosts, TIME, MAX_BYTES);
+  }
+
+  Network(List<HostPattern> hosts, Duration time, int maxBytes) {
+    this.hosts = List.copyOf(hosts);
+    this.time = time;
+    this.maxBytes = maxBytes;
+  }
+
+  /** None of it. */
+  public static Network none() {
+    return new Network(List.of());
+  }
+
+  /** The hosts that the user named. */
+  public List<HostPattern> hosts() {
+    return hosts;
+  }
+
+  boolean allows(URI uri) {
+    String host = uri.getHost();
+    return host != null && hosts.stream().anyMatch(pattern -> pattern.matches(host));
+  }
+
+  /**
+   * Fetches a file, unless that was done before. Waits for it.
+   *
+   * @param uri of an allowed host
+   * @throws IOException with a clause that reads after the url
+   */
+  Content fetch(URI uri) throws IOException {
+    URI plain = withoutFragment(uri);
+    String key = plain.toString();
+    asked.computeIfPresent(key, (same, before) -> stale(before) ? null : before);
+    CompletableFuture<Fetched> mine = new CompletableFuture<>();
+    CompletableFuture<Fetched> known = asked.putIfAbsent(key, mine);
+    if (known == null) {
+      Fetched fetched = new Fetched.Failed("could not be fetched");
+      try {
+        fetched = follow(plain);
+      } finally {
+        mine.complete(fetched);
+      }
+      known = mine;
+    }
+    Fetched fetched = known.join();
+    if (fetched instanceof Fetched.Failed failed) {
+      throw new IOException(failed.clause());
+    }
+    Fetched.Bytes bytes = (Fetched.Bytes) fetched;
+    used(key, bytes.data().length);
+    return new Content.OfBytes(
+        key, uri.toString(), new ContentBase.Web(bytes.from()), bytes.data());
+  }
+
+  private static boolean stale(CompletableFuture<Fetched> before) {
+    return before.getNow(new Fetched.Bytes(URI.create(""), new byte[0]))
+            instanceof Fetched.Failed failed
+        && System.nanoTime() - failed.nanoTime() > MEMORY.toNanos();
+  }
+
+  private synchronized void used(String key, int size) {
+    Integer before = kept.put(key, size);
+    bytesKept += size - (before == null ? 0 : before);
+    var oldest = kept.entrySet().iterator();
+    while (bytesKept > MAX_KEPT && oldest.hasNext()) {
+      Map.Entry<String, Integer> entry = oldest.next();
+      if (!entry.getKey().equals(key)) {
+        bytesKept -= entry.getValue();
+        asked.remove(entry.getKey());
+        oldest.remove();
+      }
+    }
+  }
+
+  private Fetched follow(URI start) {
+    long end = System.nanoTime() + time.toNanos();
+    URI at = start;
+    try {
+      for (int hop = 0; hop <= REDIRECTS; hop++) {
+        HttpResponse<byte[]> response = ask(at, end - System.nanoTime());
+        String location = response.headers().firstValue("Location").orElse(null);
+        if (response.statusCode() / 100 != 3 || location == null) {
+          return response.statusCode() == 200
+              ? new Fetched.Bytes(at, response.body())
+              : new Fetched.Failed("cannot be had: the server answers " + response.statusCode());
+        }
+        at = redirected(at, location);
+      }
+      return new Fetched.Failed("leads on more than %s times".formatted(REDIRECTS));
+    } catch (Refusal e) {
+      return new Fetched.Failed(String.valueOf(e.getMessage()));
+    } catch (IOException e) {
+      return new Fetched.Failed("cannot be fetched: " + reason(e));
+    }
+  }
+
+  private URI redirected(URI from, String location) throws Refusal {
+    URI to;
+    try {
+      to = withoutFragment(from.resolve(location));
+    } catch (IllegalArgumentException e) {
+      throw new Refusal("leads on to something that is no address");
+    }
+    String scheme = String.valueOf(to.getScheme()).toLowerCase(Locale.ROOT);
+    if (!scheme.equals("https") && !scheme.equalsIgnoreCase(from.getScheme())) {
+      throw new Refusal("leads on to " + scheme + ", which is not followed");
+    }
+    if (to.getHost() == null || to.getUserInfo() != null) {
+      throw new Refusal("leads on to something that is no address");
+    }
+    if (!allows(to)) {
+      throw new Refusal(
+          "leads on to %s; --allow-net %s would allow it".formatted(to.getHost(), to.getHost()));
+    }
+    return to;
+  }
+
+  private HttpResponse<byte[]> ask(URI uri, long nanos) throws IOException {
+    Duration left = Duration.ofNanos(Math.max(1, nanos));
+    HttpRequest request;
+    try {
+      request =
+          HttpRequest.newBuilder(uri)
+              .timeout(left)
+              .header("User-Agent", "selective-renderer")
+              .build();
+    } catch (IllegalArgumentException e) {
+      throw new Refusal("is no address of the network");
+    }
+    CompletableFuture<HttpResponse<byte[]>> answer =
+        client().sendAsync(request, info -> new LimitedBody(maxBytes));
+    try {
+      return answer.get(left.toNanos(), TimeUnit.NANOSECONDS);
+    } catch (TimeoutException e) {
+      answer.cancel(true);
+      throw late();
+    } catch (InterruptedException e) {
+      answer.cancel(true);
+      Thread.currentThread().interrupt();
+      throw new Refusal("is no longer wanted");
+    } catch (ExecutionException e) {
+      Throwable cause = e.getCause();
+      if (cause instanceof java.net.http.HttpTimeoutException) {
+        throw late();
+      }
+      throw cause instanceof IOException failure
+          ? failure
+          : new IOException(String.valueOf(cause), cause);
+    }
+  }
+
+  private Refusal late() {
+    return new Refusal("does not come within %s seconds".formatted(time.toSeconds()));
+  }
+
+  private static String reason(IOException e) {
+    if (e instanceof java.net.ConnectException) {
+      return "the host does not answer";
+    }
+    Throwable cause = e.getCause();
+    String told = e.getMessage() != null || cause == null ? e.getMessage() : cause.getMessage();
+    return told == null ? e.getClass().getSimpleName() : told.lines().findFirst().orElse("");
+  }
+
+  private HttpClient client() {
+    HttpClient known = client.get();
+    if (known != null) {
+      return known;
+    }
+    HttpClient made =
+        HttpClient.newBuilder()
+            .connectTimeout(time)
+            .followRedirects(HttpClient.Redirect.NEVER)
+            .executor(NetworkThreads.executor())
+            .build();
+    return client.compareAndSet(null, made) ? made : client();
+  }
+
+  private static URI withoutFragment(URI uri) {
+    String text = uri.toString();
+    int fragment = text.indexOf('#');
+    return fragment < 0 ? uri : URI.create(text.substring(0, fragment));
+  }
+}

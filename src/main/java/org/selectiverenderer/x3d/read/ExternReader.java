@@ -1,0 +1,127 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
+
+/**
+ * Finds the prototypes of other files when there are instances of them, and compares their
+ * interfaces with what the file expects (X3D 4.0, 4.4.5). What is wrong is told once for each
+ * declaration, however many instances there are.
+ */
+final class ExternReader {
+  private final ReadState reading;
+  private final Map<ExternDeclaration, Optional<ProtoDeclaration>> known = new IdentityHashMap<>();
+  private final Set<ExternDeclaration> open = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final Set<PrototypeLibrary> told = new HashSet<>();
+
+  ExternReader(ReadState reading) {
+    this.reading = reading;
+  }
+
+  /** The prototype itself; null when it cannot be had, after a message. */
+  @Nullable ProtoDeclaration find(ExternDeclaration extern) {
+    Optional<ProtoDeclaration> before = known.get(extern);
+    if (before != null) {
+      return before.orElse(null);
+    }
+    open.add(extern);
+    ProtoDeclaration found = read(extern);
+    open.remove(extern);
+    known.put(extern, Optional.ofNullable(found));
+    return found;
+  }
+
+  private @Nullable ProtoDeclaration read(ExternDeclaration extern) {
+    Libraries.Answer answer = reading.libraries.find(extern.urls(), extern.base());
+    if (answer instanceof Libraries.Answer.None none) {
+      leaveOut(extern, none.reason());
+      return null;
+    }
+    Libraries.Answer.Found found = (Libraries.Answer.Found) answer;
+    PrototypeLibrary library = found.library();
+    if (told.add(library)) {
+      for (Problem problem : library.problems()) {
+        reading.report(problem);
+      }
+    }
+    Prototype prototype = library.prototype(found.fragment());
+    ProtoDeclaration declaration =
+        prototype instanceof ExternDeclaration further
+            ? further(extern, further)
+            : (ProtoDeclaration) prototype;
+    if (prototype == null) {
+      leaveOut(
+          extern,
+          "it is not in "
+              + library.name()
+              + (found.fragment().isEmpty()
+                  ? ", which declares no prototype"
+                  : ", which has no prototype "
+                      + found.fragment()
+                      + reading.question(found.fragment(), library.names())));
+    }
+    return declaration == null ? null : compared(extern, declaration, library);
+  }
+
+  /** A prototype that the library itself has from another file. */
+  private @Nullable ProtoDeclaration further(ExternDeclaration extern, ExternDeclaration further) {
+    if (open.contains(further)) {
+      leaveOut(extern, "files name one another for it, and none of them declares it");
+      return null;
+    }
+    return find(further);
+  }
+
+  private ProtoDeclaration compared(
+      ExternDeclaration extern, ProtoDeclaration declaration, PrototypeLibrary library) {
+    Set<String> lacking = new HashSet<>();
+    for (ExternDeclaration.Field expected : extern.fields()) {
+      ProtoDeclaration.Field field = declaration.fields().get(expected.name());
+      if (field == null) {
+        lacking.add(expected.name());
+        reading.error(
+            expected.location(),
+            "the prototype %s of %s has no field %s%s; values and routes of it are left out"
+                .formatted(
+                    declaration.name(),
+                    library.name(),
+                    expected.name(),
+                    reading.question(expected.name(), declaration.fields().keySet())));
+      } else if (field.type() != expected.type()) {
+        reading.error(
+            expected.location(),
+            "%s of the prototype %s is %s in %s, not %s; it is used as such"
+                .formatted(
+                    expected.name(),
+                    declaration.name(),
+                    field.type(),
+                    library.name(),
+                    expected.type()));
+      } else if (field.access() != expected.access()) {
+        reading.warning(
+            expected.location(),
+            "%s of the prototype %s is %s in %s, not %s; it is used as such"
+                .formatted(
+                    expected.name(),
+                    declaration.name(),
+                    field.access().spelling(),
+                    library.name(),
+                    expected.access().spelling()));
+      }
+    }
+    return lacking.isEmpty() ? declaration : declaration.without(lacking);
+  }
+
+  private void leaveOut(ExternDeclaration extern, String why) {
+    reading.error(
+        extern.location(),
+        "the prototype %s cannot be had: %s; its instances are left out"
+            .formatted(extern.name(), why));
+  }
+}

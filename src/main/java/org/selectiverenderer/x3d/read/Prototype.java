@@ -1,0 +1,6 @@
+package org.selectiverenderer.x3d.read;
+
+/** What a ProtoInstance may name. */
+sealed interface Prototype permits ProtoDeclaration, ExternDeclaration {
+  String name();
+}
