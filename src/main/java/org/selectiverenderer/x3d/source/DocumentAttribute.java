@@ -19,6 +19,7 @@ public final class DocumentAttribute {
   private @Nullable FieldType type;
   private @Nullable Object value;
   private List<FieldParser.Flaw> flaws = List.of();
+  private boolean told;
 
   /**
    * @param index among the attributes of the element, as the parser counts
@@ -70,6 +71,13 @@ public final class DocumentAttribute {
   public List<FieldParser.Flaw> flaws(FieldType wanted) {
     value(wanted);
     return flaws;
+  }
+
+  /** The same for who tells it: nothing the next time. */
+  public List<FieldParser.Flaw> untold(FieldType wanted) {
+    boolean before = told && type == wanted;
+    told = true;
+    return before ? List.of() : flaws(wanted);
   }
 
   /** Where the name stands. */
