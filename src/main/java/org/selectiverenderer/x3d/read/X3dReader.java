@@ -11,7 +11,7 @@ import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.json.JsonParser;
+import org.selectiverenderer.x3d.json.X3dJsonParser;
 import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.DocumentParser;
@@ -184,7 +184,7 @@ public final class X3dReader {
   private DocumentBuilder.Parser parser(Encoding encoding) {
     return switch (encoding) {
       case CLASSIC, VRML97 -> new VrmlParser(catalogue, encoding);
-      case JSON -> new JsonParser(catalogue);
+      case JSON -> new X3dJsonParser(catalogue);
       case XML -> throw new IllegalArgumentException("XML is parsed by events");
     };
   }

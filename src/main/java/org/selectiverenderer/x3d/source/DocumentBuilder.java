@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.source;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -168,6 +169,27 @@ public final class DocumentBuilder {
   /** The characters of a part of the text, without comments and the like. */
   public String value(int from, int to) {
     return source.value(from, to);
+  }
+
+  /**
+   * Says the field of the node around it that the node begun last is in, if it would not get there
+   * by itself.
+   *
+   * @param at offset of the field's name
+   */
+  public void container(String field, int at) {
+    NodeType parent =
+        current().parent().flatMap(around -> catalogue.find(around.name())).orElse(null);
+    NodeType child = node();
+    boolean usual =
+        parent != null && child != null
+            ? Containment.wanted(parent, child, null)
+                .filter(found -> found.name().equals(field))
+                .isPresent()
+            : parent != null && field.equals("children");
+    if (!usual) {
+      attribute("containerField", field, at);
+    }
   }
 
   /** Text directly within the element begun last. */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -19,14 +18,13 @@ final class NodeParser {
   /**
    * Where a node stands.
    *
-   * @param parent the type of the node around it; null where that is none of the standard
-   * @param field of that node; empty where no field is named, at the top or in a prototype
+   * @param field of the node around it; empty where no field is named, at the top or in a prototype
    * @param at offset of the field's name
    */
-  record Place(@Nullable NodeType parent, String field, int at) {}
+  record Place(String field, int at) {}
 
   /** The top of a scene, and wherever else no field is named. */
-  static final Place TOP = new Place(null, "", 0);
+  static final Place TOP = new Place("", 0);
 
   private record Connection(String field, String prototypeField, int at, int from, int to) {}
 
@@ -78,25 +76,13 @@ final class NodeParser {
     if (named != null && !named.prototype().isEmpty()) {
       document.attribute("name", named.prototype(), start);
     }
-    container(place, element);
+    container(place);
     document.close(scanner.at());
   }
 
-  /** Says the field that a node is in, where it would not get there by itself. */
-  private void container(Place place, String element) {
-    if (place.field().isEmpty()) {
-      return;
-    }
-    NodeType parent = place.parent();
-    NodeType type = catalogue.find(element).orElse(null);
-    boolean usual =
-        parent != null && type != null
-            ? Containment.wanted(parent, type, null)
-                .filter(field -> field.name().equals(place.field()))
-                .isPresent()
-            : parent != null && place.field().equals("children");
-    if (!usual) {
-      document.attribute("containerField", place.field(), place.at());
+  private void container(Place place) {
+    if (!place.field().isEmpty()) {
+      document.container(place.field(), place.at());
     }
   }
 
@@ -123,7 +109,7 @@ final class NodeParser {
     if (name != null) {
       document.attribute("DEF", name, start);
     }
-    container(place, element);
+    container(place);
     List<Connection> connections = new ArrayList<>(0);
     scanner.space();
     while (scanner.peek() != '}') {
@@ -176,7 +162,7 @@ final class NodeParser {
     }
     FieldType known =
         type == null ? null : type.field(name).map(FieldDefinition::type).orElse(null);
-    content(scope, new Place(type, name, at), name, known, at);
+    content(scope, new Place(name, at), name, known, at);
   }
 
   /**
