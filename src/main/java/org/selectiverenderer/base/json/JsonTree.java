@@ -25,6 +25,11 @@ public final class JsonTree {
     return MAPPER.valueToTree(value);
   }
 
+  /** What is wrong with a text, without the parser's own places. */
+  public static String sentence(JsonProcessingException e) {
+    return JsonFault.sentence(e);
+  }
+
   /** Reads a text. */
   public static JsonNode parse(String text) throws JsonProcessingException {
     return MAPPER.readTree(text);

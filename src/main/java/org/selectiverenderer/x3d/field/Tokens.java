@@ -51,6 +51,11 @@ public final class Tokens {
     return at;
   }
 
+  /** A string as one of an MFString (ISO/IEC 19776-1, 5.15). */
+  public static String string(String content) {
+    return '"' + content.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+  }
+
   /** A word for a message: in quotes, shortened, without what would disturb a terminal. */
   public static String quote(String word) {
     StringBuilder text = new StringBuilder("'");

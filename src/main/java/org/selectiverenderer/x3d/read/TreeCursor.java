@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
@@ -102,13 +103,14 @@ final class TreeCursor implements ElementCursor {
     return element().attributes().get(index).text();
   }
 
-  /** What is wrong with a value is told when it is made; a document's own may be known before. */
+  /** What is wrong with a value is told once, however often it is asked for. */
   @Override
   public @Nullable Object attributeValue(int index, FieldType type) {
     DocumentAttribute attribute = element().attributes().get(index);
-    if (!attribute.known(type) && !attribute.flaws(type).isEmpty()) {
+    List<FieldParser.Flaw> flaws = attribute.untold(type);
+    if (!flaws.isEmpty()) {
       int leading = Tokens.leading(attribute.text());
-      reading.flaws(place(), index, attribute.name(), leading, attribute.flaws(type));
+      reading.flaws(place(), index, attribute.name(), leading, flaws);
     }
     return attribute.value(type);
   }

@@ -13,20 +13,25 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.json.X3dJsonParser;
+import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.DocumentParser;
+import org.selectiverenderer.x3d.source.Encoding;
 import org.selectiverenderer.x3d.source.Preflight;
 import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.source.SceneBytes;
 import org.selectiverenderer.x3d.source.SourceText;
 import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.source.XmlEvents;
+import org.selectiverenderer.x3d.vrml.VrmlParser;
 
 /**
- * Reads scenes in the XML encoding of X3D 3.0 to 4.0 (ISO/IEC 19776-1), plain or compressed by
- * gzip. Whatever a file holds, reading it ends with a scene of what could be read, problems with
- * their places for the rest, and bounded memory. Nothing is fetched: no DOCTYPE, no entity, no
- * Inline; prototypes of other files come from whom {@link #with} names.
+ * Reads scenes of X3D 3.0 to 4.0 in its XML encoding (ISO/IEC 19776-1), as ClassicVRML (ISO/IEC
+ * 19776-2) and as JSON, and of VRML97 (ISO/IEC 14772-1), plain or compressed by gzip; the first
+ * bytes of a file tell which it is. Whatever a file holds, reading it ends with a scene of what
+ * could be read, problems with their places for the rest, and bounded memory. Nothing is fetched:
+ * no DOCTYPE, no entity, no Inline; prototypes of other files come from whom {@link #with} names.
  *
  * <p>Prototypes are replaced by what they stand for. Of an instance's body the first node takes the
  * instance's place; further nodes of the body are reachable by routes only.
@@ -156,7 +161,7 @@ public final class X3dReader {
    */
   public XmlDocument document(String source, InputStream in, long size) throws IOException {
     SceneBytes bytes = SceneBytes.read(in, size, limits);
-    return DocumentParser.parse(source, bytes, catalogue, limits);
+    return DocumentParser.parse(source, bytes, catalogue, limits, this::parser);
   }
 
   /** Makes the scene that a document describes, without parsing it again. */
@@ -180,6 +185,9 @@ public final class X3dReader {
     if (preflight.text().complaint() != null) {
       problems.warning(whole, preflight.text().complaint());
     }
+    if (preflight.encoding() != Encoding.XML) {
+      return tree(preflight, problems);
+    }
     XmlEvents xml = preflight.events();
     if (xml.fault() != null) {
       problems.error(xml.fault().location(), xml.fault().message() + "; nothing can be shown");
@@ -196,6 +204,28 @@ public final class X3dReader {
               + "; the part before it is kept");
     }
     return file;
+  }
+
+  /** A scene that is no XML: its elements first, then what they mean. */
+  private X3dFile tree(Preflight preflight, Problems problems) {
+    XmlDocument document = DocumentParser.parse(preflight, catalogue, limits, this::parser);
+    X3dFile file = scene(document, problems);
+    DocumentFault cut = preflight.cut();
+    if (cut != null) {
+      problems.error(Location.of(document.name()), cut.message() + "; the part before it is kept");
+    }
+    for (DocumentFault fault : document.faults()) {
+      problems.error(fault.location(), fault.message() + "; the part before it is kept");
+    }
+    return file;
+  }
+
+  private DocumentBuilder.Parser parser(Encoding encoding) {
+    return switch (encoding) {
+      case CLASSIC, VRML97 -> new VrmlParser(catalogue, encoding);
+      case JSON -> new X3dJsonParser(catalogue);
+      case XML -> throw new IllegalArgumentException("XML is parsed by events");
+    };
   }
 
   private static X3dFile empty(String source) {

@@ -17,6 +17,7 @@ public final class DocumentAttribute {
   private final String name;
   private final @Nullable String text;
   private @Nullable Known known;
+  private boolean told;
 
   /** A value, in one object, so that other threads see all of it or nothing. */
   private record Known(FieldType type, @Nullable Object value, List<FieldParser.Flaw> flaws) {}
@@ -78,6 +79,14 @@ public final class DocumentAttribute {
       known = now;
     }
     return now;
+  }
+
+  /** The same for who tells it: nothing the next time. */
+  public List<FieldParser.Flaw> untold(FieldType wanted) {
+    Known now = known;
+    boolean before = told && now != null && now.type == wanted;
+    told = true;
+    return before ? List.of() : flaws(wanted);
   }
 
   /** Where the name stands. */

@@ -210,6 +210,12 @@ public final class DocumentElement {
     return known;
   }
 
+  /** Names it, for a text that says the name after what is in it. */
+  void named(@Nullable String newDef, @Nullable String newUse) {
+    def = newDef;
+    use = newUse;
+  }
+
   /** Keeps where it starts in a text that does not change, so that its lines need not be found. */
   void place(ElementLocation found) {
     content().place = found;

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
 import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
@@ -39,24 +40,67 @@ public final class DocumentParser extends ElementParser {
     this.document = document;
   }
 
+  /**
+   * Parses a file of any encoding.
+   *
+   * @param others what reads an encoding that is not XML
+   */
   public static XmlDocument parse(
-      String name, SceneBytes bytes, NodeCatalogue catalogue, ReadLimits limits) {
+      String name,
+      SceneBytes bytes,
+      NodeCatalogue catalogue,
+      ReadLimits limits,
+      Function<Encoding, DocumentBuilder.Parser> others) {
     Preflight preflight = Preflight.of(name, bytes);
-    XmlDocument document = new XmlDocument(name, bytes.compressed());
+    XmlDocument document = new XmlDocument(name, bytes.compressed(), preflight.encoding());
     for (DocumentFault fault : preflight.faults()) {
       boolean encoding = fault.kind() == Kind.ENCODING;
       Location at = encoding ? badByte(name, bytes) : fault.location();
       document.add(new DocumentFault(fault.kind(), at, fault.message()));
     }
     if (!preflight.refused()) {
-      DocumentParser parser = new DocumentParser(preflight.events(), catalogue, limits, document);
-      DocumentFault fault = parser.parse();
-      boolean told = preflight.cut() != null && fault != null && fault.kind() != Kind.LIMIT;
-      if (fault != null && !told) {
-        document.add(fault);
-      }
+      fill(document, preflight, catalogue, limits, others);
     }
     return document;
+  }
+
+  /** Parses what is left to parse after a look at the file, whose faults are not repeated. */
+  public static XmlDocument parse(
+      Preflight preflight,
+      NodeCatalogue catalogue,
+      ReadLimits limits,
+      Function<Encoding, DocumentBuilder.Parser> others) {
+    String name = preflight.source().file();
+    XmlDocument document = new XmlDocument(name, false, preflight.encoding());
+    fill(document, preflight, catalogue, limits, others);
+    return document;
+  }
+
+  private static void fill(
+      XmlDocument document,
+      Preflight preflight,
+      NodeCatalogue catalogue,
+      ReadLimits limits,
+      Function<Encoding, DocumentBuilder.Parser> others) {
+    DocumentFault fault;
+    if (preflight.encoding() == Encoding.XML) {
+      fault = new DocumentParser(preflight.events(), catalogue, limits, document).parse();
+    } else {
+      fault = null;
+      DocumentBuilder.Parser parser = others.apply(preflight.encoding());
+      DocumentBuilder builder =
+          new DocumentBuilder(preflight, document, catalogue, limits, parser.cleaner());
+      try {
+        parser.parse(builder);
+      } catch (XmlFault e) {
+        fault = e.fault();
+      }
+      builder.flush();
+    }
+    boolean told = preflight.cut() != null && fault != null && fault.kind() != Kind.LIMIT;
+    if (fault != null && !told) {
+      document.add(fault);
+    }
   }
 
   /** The first byte that is no UTF-8; the file's beginning if all are. */
@@ -96,7 +140,8 @@ public final class DocumentParser extends ElementParser {
         }
       }
       case XMLStreamConstants.COMMENT ->
-          comments.add(new XmlDocument.Comment(xml.text(), xml.place().location(), null));
+          comments.add(
+              new XmlDocument.Comment(xml.text(), xml.place().location(), xml.start(), null));
       case XMLStreamConstants.ENTITY_REFERENCE ->
           document.add(
               new DocumentFault(
@@ -113,7 +158,7 @@ public final class DocumentParser extends ElementParser {
   /** Hands on the comments since the last tag, with the element that they stand before. */
   private void flush(@Nullable DocumentElement before) {
     for (XmlDocument.Comment comment : comments) {
-      document.add(new XmlDocument.Comment(comment.text(), comment.location(), before));
+      document.add(comment.before(before));
     }
     comments.clear();
   }
@@ -143,7 +188,7 @@ public final class DocumentParser extends ElementParser {
   }
 
   /** The type of a field that is a list of numbers; null for all else. */
-  private static @Nullable FieldType numbers(@Nullable NodeType node, String attribute) {
+  static @Nullable FieldType numbers(@Nullable NodeType node, String attribute) {
     FieldDefinition field = node == null ? null : node.field(attribute).orElse(null);
     if (field == null || !field.type().multiple()) {
       return null;

@@ -2,7 +2,6 @@ package org.selectiverenderer.x3d.source;
 
 import org.codehaus.stax2.XMLStreamLocation2;
 import org.codehaus.stax2.XMLStreamReader2;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 
 /**
@@ -43,34 +42,21 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
   /** The name of the attribute of that index, namespace declarations not counted. */
   public Location attribute(int index) {
     synchronized (source) {
-      WrittenAttribute found = written(index);
-      return found == null ? location : source.location(found.from());
+      return source.attribute(offset, index);
     }
   }
 
   /** A character of its value, counted from the first that is no white space. */
   public Location inAttribute(int index, int character) {
     synchronized (source) {
-      WrittenAttribute found = written(index);
-      return found == null ? location : source.location(found.at(character));
+      return source.inAttribute(offset, index, character);
     }
   }
 
   /** The value of that attribute as it is written, references and all. */
   String attributeText(int index) {
     synchronized (source) {
-      WrittenAttribute found = written(index);
-      return found == null ? "" : found.written();
+      return source.attributeText(offset, index);
     }
-  }
-
-  private @Nullable WrittenAttribute written(int index) {
-    int left = index;
-    for (WrittenAttribute attribute : source.tag(offset).attributes()) {
-      if (!attribute.declaration() && left-- == 0) {
-        return attribute;
-      }
-    }
-    return null;
   }
 }

@@ -17,6 +17,29 @@ public interface ElementSource {
   /** What makes values of attributes. */
   FieldParser parser();
 
+  /**
+   * Where an attribute's name stands; where the element starts if there is no such attribute.
+   *
+   * @param element the offset at which its element starts
+   * @param index from 0, namespace declarations not counted
+   */
+  default Location attribute(int element, int index) {
+    WrittenAttribute found = tag(element).at(index);
+    return location(found == null ? element : found.from());
+  }
+
+  /** Where a character of its value stands, counted from the first that is no white space. */
+  default Location inAttribute(int element, int index, int character) {
+    WrittenAttribute found = tag(element).at(index);
+    return location(found == null ? element : found.at(character));
+  }
+
+  /** The value of that attribute as it is written, references and all. */
+  default String attributeText(int element, int index) {
+    WrittenAttribute found = tag(element).at(index);
+    return found == null ? "" : found.written();
+  }
+
   /** The attributes of the tag that starts at an offset. */
   default StartTag tag(int start) {
     return StartTag.of(characters(), start);

@@ -12,8 +12,10 @@ import org.selectiverenderer.x3d.source.DocumentFault.Kind;
  * @param text what is left to parse
  * @param source all of the text
  * @param faults a single one if nothing is to be read
+ * @param encoding XML where it is none that is read
  */
-public record Preflight(SourceText text, TextSource source, List<DocumentFault> faults) {
+public record Preflight(
+    SourceText text, TextSource source, List<DocumentFault> faults, Encoding encoding) {
   /** Looks at a file's bytes. */
   public static Preflight of(String name, SceneBytes bytes) {
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());
@@ -29,7 +31,7 @@ public record Preflight(SourceText text, TextSource source, List<DocumentFault> 
       Location end = new TextSource(name, text).location(text.length());
       faults.add(new DocumentFault(Kind.COMPRESSION, end, bytes.cut()));
       if (text.length() == 0) {
-        return new Preflight(text, new TextSource(name, text), faults);
+        return new Preflight(text, new TextSource(name, text), faults, Encoding.XML);
       }
     }
     return of(name, text, faults);
@@ -41,42 +43,38 @@ public record Preflight(SourceText text, TextSource source, List<DocumentFault> 
   }
 
   private static Preflight of(String name, SourceText text, List<DocumentFault> faults) {
-    String foreign = foreign(text.head(64));
-    if (foreign != null) {
-      return refused(name, text, foreign);
+    String head = text.head(64);
+    Encoding encoding = Encoding.of(head).orElse(null);
+    if (encoding == null) {
+      return refused(name, text, foreign(head));
     }
     TextSource source = new TextSource(name, text);
-    int flood = text.floodedTag();
+    int flood = encoding == Encoding.XML ? text.floodedTag() : -1;
     if (flood < 0) {
-      return new Preflight(text, source, faults);
+      return new Preflight(text, source, faults, encoding);
     }
     String why = "an element has more than " + SourceText.ATTRIBUTES + " attributes";
     faults.add(new DocumentFault(Kind.LIMIT, source.location(flood), why));
-    return new Preflight(text.cutAt(flood), source, faults);
+    return new Preflight(text.cutAt(flood), source, faults, encoding);
   }
 
   private static Preflight refused(String name, SourceText text, String why) {
     DocumentFault fault = new DocumentFault(Kind.REFUSED, Location.of(name), why);
-    return new Preflight(text, new TextSource(name, text), List.of(fault));
+    return new Preflight(text, new TextSource(name, text), List.of(fault), Encoding.XML);
   }
 
-  /** What to say about a file that is no XML, or null when it may be. */
-  private static @Nullable String foreign(String head) {
+  /** What to say about a file that is of no encoding of X3D. */
+  private static String foreign(String head) {
     String start = head.stripLeading();
-    if (start.startsWith("#VRML") || start.startsWith("#X3D")) {
-      return "this is a scene in the Classic VRML encoding, which is not read; convert it "
-          + "to X3D's XML encoding";
-    }
-    if (start.startsWith("{")) {
-      return "this may be a scene in the JSON encoding, which is not read; convert it to "
-          + "X3D's XML encoding";
+    if (start.startsWith("#VRML") || start.startsWith("#Inventor")) {
+      return "this is a scene of VRML 1.0 or Inventor, which is not read; convert it to X3D, for "
+          + "example with view3dscene";
     }
     if (head.isEmpty()) {
       return "the file is empty; nothing can be shown";
     }
-    return start.isEmpty() || start.startsWith("<")
-        ? null
-        : "this is not an XML file; nothing can be shown";
+    return "this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', '#VRML V2.0' "
+        + "or '{'; nothing can be shown";
   }
 
   /** The parser at the start of the text. */

@@ -268,7 +268,7 @@ public final class SourceText implements CharSequence {
   }
 
   /** The first characters, for guessing what a file is. */
-  String head(int most) {
+  public String head(int most) {
     return subSequence(0, Math.min(length, most)).toString();
   }
 

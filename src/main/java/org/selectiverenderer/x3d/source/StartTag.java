@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.source;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /** The attributes of an element, read from the text when they are asked for. */
 public final class StartTag {
@@ -61,6 +62,17 @@ public final class StartTag {
   /** In the order of the text. */
   public List<WrittenAttribute> attributes() {
     return attributes;
+  }
+
+  /** The attribute of that index, namespace declarations not counted; null if there is none. */
+  @Nullable WrittenAttribute at(int index) {
+    int left = index;
+    for (WrittenAttribute attribute : attributes) {
+      if (!attribute.declaration() && left-- == 0) {
+        return attribute;
+      }
+    }
+    return null;
   }
 
   public Optional<WrittenAttribute> attribute(String name) {

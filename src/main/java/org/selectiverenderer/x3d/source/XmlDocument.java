@@ -9,32 +9,40 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * A file of X3D as elements with their places, as far as it could be parsed, and what is wrong with
- * it as XML. What the elements mean is for others to say; {@link X3dReader#scene} makes the scene.
- * Serves one thread.
+ * A file of X3D, in whatever encoding, as elements of the XML encoding with their places, as far as
+ * it could be parsed, and what is wrong with it before it says anything about a scene. What the
+ * elements mean is for others to say; {@link X3dReader#scene} makes the scene. Serves one thread.
  */
 public final class XmlDocument {
   /**
    * A comment.
    *
+   * @param offset of its first character
    * @param before the element that begins next beside it; null if none does
    */
-  public record Comment(String text, Location location, @Nullable DocumentElement before) {}
+  public record Comment(
+      String text, Location location, int offset, @Nullable DocumentElement before) {
+    Comment before(@Nullable DocumentElement next) {
+      return new Comment(text, location, offset, next);
+    }
+  }
 
   /** A DOCTYPE; its public identifier is empty where it gives none. */
   public record DocumentType(Location location, String publicId) {}
 
   private final String name;
   private final boolean compressed;
+  private final Encoding encoding;
   private final List<DocumentElement> elements = new ArrayList<>();
   private final List<Comment> comments = new ArrayList<>();
   private final List<DocumentFault> faults = new ArrayList<>();
 
   private @Nullable DocumentType type;
 
-  XmlDocument(String name, boolean compressed) {
+  XmlDocument(String name, boolean compressed, Encoding encoding) {
     this.name = name;
     this.compressed = compressed;
+    this.encoding = encoding;
   }
 
   void add(DocumentElement element) {
@@ -61,6 +69,11 @@ public final class XmlDocument {
   /** Whether the file is compressed by gzip. */
   public boolean isCompressed() {
     return compressed;
+  }
+
+  /** How the file is written; its elements are those of the XML encoding all the same. */
+  public Encoding encoding() {
+    return encoding;
   }
 
   /** The DOCTYPE, if the file has one. */

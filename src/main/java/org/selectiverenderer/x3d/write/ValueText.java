@@ -2,6 +2,7 @@ package org.selectiverenderer.x3d.write;
 
 import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.x3d.field.Tokens;
 
 /** Field values as X3D text (ISO/IEC 19776-1, 5), not yet escaped for XML. */
 public final class ValueText {
@@ -32,8 +33,7 @@ public final class ValueText {
       }
     } else if (value instanceof String[] strings) {
       for (String string : strings) {
-        separate(text).append('"');
-        text.append(string.replace("\\", "\\\\").replace("\"", "\\\"")).append('"');
+        separate(text).append(Tokens.string(string));
       }
     } else if (value instanceof Float number) {
       text.append(DecimalText.shortest(number));

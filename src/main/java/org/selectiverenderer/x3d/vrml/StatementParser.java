@@ -1,0 +1,217 @@
+package org.selectiverenderer.x3d.vrml;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.field.Tokens;
+import org.selectiverenderer.x3d.source.DocumentBuilder;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/** Reads routes, prototypes, imports and exports (ISO/IEC 19776-2, 4.3.4 to 4.3.13). */
+final class StatementParser {
+  /** A field that a prototype or a script declares; its element is open. */
+  record Declared(String name, FieldType type, FieldAccess access, int at) {}
+
+  private final DocumentBuilder document;
+  private final VrmlScanner scanner;
+  private final NodeCatalogue catalogue;
+  private final NodeParser nodes;
+  private final ValueParser values;
+
+  StatementParser(
+      DocumentBuilder document,
+      VrmlScanner scanner,
+      NodeCatalogue catalogue,
+      NodeParser nodes,
+      ValueParser values) {
+    this.document = document;
+    this.scanner = scanner;
+    this.catalogue = catalogue;
+    this.nodes = nodes;
+    this.values = values;
+  }
+
+  /** The access that a word stands for in X3D or VRML97; null for any other word. */
+  static @Nullable FieldAccess access(String word) {
+    return switch (word) {
+      case "field", "initializeOnly" -> FieldAccess.INITIALIZE_ONLY;
+      case "eventIn", "inputOnly" -> FieldAccess.INPUT_ONLY;
+      case "eventOut", "outputOnly" -> FieldAccess.OUTPUT_ONLY;
+      case "exposedField", "inputOutput" -> FieldAccess.INPUT_OUTPUT;
+      default -> null;
+    };
+  }
+
+  /**
+   * Reads the statement of that word; false for a word that begins none.
+   *
+   * @param start offset of the word, which has been passed
+   */
+  boolean read(String word, int start, VrmlScope scope) throws XmlFault {
+    switch (word) {
+      case "ROUTE" -> route(start, scope);
+      case "PROTO" -> prototype(start, scope);
+      case "EXTERNPROTO" -> external(start, scope);
+      case "IMPORT" -> imported(start);
+      case "EXPORT" -> exported(start);
+      case "PROFILE", "COMPONENT", "META", "UNIT" ->
+          throw document.fault(start, word + " must stand before the first node of a scene");
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void route(int start, VrmlScope scope) throws XmlFault {
+    document.open("ROUTE", null, null, start, scanner.at());
+    end(start, scope, "from");
+    scanner.space();
+    if (!scanner.take("TO")) {
+      throw scanner.expected("TO and the other end of the ROUTE");
+    }
+    end(start, scope, "to");
+    document.close(scanner.at());
+  }
+
+  private void end(int start, VrmlScope scope, String side) throws XmlFault {
+    int node = scanner.space();
+    String name = scanner.word('.');
+    document.attribute(side + "Node", name, start, node, scanner.at());
+    scanner.expect('.', "between a node and its field, as in ROUTE Clock.isActive TO Light.on,");
+    int field = scanner.space();
+    String written = scanner.name("the name of a field");
+    VrmlScope.Named named = scope.find(name);
+    String now =
+        named == null
+            ? written
+            : FormerNames.now(catalogue.find(named.element()).orElse(null), written);
+    document.attribute(side + "Field", now, start, field, scanner.at());
+  }
+
+  private void imported(int start) throws XmlFault {
+    document.open("IMPORT", null, null, start, scanner.at());
+    int inline = scanner.space();
+    String name = scanner.word('.');
+    document.attribute("inlineDEF", name, start, inline, scanner.at());
+    scanner.expect('.', "between an Inline and a name that its file exports");
+    name("importedDEF", start);
+    as(start);
+    document.close(scanner.at());
+  }
+
+  private void exported(int start) throws XmlFault {
+    document.open("EXPORT", null, null, start, scanner.at());
+    name("localDEF", start);
+    as(start);
+    document.close(scanner.at());
+  }
+
+  private void as(int start) throws XmlFault {
+    int behind = scanner.at();
+    scanner.space();
+    if (scanner.take("AS")) {
+      name("AS", start);
+    } else {
+      scanner.back(behind);
+    }
+  }
+
+  private String name(String attribute, int start) throws XmlFault {
+    int from = scanner.space();
+    String name = scanner.name("a name");
+    document.attribute(attribute, name, start, from, scanner.at());
+    return name;
+  }
+
+  private void prototype(int start, VrmlScope scope) throws XmlFault {
+    document.open("ProtoDeclare", null, null, start, scanner.at());
+    String name = name("name", start);
+    Map<String, FieldType> fields = new HashMap<>();
+    scanner.expect('[', "and the interface of the prototype " + Tokens.quote(name));
+    document.open("ProtoInterface", null, null, scanner.at() - 1, scanner.at());
+    scanner.space();
+    while (scanner.peek() != ']') {
+      int at = scanner.at();
+      Declared declared = declare(scanner.name("a field or ']'"), at);
+      fields.put(declared.name(), declared.type());
+      initial(declared, scope);
+      document.close(scanner.at());
+      scanner.space();
+    }
+    scanner.step();
+    document.close(scanner.at());
+    scanner.expect('{', "and the body of the prototype " + Tokens.quote(name));
+    document.open("ProtoBody", null, null, scanner.at() - 1, scanner.at());
+    VrmlScope body = new VrmlScope(scope);
+    scanner.space();
+    while (scanner.peek() != '}') {
+      nodes.statement(body, NodeParser.TOP);
+      scanner.space();
+    }
+    scanner.step();
+    document.close(scanner.at());
+    document.close(scanner.at());
+    scope.declare(name, fields);
+  }
+
+  private void external(int start, VrmlScope scope) throws XmlFault {
+    document.open("ExternProtoDeclare", null, null, start, scanner.at());
+    String name = name("name", start);
+    Map<String, FieldType> fields = new HashMap<>();
+    scanner.expect('[', "and the interface of the prototype " + Tokens.quote(name));
+    scanner.space();
+    while (scanner.peek() != ']') {
+      int at = scanner.at();
+      Declared declared = declare(scanner.name("a field or ']'"), at);
+      fields.put(declared.name(), declared.type());
+      document.close(scanner.at());
+      scanner.space();
+    }
+    scanner.step();
+    values.value("url", FieldType.MFString, scanner.space());
+    document.close(scanner.at());
+    scope.declare(name, fields);
+  }
+
+  /**
+   * Begins the element of a field of an interface.
+   *
+   * @param word its access, which has been passed
+   * @param at offset of that
+   */
+  Declared declare(String word, int at) throws XmlFault {
+    FieldAccess access = access(word);
+    if (access == null) {
+      throw document.fault(
+          at,
+          "inputOnly, outputOnly, inputOutput or initializeOnly is expected here, not "
+              + Tokens.quote(word));
+    }
+    int from = scanner.space();
+    String spelling = scanner.name("the type of a field");
+    FieldType type = null;
+    for (FieldType candidate : FieldType.values()) {
+      type = candidate.name().equals(spelling) ? candidate : type;
+    }
+    if (type == null) {
+      throw document.fault(from, Tokens.quote(spelling) + " is no type of fields");
+    }
+    int typeEnd = scanner.at();
+    document.open("field", null, null, at, typeEnd);
+    String name = name("name", at);
+    document.attribute("type", spelling, at, from, typeEnd);
+    document.attribute("accessType", access.spelling(), at);
+    return new Declared(name, type, access, at);
+  }
+
+  /** Reads the value that a field begins with, if it has one. */
+  void initial(Declared declared, VrmlScope scope) throws XmlFault {
+    if (declared.access().initialisable()) {
+      nodes.content(scope, NodeParser.TOP, "value", declared.type(), declared.at());
+    }
+  }
+}

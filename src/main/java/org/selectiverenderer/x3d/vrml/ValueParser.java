@@ -1,0 +1,205 @@
+package org.selectiverenderer.x3d.vrml;
+
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentBuilder;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/** Finds where the values of fields begin and end, all but those that are nodes. */
+final class ValueParser {
+  private final DocumentBuilder document;
+  private final VrmlScanner scanner;
+
+  /** Where the list that was passed last has its first word; -1 for a value without brackets. */
+  private int firstInList = -1;
+
+  ValueParser(DocumentBuilder document, VrmlScanner scanner) {
+    this.document = document;
+    this.scanner = scanner;
+  }
+
+  /** Blanks comments; what is in quotes is no comment. */
+  static void clean(char[] value, int length) {
+    boolean quoted = false;
+    for (int i = 0; i < length; i++) {
+      char c = value[i];
+      if (c == '"') {
+        quoted = !quoted;
+      } else if (quoted && c == '\\') {
+        i++;
+      } else if (!quoted && c == '#') {
+        while (i < length && value[i] != '\n' && value[i] != '\r') {
+          value[i++] = ' ';
+        }
+      }
+    }
+  }
+
+  /**
+   * Makes the value that stands here an attribute.
+   *
+   * @param attribute its name
+   * @param at offset of the field's name
+   */
+  void value(String attribute, FieldType type, int at) throws XmlFault {
+    int from = scanner.space();
+    switch (type.kind()) {
+      case STRING -> {
+        if (type.multiple()) {
+          strings(attribute, at);
+        } else {
+          String string = scanner.string("a string in double quotes");
+          document.attribute(attribute, string, at, from + 1, scanner.at() - 1);
+        }
+      }
+      case BOOLEAN -> {
+        int to = words(type);
+        int first = first(from);
+        String words = document.value(first, Math.max(first, to));
+        // Only the values of the grammar: others are told as they are written.
+        String spelled = words.replaceAll("\\bTRUE\\b", "true").replaceAll("\\bFALSE\\b", "false");
+        document.attribute(attribute, spelled, at, first, Math.max(first, to));
+      }
+      default -> {
+        int to = words(type);
+        int first = first(from);
+        document.attribute(attribute, at, first, Math.max(first, to));
+      }
+    }
+  }
+
+  /** Where a value's first word is: behind the bracket, if there is one. */
+  private int first(int from) {
+    return firstInList >= 0 ? firstInList : from;
+  }
+
+  /** Passes words of numbers or truth values; returns the offset behind the last. */
+  private int words(FieldType type) throws XmlFault {
+    if (scanner.peek() == '[') {
+      return list();
+    }
+    firstInList = -1;
+    boolean flags = type.kind() == FieldType.Kind.BOOLEAN;
+    int end = scanner.at();
+    scanner.space();
+    // A number where a truth value should be is told as what it is, and the file goes on.
+    while (flags && flag() || scanner.number()) {
+      scanner.passWord();
+      end = scanner.at();
+      scanner.space();
+    }
+    return end;
+  }
+
+  private boolean flag() {
+    int start = scanner.at();
+    boolean found =
+        scanner.take("TRUE")
+            || scanner.take("FALSE")
+            || scanner.take("true")
+            || scanner.take("false");
+    scanner.back(start);
+    return found;
+  }
+
+  /** Passes a list in brackets; returns the offset of the closing one. */
+  private int list() throws XmlFault {
+    int open = scanner.at();
+    scanner.step();
+    firstInList = scanner.space();
+    while (true) {
+      scanner.space();
+      char c = scanner.peek();
+      switch (c) {
+        case ']' -> {
+          int end = scanner.at();
+          scanner.step();
+          return end;
+        }
+        case '"' -> scanner.passString();
+        case '[', '{', '}', 0 ->
+            throw document.fault(open, "the list that begins here has no closing ']'");
+        default -> scanner.passWord();
+      }
+    }
+  }
+
+  private void strings(String attribute, int at) throws XmlFault {
+    int from = scanner.at();
+    int to;
+    if (scanner.peek() == '[') {
+      to = list();
+      from = firstInList;
+    } else if (scanner.peek() == '"') {
+      to = scanner.passString() + 1;
+    } else {
+      throw scanner.expected("a string in double quotes, or a list of strings in brackets,");
+    }
+    String strings = document.value(from, Math.max(from, to));
+    String lines = strings.indexOf('\r') < 0 ? strings : strings.replaceAll("\r\n?", "\n");
+    document.attribute(attribute, lines, at, from, Math.max(from, to));
+  }
+
+  /** A word that neither is nor begins a node, such as the enumerations of some programs. */
+  private boolean name(String attribute, int at) {
+    int from = scanner.at();
+    String word = scanner.word();
+    int to = scanner.at();
+    boolean begins =
+        switch (word) {
+          case "", "DEF", "USE", "NULL", "ROUTE", "PROTO", "EXTERNPROTO" -> true;
+          default -> scanner.opens();
+        };
+    scanner.back(from);
+    if (!begins) {
+      scanner.passWord();
+      document.attribute(attribute, word, at, from, to);
+    }
+    return !begins;
+  }
+
+  /** Whether numbers stand here, or a list of them. */
+  boolean numbers() {
+    int from = scanner.space();
+    boolean list = scanner.peek() == '[';
+    if (list) {
+      scanner.step();
+      scanner.look();
+    }
+    boolean found = scanner.number();
+    scanner.back(from);
+    return found;
+  }
+
+  /**
+   * Makes the value of a field that nobody knows an attribute.
+   *
+   * @return false, having passed nothing, where it may be nodes
+   */
+  boolean guess(String attribute, int at) throws XmlFault {
+    int from = scanner.space();
+    if (scanner.peek() == '[') {
+      scanner.step();
+      scanner.look();
+      char c = scanner.peek();
+      boolean values = c == ']' || c == '"' || scanner.number() || flag();
+      scanner.back(from);
+      if (values) {
+        int to = list();
+        String words = document.value(firstInList, Math.max(firstInList, to));
+        document.attribute(attribute, words, at, firstInList, Math.max(firstInList, to));
+      }
+      return values;
+    }
+    if (scanner.peek() == '"') {
+      document.attribute(attribute, scanner.string("a string"), at, from + 1, scanner.at() - 1);
+      return true;
+    }
+    boolean flags = flag();
+    if (!flags && !scanner.number()) {
+      return name(attribute, at);
+    }
+    int to = words(flags ? FieldType.SFBool : FieldType.SFFloat);
+    document.attribute(attribute, document.value(from, to), at, from, to);
+    return true;
+  }
+}

@@ -1,0 +1,150 @@
+package org.selectiverenderer.x3d.vrml;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentBuilder;
+import org.selectiverenderer.x3d.source.Encoding;
+import org.selectiverenderer.x3d.source.ValueCleaner;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/** Reads a file: its first line, its head, and the statements of its scene. */
+public final class VrmlParser implements DocumentBuilder.Parser {
+  private static final Pattern VERSION = Pattern.compile("#X3D\\s+V?(\\d+\\.\\d+).*");
+
+  /**
+   * What a VRML97 scene is in X3D: the profile that was made of it, in an edition with its nodes.
+   */
+  private static final String VRML97_PROFILE = "Immersive";
+
+  private static final String VRML97_VERSION = "3.3";
+
+  private final NodeCatalogue catalogue;
+  private final Encoding encoding;
+
+  public VrmlParser(NodeCatalogue catalogue, Encoding encoding) {
+    this.catalogue = catalogue;
+    this.encoding = encoding;
+  }
+
+  @Override
+  public ValueCleaner cleaner() {
+    return ValueParser::clean;
+  }
+
+  @Override
+  public void parse(DocumentBuilder document) throws XmlFault {
+    VrmlScanner scanner = new VrmlScanner(document);
+    while (scanner.peek() != '#') {
+      scanner.step(); // white space: the first line was looked for behind it
+    }
+    int start = scanner.at();
+    String line = scanner.line();
+    document.open("X3D", null, null, start, scanner.at());
+    version(document, line, start);
+    head(document, scanner);
+    int body = Math.max(start + 1, scanner.at());
+    document.open("Scene", null, null, body - 1, body - 1);
+    VrmlScope scope = new VrmlScope(null);
+    NodeParser nodes = new NodeParser(document, scanner, catalogue);
+    scanner.space();
+    while (!scanner.ended()) {
+      nodes.statement(scope, NodeParser.TOP);
+      scanner.space();
+    }
+    document.close(scanner.at());
+    document.close(scanner.at());
+  }
+
+  private void version(DocumentBuilder document, String line, int start) {
+    Matcher version = VERSION.matcher(line);
+    if (encoding == Encoding.VRML97) {
+      document.attribute("profile", VRML97_PROFILE, start);
+      document.attribute("version", VRML97_VERSION, start);
+    } else if (version.matches()) {
+      int from = start + version.start(1);
+      document.attribute("version", version.group(1), from, from, start + version.end(1));
+    }
+  }
+
+  /** Reads the statements that stand before the scene (ISO/IEC 19776-2, 4.3.3). */
+  private void head(DocumentBuilder document, VrmlScanner scanner) throws XmlFault {
+    boolean head = false;
+    while (true) {
+      String next = scanner.nextWord();
+      String element =
+          switch (next) {
+            case "PROFILE" -> "";
+            case "COMPONENT" -> "component";
+            case "META" -> "meta";
+            case "UNIT" -> "unit";
+            default -> null;
+          };
+      if (element == null) {
+        break;
+      }
+      int start = scanner.space();
+      scanner.passWord();
+      if (element.isEmpty()) {
+        profile(document, scanner, start, head);
+        continue;
+      }
+      if (!head) {
+        document.open("head", null, null, start - 1, start - 1);
+        head = true;
+      }
+      document.open(element, null, null, start, scanner.at());
+      switch (element) {
+        case "component" -> component(document, scanner);
+        case "meta" -> {
+          quoted(document, scanner, "name");
+          quoted(document, scanner, "content");
+        }
+        default -> {
+          word(document, scanner, "category");
+          word(document, scanner, "name");
+          word(document, scanner, "conversionFactor");
+        }
+      }
+      document.close(scanner.at());
+    }
+    if (head) {
+      document.close(scanner.at());
+    }
+  }
+
+  private static void profile(
+      DocumentBuilder document, VrmlScanner scanner, int start, boolean head) throws XmlFault {
+    if (head) {
+      throw document.fault(start, "PROFILE must stand before COMPONENT, META and UNIT");
+    }
+    int from = scanner.space();
+    String profile = scanner.name("the name of a profile");
+    document.attribute("profile", profile, start, from, scanner.at());
+  }
+
+  private static void component(DocumentBuilder document, VrmlScanner scanner) throws XmlFault {
+    int from = scanner.space();
+    String name = scanner.word(':');
+    document.attribute("name", name, from, from, scanner.at());
+    if (scanner.nextWord().startsWith(":")) {
+      scanner.space();
+      scanner.step();
+      word(document, scanner, "level");
+    }
+  }
+
+  private static void word(DocumentBuilder document, VrmlScanner scanner, String attribute)
+      throws XmlFault {
+    int from = scanner.space();
+    String word = scanner.name("a word");
+    document.attribute(attribute, word, from, from, scanner.at());
+  }
+
+  private static void quoted(DocumentBuilder document, VrmlScanner scanner, String attribute)
+      throws XmlFault {
+    int from = scanner.space();
+    String words = scanner.string("a string in double quotes");
+    document.attribute(attribute, words, from, from + 1, scanner.at() - 1);
+  }
+}

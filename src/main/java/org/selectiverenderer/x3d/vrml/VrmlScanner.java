@@ -1,0 +1,240 @@
+package org.selectiverenderer.x3d.vrml;
+
+import org.selectiverenderer.x3d.field.Tokens;
+import org.selectiverenderer.x3d.source.DocumentBuilder;
+import org.selectiverenderer.x3d.source.SourceText;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/**
+ * Goes through the words of a text (ISO/IEC 19776-2, 4.3): what stands between white space, commas,
+ * brackets and quotes. Comments are handed to the document as they are passed.
+ */
+final class VrmlScanner {
+  private final DocumentBuilder document;
+  private final SourceText text;
+  private final int length;
+  private int at;
+
+  VrmlScanner(DocumentBuilder document) {
+    this.document = document;
+    this.text = document.text();
+    this.length = text.length();
+  }
+
+  /** The offset of the next character. */
+  int at() {
+    return at;
+  }
+
+  boolean ended() {
+    return at >= length;
+  }
+
+  /** The next character; 0 at the end. */
+  char peek() {
+    return at < length ? text.charAt(at) : 0;
+  }
+
+  void step() {
+    at++;
+  }
+
+  void back(int offset) {
+    at = offset;
+  }
+
+  /** Passes white space, commas and comments; returns the offset of what comes then. */
+  int space() {
+    while (at < length) {
+      char c = text.charAt(at);
+      if (c == '#') {
+        comment();
+      } else if (c > ' ' && c != ',') {
+        return at;
+      } else {
+        at++;
+      }
+    }
+    return at;
+  }
+
+  /** The word that comes next, nothing being passed. */
+  String nextWord() {
+    int start = at;
+    look();
+    String word = word();
+    at = start;
+    return word;
+  }
+
+  /** Whether a curly bracket comes next, nothing being passed. */
+  boolean opens() {
+    int start = at;
+    look();
+    boolean found = peek() == '{';
+    at = start;
+    return found;
+  }
+
+  /** Passes what {@link #space} does, telling no comments. */
+  void look() {
+    while (at < length && (peek() <= ' ' || peek() == ',' || peek() == '#')) {
+      if (peek() == '#') {
+        line();
+      } else {
+        at++;
+      }
+    }
+  }
+
+  private void comment() {
+    int start = at;
+    line();
+    document.comment(text.subSequence(start + 1, at).toString(), start);
+  }
+
+  /** Passes the rest of a line. */
+  String line() {
+    int start = at;
+    while (at < length && text.charAt(at) != '\n' && text.charAt(at) != '\r') {
+      at++;
+    }
+    return text.subSequence(start, at).toString();
+  }
+
+  /** Whether a character ends a word. */
+  private static boolean ends(char c) {
+    return c <= ' '
+        || switch (c) {
+          case ',', '#', '"', '[', ']', '{', '}' -> true;
+          default -> false;
+        };
+  }
+
+  /** The word that begins here; empty where none does. */
+  String word() {
+    int start = at;
+    passWord();
+    return text.subSequence(start, at).toString();
+  }
+
+  /** Passes the word that begins here. */
+  void passWord() {
+    while (at < length && !ends(text.charAt(at))) {
+      at++;
+    }
+  }
+
+  /** The word that begins here, up to a mark. */
+  String word(char mark) {
+    int start = at;
+    while (at < length && text.charAt(at) != mark && !ends(text.charAt(at))) {
+      at++;
+    }
+    return text.subSequence(start, at).toString();
+  }
+
+  /** Whether that word stands here; it is passed if it does. */
+  boolean take(String word) {
+    int end = at + word.length();
+    if (end > length || end < length && !ends(text.charAt(end))) {
+      return false;
+    }
+    for (int i = 0; i < word.length(); i++) {
+      if (text.charAt(at + i) != word.charAt(i)) {
+        return false;
+      }
+    }
+    at = end;
+    return true;
+  }
+
+  /** Whether a number begins here. */
+  boolean number() {
+    char c = peek();
+    return c >= '0' && c <= '9' || c == '-' || c == '+' || c == '.';
+  }
+
+  /**
+   * A word that must be there.
+   *
+   * @param what it is, with an article
+   */
+  String name(String what) throws XmlFault {
+    space();
+    String name = word();
+    if (name.isEmpty()) {
+      throw expected(what);
+    }
+    return name;
+  }
+
+  /** Passes a character that must be there. */
+  void expect(char wanted, String where) throws XmlFault {
+    space();
+    if (peek() != wanted) {
+      throw expected("'" + wanted + "' " + where);
+    }
+    at++;
+  }
+
+  /** What is wrong where something else should stand. */
+  XmlFault expected(String what) {
+    if (ended()) {
+      return document.fault(at, "the file is cut off here: " + what + " is missing");
+    }
+    int start = at;
+    passWord();
+    String found = text.subSequence(start, Math.max(at, start + 1)).toString();
+    at = start;
+    return document.fault(start, what + " is expected here, not " + Tokens.quote(found));
+  }
+
+  /**
+   * Passes a string; it begins here.
+   *
+   * @return the offset of its closing quote
+   */
+  int passString() throws XmlFault {
+    int start = at++;
+    while (at < length && text.charAt(at) != '"') {
+      at += text.charAt(at) == '\\' ? 2 : 1;
+    }
+    if (at >= length) {
+      at = length;
+      throw document.fault(start, "the string that begins here has no closing quote");
+    }
+    return at++;
+  }
+
+  /** A string without its quotes and escapes; line ends are those of XML (XML 1.0, 2.11). */
+  String string(String what) throws XmlFault {
+    space();
+    if (peek() != '"') {
+      throw expected(what);
+    }
+    int start = at + 1;
+    return unescaped(text.subSequence(start, passString()).toString());
+  }
+
+  static String unescaped(String written) {
+    if (written.indexOf('\\') < 0 && written.indexOf('\r') < 0) {
+      return written;
+    }
+    StringBuilder plain = new StringBuilder(written.length());
+    for (int i = 0; i < written.length(); i++) {
+      char c = written.charAt(i);
+      char next = i + 1 < written.length() ? written.charAt(i + 1) : 0;
+      if (c == '\\' && (next == '"' || next == '\\')) {
+        plain.append(next);
+        i++;
+      } else if (c == '\r') {
+        plain.append('\n');
+        i += next == '\n' ? 1 : 0;
+      } else {
+        plain.append(c);
+      }
+    }
+    return plain.toString();
+  }
+}
