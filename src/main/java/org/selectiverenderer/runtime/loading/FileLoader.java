@@ -30,6 +30,7 @@ final class FileLoader {
   private final TaskGroup tasks;
   private final ContentRoot root;
   private final ImageFiles images;
+  private final ScriptFiles scripts;
   private final Map<Path, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
   FileLoader(X3dReader reader, Tessellator tessellator, TaskGroup tasks, ContentRoot root) {
@@ -38,6 +39,7 @@ final class FileLoader {
     this.tasks = tasks;
     this.root = root;
     images = new ImageFiles(root);
+    scripts = new ScriptFiles(root);
   }
 
   /**
@@ -92,12 +94,14 @@ final class FileLoader {
     List<InlineFile> inlined = new ArrayList<>();
     List<Runnable> assets = new ArrayList<>();
     NodeWalk.visit(
-        content.file().nodes(),
+        content.file().allNodes(),
         node -> {
           if (node.type().name().equals("Inline") && node.bool("load")) {
             find(node, content, inlined::add);
           } else if (tessellator.handles(node.type())) {
             assets.add(task(content, problems -> mesh(node, content, problems)));
+          } else if (node.type().is("X3DScriptNode")) {
+            assets.add(task(content, problems -> program(node, content, problems)));
           } else if (node.type().is("X3DTexture2DNode")) {
             assets.add(task(content, problems -> image(node, content, problems)));
           }
@@ -128,6 +132,12 @@ final class FileLoader {
 
   private void mesh(ParsedNode geometry, FileContent content, Problems problems) {
     content.meshes().put(geometry, tessellator.tessellate(geometry, problems));
+  }
+
+  private void program(ParsedNode script, FileContent content, Problems problems) {
+    scripts
+        .read(script, content.folder(), problems)
+        .ifPresent(program -> content.programs().put(script, program));
   }
 
   private void image(ParsedNode texture, FileContent content, Problems problems) {

@@ -13,6 +13,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -23,6 +24,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.script.Program;
 
 /**
  * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
@@ -109,6 +111,7 @@ final class SceneBuilder {
       List<Node> roots = new ArrayList<>(file.nodes().size());
       file.nodes().forEach(node -> make(node).ifPresent(roots::add));
       scene.root().init(groupType.indexOf("children"), List.copyOf(roots));
+      file.loose().forEach(this::end);
       file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
       file.named()
           .forEach(
@@ -227,6 +230,12 @@ final class SceneBuilder {
         store.origin(inline, origin);
         Optional.ofNullable(content.inlines().get(parsed))
             .ifPresent(outcome -> fill(inline, outcome.join()));
+      } else if (node instanceof ScriptNode script) {
+        store.origin(node, origin);
+        Program program = content.programs().get(parsed);
+        if (program != null) {
+          script.load(program, scene);
+        }
       } else if (node.type().name().equals("ImageTexture")) {
         store.origin(node, origin);
       }

@@ -19,6 +19,7 @@ public final class NodeType {
   private final String containerField;
   private final Set<String> ancestors;
   private final List<FieldDefinition> fields;
+  private final int ownFrom;
   private final Map<String, FieldDefinition> fieldsByName;
 
   NodeType(
@@ -28,6 +29,18 @@ public final class NodeType {
       String containerField,
       Set<String> ancestors,
       List<FieldDefinition> fields) {
+    this(name, component, level, containerField, ancestors, fields, fields.size());
+  }
+
+  private NodeType(
+      String name,
+      String component,
+      int level,
+      String containerField,
+      Set<String> ancestors,
+      List<FieldDefinition> fields,
+      int ownFrom) {
+    this.ownFrom = ownFrom;
     this.name = name;
     this.component = component;
     this.level = level;
@@ -51,7 +64,12 @@ public final class NodeType {
     List<FieldDefinition> all = new ArrayList<>(fields.size() + own.size());
     all.addAll(fields);
     all.addAll(own);
-    return new NodeType(name, component, level, containerField, ancestors, all);
+    return new NodeType(name, component, level, containerField, ancestors, all, ownFrom);
+  }
+
+  /** The index from which fields are a node's own; how many there are if it has none. */
+  public int ownFrom() {
+    return ownFrom;
   }
 
   public String name() {
