@@ -37,10 +37,18 @@ final class AnchorLinks {
 
   /** The user activated an Anchor. */
   void follow(GroupInstance anchor) {
-    Node node = anchor.node();
+    follow(anchor.node(), fileOf(anchor));
+  }
+
+  /**
+   * Goes where an Anchor leads.
+   *
+   * @param file the scene of the file in which it stands
+   */
+  void follow(Node node, Scene file) {
     String[] urls = node.strings("url");
     if (urls.length > 0 && urls[0].strip().startsWith("#")) {
-      bind(fileOf(anchor), urls[0].strip().substring(1), node);
+      bind(file, urls[0].strip().substring(1), node);
     } else {
       files.open(
           node,

@@ -9,6 +9,7 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.scene.Node;
@@ -19,26 +20,40 @@ import org.selectiverenderer.runtime.scene.Scene;
  *
  * @param frameNodes sensors and clocks, those that stand in no group last
  * @param inlines all Inlines, filled or not
+ * @param scripts all Scripts, those that stand in no group last
  * @param touchable whether there is a TouchSensor or an Anchor
  */
-record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean touchable) {
+record FrameNodes(
+    List<FrameNode> frameNodes,
+    List<InlineNode> inlines,
+    List<ScriptNode> scripts,
+    boolean touchable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
     boolean anchors = collect(instances.root(), inlines);
     List<FrameNode> nodes = new ArrayList<>();
-    addFrameNodes(instances.otherNodes(), nodes);
-    addFrameNodes(scene.loose(), nodes);
+    List<ScriptNode> scripts = new ArrayList<>();
+    add(instances.otherNodes(), nodes, scripts);
+    add(scene.loose(), nodes, scripts);
     for (InlineNode inline : inlines) {
-      inline.content().ifPresent(content -> addFrameNodes(content.loose(), nodes));
+      inline.content().ifPresent(content -> add(content.loose(), nodes, scripts));
     }
     boolean touchable =
         anchors || instances.otherNodes().stream().anyMatch(TouchSensorNode.class::isInstance);
-    return new FrameNodes(List.copyOf(nodes), List.copyOf(inlines), touchable);
+    return new FrameNodes(
+        List.copyOf(nodes), List.copyOf(inlines), List.copyOf(scripts), touchable);
   }
 
-  private static void addFrameNodes(Collection<Node> from, List<FrameNode> to) {
-    from.stream().filter(FrameNode.class::isInstance).forEach(node -> to.add((FrameNode) node));
+  private static void add(
+      Collection<Node> from, List<FrameNode> frameNodes, List<ScriptNode> scripts) {
+    for (Node node : from) {
+      if (node instanceof FrameNode frameNode) {
+        frameNodes.add(frameNode);
+      } else if (node instanceof ScriptNode script) {
+        scripts.add(script);
+      }
+    }
   }
 
   /** Collects Inlines; says whether there is an Anchor. */

@@ -23,6 +23,8 @@ import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.script.ScriptWorld;
+import org.selectiverenderer.runtime.script.Scripts;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
@@ -54,6 +56,7 @@ public final class World {
   private ViewpointFollower follower;
   private LiveFiles files;
   private Pointing pointing;
+  private Scripts scripts;
   private final MeshTrees meshes = new MeshTrees();
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
@@ -90,6 +93,10 @@ public final class World {
     follower = new ViewpointFollower(instances, bindables, viewer);
     AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
     pointing = new Pointing(instances, meshes, links::follow);
+    if (scripts != null) {
+      scripts.close();
+    }
+    scripts = new Scripts(scriptWorld(live, links));
     round.close();
     round = new FrameRound(List.of());
     frameNodesOf = -1;
@@ -106,6 +113,42 @@ public final class World {
           "the scene contains itself or has more than %s instances; the rest is left out"
               .formatted(instances.maxInstances()));
     }
+  }
+
+  private ScriptWorld scriptWorld(LiveFiles from, AnchorLinks links) {
+    return new ScriptWorld() {
+      @Override
+      public Cascade cascade() {
+        return cascade;
+      }
+
+      @Override
+      public Problems problems() {
+        return problems;
+      }
+
+      @Override
+      public Scene scene() {
+        return scene;
+      }
+
+      @Override
+      public LiveFiles files() {
+        return from;
+      }
+
+      @Override
+      public void show(LoadedScene wanted) {
+        post(() -> replace(wanted));
+      }
+
+      @Override
+      public void follow(String[] urls) {
+        Node anchor = from.make("Anchor", Location.of(scene.url())).orElseThrow();
+        anchor.init(anchor.type().indexOf("url"), urls);
+        post(() -> links.follow(anchor, scene));
+      }
+    };
   }
 
   private AnchorLinks.Target linkTarget(LiveFiles from) {
@@ -283,6 +326,8 @@ public final class World {
     double dt = Double.isNaN(time) ? 0 : Math.max(0, now - time);
     time = now;
     cascade.at(epoch + now);
+    frameNodes();
+    scripts.start();
     runDeferred();
     runPosted();
     settle();
@@ -297,6 +342,7 @@ public final class World {
     pointing.frame(drain(pointed), viewer, cascade);
     WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
     frameNodes();
+    scripts.prepare(epoch + now, viewer.position());
     round.frame(frame, cascade);
     settle();
   }
@@ -313,14 +359,24 @@ public final class World {
 
   /** Carries the events sent, and brings up to date what follows the scene. */
   private void settle() {
-    cascade.run();
+    carry();
     instances.update();
     bindables.update(cascade);
-    cascade.run(); // Nodes that came or went may have been bound or unbound.
+    carry(); // Nodes that came or went may have been bound or unbound.
     instances.update();
     frameNodes();
     reportCutOff();
     files.update();
+  }
+
+  /**
+   * Calls listeners and scripts until none sends anything more; scripts call each other so often.
+   */
+  private void carry() {
+    cascade.run();
+    while (scripts.finish()) {
+      cascade.run();
+    }
   }
 
   private static <T> List<T> drain(Queue<T> queue) {
@@ -341,6 +397,7 @@ public final class World {
         round = new FrameRound(walk.frameNodes());
       }
       files.watch(walk.inlines());
+      scripts.watch(walk.scripts());
       pointing.touchable(walk.touchable());
     }
   }

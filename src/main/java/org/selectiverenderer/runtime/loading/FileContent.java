@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.script.Program;
 
 /**
  * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
@@ -20,6 +21,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * @param key of what was read; for text without a file, the folder it counts as being in
  * @param base where its relative urls start
  * @param problems found in this file, kept apart so that they can be reported in document order
+ * @param programs those of Scripts, where they have one that can be used
  * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
 record FileContent(
@@ -29,6 +31,7 @@ record FileContent(
     FileProblems problems,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
+    Map<ParsedNode, Program> programs,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
   /** What became of reading a file. */
@@ -50,6 +53,7 @@ record FileContent(
         base,
         file,
         new FileProblems(),
+        new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>());

@@ -33,6 +33,7 @@ final class FileLoader {
   private final ContentRoot root;
   private final ImageFiles images;
   private final Libraries libraries;
+  private final ScriptFiles scripts;
   private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
   FileLoader(X3dReader reader, Tessellator tessellator, TaskGroup tasks, ContentRoot root) {
@@ -42,6 +43,7 @@ final class FileLoader {
     this.root = root;
     images = new ImageFiles(root);
     libraries = new FileLibraries(reader, root);
+    scripts = new ScriptFiles(root);
   }
 
   /**
@@ -56,7 +58,16 @@ final class FileLoader {
   FileContent first(String name, InputStream in, long size, String key, ContentBase base)
       throws IOException {
     Problems problems = new Problems();
-    X3dFile file = reader.with(libraries, base).read(name, in, size, problems);
+    return begin(reader.with(libraries, base).read(name, in, size, problems), key, base, problems);
+  }
+
+  /** As {@link #first}, of a text. */
+  FileContent first(String name, String text, String key, ContentBase base) {
+    Problems problems = new Problems();
+    return begin(reader.with(libraries, base).read(name, text, problems), key, base, problems);
+  }
+
+  private FileContent begin(X3dFile file, String key, ContentBase base, Problems problems) {
     FileContent content = new FileContent(key, base, file);
     content.problems().addAll(problems.list());
     files.put(key, CompletableFuture.completedFuture(new Outcome.Read(content)));
@@ -96,12 +107,14 @@ final class FileLoader {
     List<InlineFile> inlined = new ArrayList<>();
     List<Runnable> assets = new ArrayList<>();
     NodeWalk.visit(
-        content.file().nodes(),
+        content.file().allNodes(),
         node -> {
           if (node.type().name().equals("Inline") && node.bool("load")) {
             find(node, content, inlined::add);
           } else if (tessellator.handles(node.type())) {
             assets.add(task(content, problems -> mesh(node, content, problems)));
+          } else if (node.type().is("X3DScriptNode")) {
+            assets.add(task(content, problems -> program(node, content, problems)));
           } else if (node.type().is("X3DTexture2DNode")) {
             assets.add(task(content, problems -> image(node, content, problems)));
           }
@@ -132,6 +145,12 @@ final class FileLoader {
 
   private void mesh(ParsedNode geometry, FileContent content, Problems problems) {
     content.meshes().put(geometry, tessellator.tessellate(geometry, problems));
+  }
+
+  private void program(ParsedNode script, FileContent content, Problems problems) {
+    scripts
+        .read(script, script.base(content.base()), problems)
+        .ifPresent(program -> content.programs().put(script, program));
   }
 
   private void image(ParsedNode texture, FileContent content, Problems problems) {

@@ -1,9 +1,11 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.util.Collection;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.Assets;
@@ -11,6 +13,7 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
@@ -67,6 +70,77 @@ public final class LiveFiles {
         loaded.loader().link(copy(anchor), origin(anchor)),
         scene -> arrived.accept(new LoadedScene(scene, loaded.loader())),
         () -> {});
+  }
+
+  /**
+   * Reads the scene that one of some urls names, for a node that asks for it.
+   *
+   * @param asker against whose file urls are resolved, and which messages name
+   * @param arrived takes the scene on the stepping thread; not called when there is none
+   */
+  public void read(Node asker, String[] urls, Consumer<LoadedScene> arrived) {
+    request(
+        loaded.loader().link(asking(asker, urls), origin(asker)),
+        scene -> arrived.accept(loaded(scene)),
+        () -> {});
+  }
+
+  /** The same at once: waits for the file. Empty, with a message, when there is no scene. */
+  public Optional<LoadedScene> readNow(Node asker, String[] urls) {
+    SceneLoader.Arrival<Scene> arrival =
+        loaded.loader().link(asking(asker, urls), origin(asker)).join();
+    arrival.problems().forEach(problems::add);
+    return arrival.value().map(this::loaded);
+  }
+
+  /**
+   * Makes a scene of a text; empty, with a message, when it holds none.
+   *
+   * @param asker against whose file urls of the scene are resolved, and which messages name
+   */
+  public Optional<LoadedScene> text(Node asker, String text) {
+    Problems heard = new Problems(problems::add);
+    String name = asker.location() + " (text)";
+    Scene scene = loaded.loader().text(name, text, origin(asker), heard);
+    boolean none = scene.root().nodes("children").isEmpty() && heard.any();
+    return none ? Optional.empty() : Optional.of(loaded(scene));
+  }
+
+  /** A scene of this loader, to be shown. */
+  public LoadedScene loaded(Scene scene) {
+    return new LoadedScene(scene, loaded.loader());
+  }
+
+  /** A scene of nodes of this loader, to be shown. */
+  public LoadedScene loaded(List<?> nodes) {
+    Scene from = loaded.scene();
+    Node root = loaded.loader().factory().make(from.root().type(), null, from.root().location());
+    root.init(root.type().indexOf("children"), List.copyOf(nodes));
+    return loaded(
+        new Scene(
+            root,
+            from.url(),
+            from.version(),
+            from.profile(),
+            from.components(),
+            from.unitLength()));
+  }
+
+  /** A node of a type, with all fields at their defaults; empty if there is no such type. */
+  public Optional<Node> make(String type, Location location) {
+    return loaded
+        .loader()
+        .catalogue()
+        .find(type)
+        .map(found -> loaded.loader().factory().make(found, null, location));
+  }
+
+  /** A node that stands for another one and asks for these urls. */
+  private ParsedNode asking(Node asker, String[] urls) {
+    NodeType anchor = loaded.loader().catalogue().get("Anchor");
+    ParsedNode asking = new ParsedNode(anchor, asker.name(), asker.location());
+    asking.put(anchor.indexOf("url"), urls.clone());
+    return asking;
   }
 
   /** Reads the file that an Inline names now. */

@@ -12,6 +12,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -22,6 +23,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.script.Program;
 
 /**
  * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
@@ -108,6 +110,7 @@ final class SceneBuilder {
       List<Node> roots = new ArrayList<>(file.nodes().size());
       file.nodes().forEach(node -> make(node).ifPresent(roots::add));
       scene.root().init(groupType.indexOf("children"), List.copyOf(roots));
+      file.loose().forEach(this::end);
       file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
       file.named()
           .forEach(
@@ -228,6 +231,10 @@ final class SceneBuilder {
             .ifPresent(outcome -> fill(inline, outcome.join()));
       } else if (node.type().is("X3DUrlObject")) {
         store.origin(node, origin.of(parsed));
+        Program program = content.programs().get(parsed);
+        if (node instanceof ScriptNode script && program != null) {
+          script.load(program, scene);
+        }
       }
       if (store.firstKept(node.type())) {
         content.info(

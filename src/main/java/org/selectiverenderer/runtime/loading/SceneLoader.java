@@ -186,6 +186,20 @@ public final class SceneLoader implements AutoCloseable {
     return new LoadedScene(build(content, root, List.of(), hears), this);
   }
 
+  /**
+   * Makes a scene of a text, which may name what the scene that it comes from may.
+   *
+   * @param name for messages
+   */
+  Scene text(String name, String text, UrlBase origin, Problems hears) {
+    TaskGroup tasks = new TaskGroup(threads);
+    FileContent content =
+        new FileLoader(reader, tessellator, tasks, origin.root())
+            .first(name, SceneText.whole(text), origin.file(), origin.base());
+    TaskGroup.await(tasks.end());
+    return build(content, origin.root(), origin.above(), hears);
+  }
+
   private Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
     SceneBuilder builder = new SceneBuilder(factory, catalogue.get("Group"), store, root, maxNodes);
     Scene scene = builder.build(content, above);

@@ -21,6 +21,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
@@ -62,6 +63,7 @@ public final class NodeFactory {
     put(TimeSensorNode::new, "TimeSensor");
 
     put(BindableNode::new, "Background", "TextureBackground", "Fog", "NavigationInfo");
+    put(ScriptNode::new, "Script");
     put(ViewpointNode::new, "Viewpoint", "OrthoViewpoint");
 
     put(SequencerNode::new, "BooleanSequencer", "IntegerSequencer");

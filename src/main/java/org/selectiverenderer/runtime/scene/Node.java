@@ -119,14 +119,16 @@ public class Node implements NodeView {
    * Keeps a field's new value, tells the observers and sends it along routes and to listeners.
    * Outside a cascade it begins one. A second event of a field in answer to the same first event is
    * dropped (see {@link Cascade}).
+   *
+   * @return whether the event was sent
    */
-  public final void emit(int field, @Nullable Object value, Cascade cascade) {
+  public final boolean emit(int field, @Nullable Object value, Cascade cascade) {
     if (!cascade.carrying()) {
       cascade.emit(this, field, value);
-      return;
+      return true;
     }
     if (!firstIn(cascade, field)) {
-      return;
+      return false;
     }
     // Other threads may read fields at any time: they must not see an array before its elements.
     VarHandle.releaseFence();
@@ -147,6 +149,7 @@ public class Node implements NodeView {
         cascade.notify(listener, this, field, value);
       }
     }
+    return true;
   }
 
   /** Makes observers look at a field again, without an event: what it leads to has changed. */

@@ -1,12 +1,17 @@
 package org.selectiverenderer.x3d.catalogue;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** A concrete node type of the catalogue. Immutable; compare by identity. */
+/**
+ * A concrete node type of the catalogue, or one with fields of a single node's own besides (see
+ * {@link #with}). Immutable. Those of the catalogue may be compared by identity, all by {@link
+ * #name()} and {@link #is}.
+ */
 public final class NodeType {
   private final String name;
   private final String component;
@@ -14,6 +19,7 @@ public final class NodeType {
   private final String containerField;
   private final Set<String> ancestors;
   private final List<FieldDefinition> fields;
+  private final int ownFrom;
   private final Map<String, FieldDefinition> fieldsByName;
 
   NodeType(
@@ -23,6 +29,18 @@ public final class NodeType {
       String containerField,
       Set<String> ancestors,
       List<FieldDefinition> fields) {
+    this(name, component, level, containerField, ancestors, fields, fields.size());
+  }
+
+  private NodeType(
+      String name,
+      String component,
+      int level,
+      String containerField,
+      Set<String> ancestors,
+      List<FieldDefinition> fields,
+      int ownFrom) {
+    this.ownFrom = ownFrom;
     this.name = name;
     this.component = component;
     this.level = level;
@@ -33,6 +51,25 @@ public final class NodeType {
     for (FieldDefinition field : fields) {
       fieldsByName.put(field.name(), field);
     }
+  }
+
+  /**
+   * The type of a node with fields of its own, as the author of a Script or a shader declares them
+   * (X3D 4.0, 29.2.2): name, component and ancestors are this type's, and its fields keep their
+   * indices.
+   *
+   * @param own the further fields, whose indices go on where this type's end
+   */
+  public NodeType with(List<FieldDefinition> own) {
+    List<FieldDefinition> all = new ArrayList<>(fields.size() + own.size());
+    all.addAll(fields);
+    all.addAll(own);
+    return new NodeType(name, component, level, containerField, ancestors, all, ownFrom);
+  }
+
+  /** The index from which fields are a node's own; how many there are if it has none. */
+  public int ownFrom() {
+    return ownFrom;
   }
 
   public String name() {

@@ -166,6 +166,7 @@ final class DocumentReader implements NodeReader.Links {
         List.copyOf(meta),
         List.copyOf(units),
         List.copyOf(top),
+        List.copyOf(reading.loose()),
         Collections.unmodifiableMap(named),
         List.copyOf(routes.routes()),
         List.copyOf(imports),

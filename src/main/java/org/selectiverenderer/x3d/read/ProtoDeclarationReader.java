@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -57,18 +56,8 @@ final class ProtoDeclarationReader {
 
   private ProtoDeclaration.@Nullable Field field(ElementCursor in) {
     Location location = in.location();
-    String name = in.attribute("name");
-    String typeName = in.attribute("type");
-    String accessName = in.attribute("accessType");
-    FieldType type = null;
-    for (FieldType candidate : FieldType.values()) {
-      type = candidate.name().equals(typeName) ? candidate : type;
-    }
-    FieldAccess access = null;
-    for (FieldAccess candidate : FieldAccess.values()) {
-      access = candidate.spelling().equals(accessName) ? candidate : access;
-    }
-    if (!in.name().equals("field") || name == null || type == null || access == null) {
+    FieldElement declared = FieldElement.of(in);
+    if (declared == null) {
       reading.error(
           location,
           "the interface of a prototype may contain only field elements with name, type and "
@@ -79,10 +68,11 @@ final class ProtoDeclarationReader {
       return null;
     }
     int value = in.indexOf("value");
+    FieldType type = declared.type();
     Object parsed = value >= 0 && !type.isNode() ? in.attributeValue(value, type) : null;
     List<DocumentElement> children = in.record().children();
     return new ProtoDeclaration.Field(
-        name, type, access, parsed, type.isNode() ? children : List.of());
+        declared.name(), type, declared.access(), parsed, type.isNode() ? children : List.of());
   }
 
   /** Reads an ExternProtoDeclare; its file is looked for when there is an instance. */

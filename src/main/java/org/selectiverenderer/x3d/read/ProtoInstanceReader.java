@@ -173,6 +173,9 @@ final class ProtoInstanceReader {
     ElementCursor body = TreeCursor.at(declaration.body(), reading);
     while (body.next()) {
       NodeReader.Child child = nodes.read(body, scope, first == null ? name : null);
+      if (first != null && child != null && child.node().type().is("X3DScriptNode")) {
+        reading.loose(child.node());
+      }
       first = first == null && child != null ? child.node() : first;
     }
     routes.connect(scope);

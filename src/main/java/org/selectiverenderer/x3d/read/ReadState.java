@@ -1,5 +1,6 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -21,6 +22,7 @@ final class ReadState {
   final NodeCatalogue catalogue;
   final ReadLimits limits;
   final FieldParser parser = new FieldParser();
+  private final List<ParsedNode> loose = new ArrayList<>();
   private final String source;
   private final Problems problems;
   final Libraries libraries;
@@ -50,6 +52,15 @@ final class ReadState {
     this.catalogue = catalogue;
     this.limits = limits;
     this.problems = problems;
+  }
+
+  /** A Script that stands in no other node: it runs although it takes up no place. */
+  void loose(ParsedNode script) {
+    loose.add(script);
+  }
+
+  List<ParsedNode> loose() {
+    return loose;
   }
 
   String source() {

@@ -1,5 +1,6 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
@@ -14,6 +15,7 @@ import org.selectiverenderer.base.problem.Location;
  * @param meta the meta elements in order, name and content
  * @param units the unit elements: category, name, conversion factor to the standard's base unit
  * @param nodes the nodes at the top of the scene
+ * @param loose Scripts behind the first node of a prototype's body, which stand in no other node
  * @param named DEF name to node, in document order
  * @param routes the ROUTE elements in document order
  */
@@ -25,10 +27,21 @@ public record X3dFile(
     List<Meta> meta,
     List<Unit> units,
     List<ParsedNode> nodes,
+    List<ParsedNode> loose,
     Map<String, ParsedNode> named,
     List<ParsedRoute> routes,
     List<Import> imports,
     List<Export> exports) {
+
+  /** The nodes at the top of the scene, then those that stand in no other node. */
+  public List<ParsedNode> allNodes() {
+    if (loose.isEmpty()) {
+      return nodes;
+    }
+    List<ParsedNode> all = new ArrayList<>(nodes);
+    all.addAll(loose);
+    return all;
+  }
 
   /** The length factor that the units state: metres per unit (X3D 4.0, 4.3.6). */
   public double unitLength() {
@@ -49,6 +62,7 @@ public record X3dFile(
         List.of(),
         List.of(new Unit("length", "", unitLength)),
         List.of(node),
+        List.of(),
         Map.of(),
         List.of(),
         List.of(),

@@ -230,7 +230,7 @@ public final class X3dReader {
 
   private static X3dFile empty(String source) {
     return new X3dFile(
-        source, "", "", Map.of(), List.of(), List.of(), List.of(), Map.of(), List.of(), List.of(),
-        List.of());
+        source, "", "", Map.of(), List.of(), List.of(), List.of(), List.of(), Map.of(), List.of(),
+        List.of(), List.of());
   }
 }

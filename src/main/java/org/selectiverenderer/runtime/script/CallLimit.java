@@ -1,0 +1,72 @@
+package org.selectiverenderer.runtime.script;
+
+import java.lang.management.ManagementFactory;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.EvaluatorException;
+import org.mozilla.javascript.ScriptStackElement;
+
+/**
+ * Watches over the call that is running: how long it takes and how much memory it asks for. It is
+ * asked every some thousand instructions, so that a short call costs nothing.
+ */
+final class CallLimit {
+  /** A share of all memory, so that a scene lives on after a script that asked for too much. */
+  private static final int SHARE = 4;
+
+  private final long maxBytes = Runtime.getRuntime().maxMemory() / SHARE;
+  private double seconds;
+  private long began;
+  private long bytesBefore;
+  private boolean measured;
+
+  /** A call begins. */
+  void begin(double maxSeconds) {
+    seconds = maxSeconds;
+    began = System.nanoTime();
+    measured = false;
+  }
+
+  /**
+   * Has a look at the running call.
+   *
+   * @throws Stopped if it is beyond a limit
+   */
+  void check() {
+    if ((System.nanoTime() - began) * 1e-9 > seconds) {
+      throw new Stopped(
+          String.format(Locale.ROOT, "it ran for more than %.0f s", seconds), lineNow());
+    }
+    long allocated = Allocation.bytes();
+    if (!measured) {
+      measured = true;
+      bytesBefore = allocated;
+    } else if (allocated - bytesBefore > maxBytes) {
+      throw new Stopped(
+          "it asked for more than %s MB of memory in one call".formatted(maxBytes >> 20),
+          lineNow());
+    }
+  }
+
+  private static int lineNow() {
+    ScriptStackElement[] stack = new EvaluatorException("stopped").getScriptStack();
+    return stack.length == 0 ? 0 : stack[0].lineNumber;
+  }
+
+  /** What the thread has allocated, where the virtual machine counts that. */
+  private static final class Allocation {
+    private static final com.sun.management.@Nullable ThreadMXBean COUNTER = counter();
+
+    private static com.sun.management.@Nullable ThreadMXBean counter() {
+      return ManagementFactory.getThreadMXBean() instanceof com.sun.management.ThreadMXBean bean
+              && bean.isThreadAllocatedMemorySupported()
+              && bean.isThreadAllocatedMemoryEnabled()
+          ? bean
+          : null;
+    }
+
+    static long bytes() {
+      return COUNTER == null ? 0 : COUNTER.getThreadAllocatedBytes(Thread.currentThread().getId());
+    }
+  }
+}

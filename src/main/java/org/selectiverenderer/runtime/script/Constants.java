@@ -1,0 +1,49 @@
+package org.selectiverenderer.runtime.script;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.mozilla.javascript.Context;
+import org.mozilla.javascript.Scriptable;
+import org.mozilla.javascript.ScriptableObject;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/**
+ * {@code X3DConstants} (ISO/IEC 19777-1, 7.5). Scripts compare the numbers with each other only; a
+ * field type's is its place in {@link FieldType}, an access type's a power of two.
+ */
+final class Constants {
+  private static final Map<FieldAccess, String> ACCESS =
+      new LinkedHashMap<>(
+          Map.of(
+              FieldAccess.INITIALIZE_ONLY, "initializeOnly",
+              FieldAccess.INPUT_ONLY, "inputOnly",
+              FieldAccess.OUTPUT_ONLY, "outputOnly",
+              FieldAccess.INPUT_OUTPUT, "inputOutput"));
+
+  private Constants() {}
+
+  static int of(FieldType type) {
+    return type.ordinal();
+  }
+
+  static int of(FieldAccess access) {
+    return 1 << access.ordinal();
+  }
+
+  static Scriptable of(Context context, Scriptable scope) {
+    ScriptableObject constants = (ScriptableObject) context.newObject(scope);
+    for (FieldType type : FieldType.values()) {
+      constants.defineProperty(type.name(), of(type), ScriptableObject.READONLY);
+    }
+    ACCESS.forEach(
+        (access, name) -> constants.defineProperty(name, of(access), ScriptableObject.READONLY));
+    String[] states = {
+      "INITIALIZED_EVENT", "SHUTDOWN_EVENT", "CONNECTION_ERROR", "INITIALIZED_ERROR"
+    };
+    for (int i = 0; i < states.length; i++) {
+      constants.defineProperty(states[i], i, ScriptableObject.READONLY);
+    }
+    return constants;
+  }
+}

@@ -1,0 +1,105 @@
+package org.selectiverenderer.runtime.script;
+
+import java.util.Map;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.Context;
+import org.mozilla.javascript.ContextFactory;
+import org.mozilla.javascript.ScriptableObject;
+import org.selectiverenderer.runtime.script.value.Constructors;
+import org.selectiverenderer.runtime.script.value.FieldValues;
+
+/**
+ * Rhino with all that scripts of a world share. It interprets instead of compiling: a scene's
+ * programs are short, and a program compiled to classes takes longer to begin than to run, cannot
+ * be stopped as finely and overflows the stack of the program itself.
+ */
+final class Engine {
+  /** Calls within calls. */
+  private static final int MAX_DEPTH = 500;
+
+  /** Instructions between two looks at the limits: well below a millisecond. */
+  private static final int LOOK_EVERY = 10_000;
+
+  private final ContextFactory factory = new Limited();
+  private final CallLimit limit = new CallLimit();
+  private final ScriptableObject shared;
+  private final FieldValues values;
+  private @Nullable RunningScript running;
+
+  Engine(Scripts scripts, ScriptWorld world) {
+    Context context = factory.enterContext();
+    try {
+      shared = context.initSafeStandardObjects();
+      values = new FieldValues(shared);
+      Constructors.define(shared, values);
+      Map.of("TRUE", true, "FALSE", false).forEach((name, value) -> hidden(name, value));
+      hidden("NULL", null);
+      hidden("X3DConstants", Constants.of(context, shared));
+      new BrowserObject(this, scripts, world).define(context, shared);
+      Guards.define(shared, () -> world.cascade().time());
+    } finally {
+      Context.exit();
+    }
+  }
+
+  private void hidden(String name, @Nullable Object value) {
+    ScriptableObject.defineProperty(shared, name, value, ScriptableObject.DONTENUM);
+  }
+
+  /** The standard objects, constructors and {@code Browser}. */
+  ScriptableObject shared() {
+    return shared;
+  }
+
+  FieldValues values() {
+    return values;
+  }
+
+  /** The script whose code is running. */
+  RunningScript running() {
+    if (running == null) {
+      throw new IllegalStateException("no script is running");
+    }
+    return running;
+  }
+
+  /**
+   * Runs code of a script.
+   *
+   * @param seconds after which it is stopped
+   */
+  <T> T call(RunningScript script, double seconds, Function<Context, T> code) {
+    RunningScript before = running;
+    Context context = factory.enterContext();
+    try {
+      running = script;
+      values.accessBy(script);
+      limit.begin(seconds);
+      return code.apply(context);
+    } finally {
+      running = before;
+      values.accessBy(before);
+      Context.exit();
+    }
+  }
+
+  /** Contexts in which a script can neither reach Java nor go on for ever. */
+  private final class Limited extends ContextFactory {
+    @Override
+    protected Context makeContext() {
+      Context context = super.makeContext();
+      context.setInterpretedMode(true);
+      context.setLanguageVersion(Context.VERSION_ES6);
+      context.setMaximumInterpreterStackDepth(MAX_DEPTH);
+      context.setInstructionObserverThreshold(LOOK_EVERY);
+      context.setClassShutter(name -> false);
+      return context;
+    }
+
+    @Override
+    protected void observeInstructionCount(Context context, int count) {
+      limit.check();
+    }
+  }
+}

@@ -1,0 +1,28 @@
+package org.selectiverenderer.runtime.script;
+
+import org.mozilla.javascript.Scriptable;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Route;
+
+/** An {@code X3DRoute} of a script. */
+@SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
+final class RouteObject extends HostObject {
+  private final transient Route route;
+
+  RouteObject(Route route, Engine engine, Scriptable scope) {
+    super("X3DRoute", scope);
+    this.route = route;
+    property("sourceNode", () -> engine.values().node(route.from()));
+    property("sourceField", () -> name(route.from(), route.fromField()));
+    property("destinationNode", () -> engine.values().node(route.to()));
+    property("destinationField", () -> name(route.to(), route.toField()));
+  }
+
+  private static String name(Node node, int field) {
+    return node.type().fields().get(field).name();
+  }
+
+  Route route() {
+    return route;
+  }
+}

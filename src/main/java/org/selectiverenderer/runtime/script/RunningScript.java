@@ -1,0 +1,304 @@
+package org.selectiverenderer.runtime.script;
+
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.Set;
+import java.util.WeakHashMap;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.Context;
+import org.mozilla.javascript.RhinoException;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.script.ScriptCalls;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.script.value.NodeAccess;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.script.Program;
+
+/**
+ * One Script and its program. It begins to run with the first frame or the first event, whichever
+ * is first. After it was stopped, or failed too often, it is off for good.
+ */
+final class RunningScript implements ScriptCalls, NodeAccess {
+  /** Failures after which a script is switched off. */
+  private static final int MAX_FAILURES = 20;
+
+  /** Calls at one time stamp after which scripts are taken to call each other endlessly. */
+  private static final int MAX_CALLS = 10_000;
+
+  private static final double CALL_SECONDS = 1;
+  private static final double START_SECONDS = 5;
+
+  private final ScriptNode node;
+  private final Program program;
+  private final Scene context;
+  private final Scripts scripts;
+  private final Engine engine;
+  private final ScriptWorld world;
+  private final OwnValues own;
+  private final ScriptScope scope;
+  private final Writes writes = new Writes();
+  private final Set<Node> made = Collections.newSetFromMap(new WeakHashMap<>());
+  private final Set<String> told = new HashSet<>();
+  private boolean started;
+  private boolean off;
+  private boolean undirected;
+  private int failures;
+  private int calls;
+  private double callsAt = Double.NaN;
+  private org.mozilla.javascript.@Nullable Function prepareEvents;
+  private org.mozilla.javascript.@Nullable Function eventsProcessed;
+
+  RunningScript(
+      ScriptNode node,
+      Program program,
+      Scene context,
+      Scripts scripts,
+      Engine engine,
+      ScriptWorld world) {
+    this.node = node;
+    this.program = program;
+    this.context = context;
+    this.scripts = scripts;
+    this.engine = engine;
+    this.world = world;
+    own = new OwnValues(node, engine.values());
+    scope = new ScriptScope(node.type(), own, engine.shared());
+  }
+
+  ScriptNode node() {
+    return node;
+  }
+
+  /** The scene in which the Script stands. */
+  Scene context() {
+    return context;
+  }
+
+  /** Whether it wants to be called in every frame. */
+  boolean prepares() {
+    return prepareEvents != null && !off;
+  }
+
+  /** Runs the program's own statements and its {@code initialize}, once. */
+  void start() {
+    if (started) {
+      return;
+    }
+    started = true;
+    Cascade cascade = world.cascade();
+    run(
+        START_SECONDS,
+        cascade,
+        cx -> {
+          cx.compileString(program.text(), "script", 1, null).exec(cx, scope, scope);
+          prepareEvents = scope.function("prepareEvents");
+          eventsProcessed = scope.function("eventsProcessed");
+          org.mozilla.javascript.Function initialize = scope.function("initialize");
+          return initialize == null ? null : initialize.call(cx, scope, scope, stamp(cascade));
+        });
+    scripts.started(this);
+  }
+
+  private static Object[] stamp(Cascade cascade) {
+    return new Object[] {cascade.time()};
+  }
+
+  @Override
+  public void received(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    start();
+    own.forget(field);
+    org.mozilla.javascript.Function answer = off ? null : scope.answerTo(field);
+    if (answer != null) {
+      run(
+          CALL_SECONDS,
+          cascade,
+          cx -> {
+            Object given = engine.values().toScript(field.type(), value, null);
+            return answer.call(cx, scope, scope, new Object[] {given, cascade.time()});
+          });
+    }
+    if (eventsProcessed != null) {
+      scripts.hasReceived(this);
+    }
+  }
+
+  /** A frame is about to begin. */
+  void prepareEvents() {
+    call(prepareEvents);
+  }
+
+  /** The events of now have been carried. */
+  void eventsProcessed() {
+    call(eventsProcessed);
+  }
+
+  /** The Script is no part of the scene any more. */
+  void shutdown() {
+    if (started) {
+      call(scope.function("shutdown"));
+      off = true;
+    }
+  }
+
+  private void call(org.mozilla.javascript.@Nullable Function function) {
+    if (function != null && !off) {
+      Cascade cascade = world.cascade();
+      run(CALL_SECONDS, cascade, cx -> function.call(cx, scope, scope, stamp(cascade)));
+    }
+  }
+
+  private void run(double seconds, Cascade cascade, Function<Context, @Nullable Object> code) {
+    if (tooMany(cascade)) {
+      return;
+    }
+    try {
+      engine.call(
+          this,
+          seconds,
+          cx -> {
+            code.apply(cx);
+            return this;
+          });
+    } catch (Stopped e) {
+      switchOff(program.line(e.line()), e.getMessage());
+    } catch (OutOfMemoryError e) {
+      switchOff(program.start(), "it asked for more memory than there is");
+    } catch (RhinoException e) {
+      failed(program.line(e.lineNumber()), e.details());
+    } catch (StackOverflowError e) {
+      failed(program.start(), "calls are nested too deeply");
+    }
+    send(cascade);
+  }
+
+  private void send(Cascade cascade) {
+    try {
+      engine.call(
+          this,
+          CALL_SECONDS,
+          cx -> {
+            own.send(cascade);
+            return this;
+          });
+    } catch (RhinoException e) {
+      failed(program.start(), e.details());
+    }
+    writes.send(cascade);
+  }
+
+  private boolean tooMany(Cascade cascade) {
+    if (callsAt != cascade.time()) {
+      callsAt = cascade.time();
+      calls = 0;
+    }
+    if (++calls == MAX_CALLS) {
+      problem(
+          program.start(),
+          "it was called %s times at one time, as scripts that call each other endlessly are; "
+                  .formatted(MAX_CALLS)
+              + "further events of this time are dropped");
+    }
+    return calls >= MAX_CALLS;
+  }
+
+  private void failed(Location at, String what) {
+    failures++;
+    if (told.add(at + what)) {
+      problem(at, what);
+    }
+    if (failures == MAX_FAILURES) {
+      switchOff(at, "it has failed %s times".formatted(MAX_FAILURES));
+    }
+  }
+
+  private void switchOff(Location at, String why) {
+    off = true;
+    problem(at, why + "; the Script is switched off");
+  }
+
+  /** Tells a problem where the code stands; that of another file also names the Script. */
+  private void problem(Location at, String what) {
+    world.problems().error(at, name() + ": " + what);
+  }
+
+  /** How messages call the Script. */
+  private String name() {
+    String name = node.name() == null ? "Script" : "Script " + node.name();
+    boolean here = program.start().file().equals(node.location().file());
+    return here ? name : name + " of " + node.location();
+  }
+
+  /** Tells what the script prints. */
+  void print(String text) {
+    scripts.print(node.location(), name() + " prints: " + text);
+  }
+
+  /** A node that the script has made may be filled by it as a file fills one. */
+  Node own(Node created) {
+    made.add(created);
+    return created;
+  }
+
+  @Override
+  public @Nullable Object read(Node of, FieldDefinition field) {
+    if (of == node && field.index() >= node.type().ownFrom()) {
+      return engine.values().toField(field.type(), own.get(field));
+    }
+    return writes.read(of, field);
+  }
+
+  @Override
+  public void write(Node to, FieldDefinition field, @Nullable Object value) {
+    if (to == node && field.access().sendsEvents() && field.index() >= node.type().ownFrom()) {
+      own.set(field, engine.values().toScript(field.type(), value, null));
+    } else if (field.access().acceptsEvents()) {
+      accept(field, value);
+      direct(to);
+      writes.add(to, field, value);
+    } else if (field.access() == FieldAccess.INITIALIZE_ONLY && made.contains(to)) {
+      accept(field, value);
+      to.init(field.index(), value);
+    } else {
+      throw org.mozilla.javascript.ScriptRuntime.typeError(
+          "%s of %s is %s and cannot be set"
+              .formatted(field.name(), to.type(), field.access().spelling()));
+    }
+  }
+
+  /** Refuses nodes of types that a field does not take. */
+  private static void accept(FieldDefinition field, @Nullable Object value) {
+    if (value instanceof Node one) {
+      accept(field, one);
+    } else if (field.type() == FieldType.MFNode && value instanceof Iterable<?> nodes) {
+      nodes.forEach(one -> accept(field, (Node) one));
+    }
+  }
+
+  private static void accept(FieldDefinition field, Node value) {
+    if (!field.nodeTypes().isEmpty() && field.nodeTypes().stream().noneMatch(value.type()::is)) {
+      throw org.mozilla.javascript.ScriptRuntime.typeError(
+          "%s takes %s, not a %s"
+              .formatted(
+                  field.name(), String.join(" or ", field.nodeTypes()), value.type().name()));
+    }
+  }
+
+  /** Says once that a script that writes to nodes should say so (X3D 4.0, 29.2.6). */
+  private void direct(Node to) {
+    if (!undirected && !node.bool("directOutput") && !made.contains(to)) {
+      undirected = true;
+      world
+          .problems()
+          .info(
+              node.location(),
+              name()
+                  + " writes to nodes without directOutput true; other browsers may refuse that");
+    }
+  }
+}

@@ -1,0 +1,143 @@
+package org.selectiverenderer.runtime.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.Context;
+import org.mozilla.javascript.ScriptRuntime;
+import org.mozilla.javascript.Scriptable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.loading.LiveFiles;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/** An {@code X3DScene}, or the {@code X3DExecutionContext} of a script (ISO/IEC 19777-1, 7.4). */
+@SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
+final class SceneObject extends HostObject {
+  private final transient Scene scene;
+  private final transient Engine engine;
+  private final transient LiveFiles files;
+  private final transient FieldDefinition children;
+
+  SceneObject(Scene scene, Engine engine, LiveFiles files, Scriptable scope) {
+    super("X3DScene", scope);
+    this.scene = scene;
+    this.engine = engine;
+    this.files = files;
+    children = scene.root().type().field("children").orElseThrow();
+    property("specificationVersion", scene::version);
+    property("encoding", () -> scene.url().isEmpty() ? "SCRIPTED" : "XML");
+    property("profile", scene::profile);
+    property("worldURL", scene::url);
+    property("rootNodes", this::rootNodes, this::setRootNodes);
+    property("routes", this::routes);
+    nodes();
+    names();
+    method("addRoute", 4, this::addRoute);
+    action("deleteRoute", 1, this::deleteRoute);
+    method("getMetaData", 1, args -> scene.meta().get(text(args[0])));
+    action("setMetaData", 2, args -> scene.meta().put(text(args[0]), text(args[1])));
+  }
+
+  Scene scene() {
+    return scene;
+  }
+
+  private void nodes() {
+    method("createNode", 1, args -> createNode(text(args[0])));
+    method(
+        "createProto",
+        1,
+        args -> {
+          throw ScriptRuntime.typeError(
+              "prototypes are expanded while a scene is read, and createProto has none to use; "
+                  + "write the instance with createX3DFromString");
+        });
+    action("addRootNode", 1, args -> changeRoots(roots -> roots.add(Ends.node(args[0]))));
+    action("removeRootNode", 1, args -> changeRoots(roots -> roots.remove(Ends.node(args[0]))));
+  }
+
+  private void names() {
+    method("getNamedNode", 1, args -> named(text(args[0])));
+    method("getImportedNode", 1, args -> named(text(args[0])));
+    method("getExportedNode", 1, args -> exported(text(args[0])));
+    action("updateNamedNode", 2, args -> scene.name(text(args[0]), Ends.node(args[1])));
+    action("removeNamedNode", 1, args -> scene.unname(text(args[0])));
+  }
+
+  private Object createNode(String type) {
+    Node made =
+        files
+            .make(type, Location.of("(made by a Script)"))
+            .orElseThrow(() -> ScriptRuntime.typeError("there is no node type " + type));
+    return engine.values().node(engine.running().own(made));
+  }
+
+  private Object named(String name) {
+    return scene
+        .find(name)
+        .or(() -> Optional.ofNullable(scene.imported().get(name)))
+        .map(node -> (Object) engine.values().node(node))
+        .orElseThrow(() -> ScriptRuntime.typeError("no node has the DEF name " + name));
+  }
+
+  private Object exported(String name) {
+    return Optional.ofNullable(scene.exports().get(name))
+        .flatMap(scene::find)
+        .map(node -> (Object) engine.values().node(node))
+        .orElseThrow(() -> ScriptRuntime.typeError("no node is exported as " + name));
+  }
+
+  private Object read() {
+    return engine.running().read(scene.root(), children);
+  }
+
+  private @Nullable Object rootNodes() {
+    return engine
+        .values()
+        .held(FieldType.MFNode, read(), now -> engine.running().write(scene.root(), children, now));
+  }
+
+  private void setRootNodes(Object value) {
+    engine
+        .running()
+        .write(scene.root(), children, engine.values().toField(FieldType.MFNode, value));
+  }
+
+  private void changeRoots(Predicate<List<Object>> change) {
+    List<Object> roots = new ArrayList<>((List<?>) read());
+    if (change.test(roots)) {
+      engine.running().write(scene.root(), children, List.copyOf(roots));
+    }
+  }
+
+  private Object routes() {
+    Object[] all =
+        scene.routes().stream()
+            .map(route -> new RouteObject(route, engine, getParentScope()))
+            .toArray();
+    return Context.getCurrentContext().newArray(getParentScope(), all);
+  }
+
+  /** Connects, and gives the route back. */
+  Object addRoute(Object[] args) {
+    RouteObject route = new RouteObject(Ends.route(args), engine, getParentScope());
+    scene.addRoute(route.route());
+    return route;
+  }
+
+  /** Takes a route, or the four that describe one. */
+  void deleteRoute(Object[] args) {
+    if (args[0] instanceof RouteObject given) {
+      scene.removeRoute(given.route());
+    } else if (args.length >= 4) {
+      scene.removeRoute(Ends.route(args));
+    } else {
+      throw ScriptRuntime.typeError("deleteRoute needs a route, or the nodes and fields of one");
+    }
+  }
+}

@@ -1,0 +1,27 @@
+package org.selectiverenderer.runtime.script;
+
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.loading.LiveFiles;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Scene;
+
+/** What scripts may ask of the world that they run in. */
+public interface ScriptWorld {
+  Cascade cascade();
+
+  /** Hears what goes wrong, and what scripts print. */
+  Problems problems();
+
+  /** The scene that is shown. */
+  Scene scene();
+
+  /** Reads what scripts name, within the bounds of the scene. */
+  LiveFiles files();
+
+  /** Shows another scene from the next frame on. */
+  void show(LoadedScene scene);
+
+  /** Goes where an Anchor with these urls leads, from the next frame on. */
+  void follow(String[] urls);
+}

@@ -1,0 +1,77 @@
+package org.selectiverenderer.runtime.script;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+
+/**
+ * What a script's function has given to fields of nodes, until the function has ended. Of several
+ * values of one field the last counts; what goes to a field without a value, such as addChildren,
+ * all goes there. Each is an event of its own that begins a cascade, so that none is taken for the
+ * echo of another.
+ */
+final class Writes {
+  private record Key(Node node, int field) {
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof Key key && key.node == node && key.field == field;
+    }
+
+    @Override
+    public int hashCode() {
+      return Objects.hash(System.identityHashCode(node), field);
+    }
+  }
+
+  private static final class Write {
+    final Node node;
+    final int field;
+    @Nullable Object value;
+
+    Write(Node node, int field, @Nullable Object value) {
+      this.node = node;
+      this.field = field;
+      this.value = value;
+    }
+  }
+
+  private List<Write> all = new ArrayList<>();
+  private final Map<Key, Write> latest = new HashMap<>();
+
+  void add(Node node, FieldDefinition field, @Nullable Object value) {
+    Key key = new Key(node, field.index());
+    Write known = latest.get(key);
+    if (known != null && field.access() != FieldAccess.INPUT_ONLY) {
+      known.value = value;
+    } else {
+      Write write = new Write(node, field.index(), value);
+      all.add(write);
+      latest.put(key, write);
+    }
+  }
+
+  /** The value of a field: the one that waits, or else the node's. */
+  @Nullable Object read(Node node, FieldDefinition field) {
+    Write waiting = latest.isEmpty() ? null : latest.get(new Key(node, field.index()));
+    return waiting != null ? waiting.value : node.value(field.index());
+  }
+
+  void send(Cascade cascade) {
+    if (all.isEmpty()) {
+      return;
+    }
+    List<Write> sent = all;
+    all = new ArrayList<>();
+    latest.clear();
+    for (Write write : sent) {
+      cascade.send(write.node, write.field, write.value);
+    }
+  }
+}

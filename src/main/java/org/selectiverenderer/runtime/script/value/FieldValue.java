@@ -1,0 +1,48 @@
+package org.selectiverenderer.runtime.script.value;
+
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.ScriptableObject;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/** The value of a field as an object of a script, which changes in place. */
+@SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
+public abstract class FieldValue extends ScriptableObject {
+  private final FieldType type;
+  private transient @Nullable Runnable holder;
+
+  FieldValue(FieldType type) {
+    this.type = type;
+  }
+
+  public FieldType type() {
+    return type;
+  }
+
+  /** Whoever hears that it was changed in place; nobody with null. */
+  void heldBy(@Nullable Runnable hearer) {
+    holder = hearer;
+  }
+
+  /** Tells the holder. */
+  final void changed() {
+    if (holder != null) {
+      holder.run();
+    }
+  }
+
+  /** The value as {@link FieldType} represents it. */
+  public abstract Object toField();
+
+  /** As scripts print it. */
+  abstract String text();
+
+  @Override
+  public String getClassName() {
+    return type.name();
+  }
+
+  @Override
+  public Object getDefaultValue(@Nullable Class<?> hint) {
+    return text();
+  }
+}

@@ -1,0 +1,265 @@
+package org.selectiverenderer.runtime.script.value;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.Context;
+import org.mozilla.javascript.NativeArray;
+import org.mozilla.javascript.ScriptRuntime;
+import org.mozilla.javascript.Scriptable;
+import org.mozilla.javascript.ScriptableObject;
+import org.mozilla.javascript.Undefined;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/**
+ * Between the values of {@link FieldType} and those of scripts: booleans, numbers, strings, {@link
+ * FieldValue} and {@link NodeValue}. What is neither becomes a TypeError of the script.
+ */
+public final class FieldValues {
+  private final Map<FieldType, Scriptable> prototypes = new EnumMap<>(FieldType.class);
+  private final Scriptable scope;
+  private @Nullable NodeAccess access;
+
+  /**
+   * @param scope that the objects' constructors are part of
+   */
+  public FieldValues(Scriptable scope) {
+    this.scope = scope;
+  }
+
+  /** How nodes are read and written from now on: in the name of the script that is running. */
+  public void accessBy(@Nullable NodeAccess running) {
+    access = running;
+  }
+
+  void prototype(FieldType type, Scriptable prototype) {
+    prototypes.put(type, prototype);
+  }
+
+  private <T extends ScriptableObject> T placed(FieldType type, T object) {
+    object.setParentScope(scope);
+    object.setPrototype(prototypes.get(type));
+    return object;
+  }
+
+  /**
+   * A value as scripts see it.
+   *
+   * @param value as {@link FieldType} represents it
+   * @param holder hears when a script changes the object in place, or null
+   */
+  public @Nullable Object toScript(
+      FieldType type, @Nullable Object value, @Nullable Runnable holder) {
+    if (type == FieldType.SFNode) {
+      return value == null ? null : node((Node) value);
+    }
+    if (value == null) {
+      return Undefined.instance;
+    }
+    if (type.multiple()) {
+      return held(placed(type, new Multiple(this, type, value)), holder);
+    }
+    if (type == FieldType.SFImage) {
+      return held(image((int[]) value), holder);
+    }
+    if (type.components() > 1) {
+      return held(tuple(type, doubles(value)), holder);
+    }
+    return value instanceof Float number ? (Object) number.doubleValue() : value;
+  }
+
+  /**
+   * A value that a script may change in place.
+   *
+   * @param changed takes the new value as {@link FieldType} represents it
+   */
+  public @Nullable Object held(
+      FieldType type, @Nullable Object value, Consumer<@Nullable Object> changed) {
+    Object made = toScript(type, value, null);
+    if (made instanceof FieldValue object) {
+      object.heldBy(() -> changed.accept(object.toField()));
+    }
+    return made;
+  }
+
+  private static FieldValue held(FieldValue value, @Nullable Runnable holder) {
+    value.heldBy(holder);
+    return value;
+  }
+
+  private static double[] doubles(Object value) {
+    if (value instanceof double[] numbers) {
+      return numbers.clone();
+    }
+    float[] floats = (float[]) value;
+    double[] numbers = new double[floats.length];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = floats[i];
+    }
+    return numbers;
+  }
+
+  /**
+   * A new tuple that nobody holds.
+   *
+   * @param components is kept
+   */
+  Tuple tuple(FieldType type, double... components) {
+    return placed(type, new Tuple(type, components));
+  }
+
+  private Image image(int[] value) {
+    int[] pixels = Arrays.copyOfRange(value, Math.min(3, value.length), value.length);
+    boolean whole = value.length >= 3;
+    return image(whole ? value[0] : 0, whole ? value[1] : 0, whole ? value[2] : 0, pixels);
+  }
+
+  Image image(int width, int height, int comp, int[] pixels) {
+    Multiple array = placed(FieldType.MFInt32, new Multiple(this, FieldType.MFInt32, pixels));
+    return placed(FieldType.SFImage, new Image(width, height, comp, array));
+  }
+
+  /** A node, for the script that is running. */
+  public NodeValue node(Node node) {
+    if (access == null) {
+      throw new IllegalStateException("no script is running");
+    }
+    return placed(FieldType.SFNode, new NodeValue(node, this, access));
+  }
+
+  /** A copy of a script's value as an object or number of that type, with a holder of its own. */
+  public @Nullable Object adopt(FieldType type, @Nullable Object value, @Nullable Runnable holder) {
+    return toScript(type, toField(type, value), holder);
+  }
+
+  /** A script's value as {@link FieldType} represents it. */
+  public @Nullable Object toField(FieldType type, @Nullable Object value) {
+    if (value instanceof FieldValue own && fits(type, own.type())) {
+      return type == own.type() ? own.toField() : converted(type, own);
+    }
+    if (type.multiple()) {
+      return list(type, value);
+    }
+    return switch (type.kind()) {
+      case NODE -> {
+        if (value == null || Undefined.isUndefined(value)) {
+          yield null;
+        }
+        if (value instanceof NodeValue node) {
+          yield node.node();
+        }
+        throw wrong(type, value);
+      }
+      case BOOLEAN -> ScriptRuntime.toBoolean(value);
+      case STRING -> ScriptRuntime.toString(value);
+      case INT -> {
+        if (type == FieldType.SFImage) {
+          throw wrong(type, value);
+        }
+        yield (int) Math.max(Integer.MIN_VALUE, Math.min(Integer.MAX_VALUE, number(type, value)));
+      }
+      case FLOAT -> {
+        if (type.components() > 1) {
+          yield tuple(type, components(type, value)).toField();
+        }
+        yield (float) number(type, value);
+      }
+      case DOUBLE -> {
+        if (type.components() > 1) {
+          yield tuple(type, components(type, value)).toField();
+        }
+        yield number(type, value);
+      }
+    };
+  }
+
+  /** Whether values of one type can stand for those of another: precision may differ. */
+  private static boolean fits(FieldType type, FieldType given) {
+    return type == given
+        || !type.multiple() && !given.multiple() && alike(type, given)
+        || type.multiple()
+            && given.multiple()
+            && (numeric(type) && numeric(given) && type.components() == given.components());
+  }
+
+  private static boolean alike(FieldType type, FieldType given) {
+    return numeric(type)
+        && numeric(given)
+        && type.components() == given.components()
+        && type.components() > 1
+        && (type == FieldType.SFRotation) == (given == FieldType.SFRotation);
+  }
+
+  private static boolean numeric(FieldType type) {
+    return type.kind() == FieldType.Kind.FLOAT || type.kind() == FieldType.Kind.DOUBLE;
+  }
+
+  private Object converted(FieldType type, FieldValue given) {
+    if (given instanceof Tuple tuple) {
+      return tuple(type, tuple.components()).toField();
+    }
+    return list(type, given);
+  }
+
+  private Object list(FieldType type, @Nullable Object value) {
+    FieldType element = Elements.single(type);
+    if (value instanceof NativeArray array) {
+      long count = array.getLength();
+      if (count > 1 << 24) {
+        throw ScriptRuntime.rangeError(type + " cannot have " + count + " elements");
+      }
+      return Elements.gather(
+          type, (int) count, i -> toField(element, ScriptableObject.getProperty(array, i)));
+    }
+    if (value instanceof Multiple many) {
+      return Elements.gather(type, many.length(), i -> toField(element, many.get(i, many)));
+    }
+    if (value instanceof NodeValue && type == FieldType.MFNode) {
+      return Elements.gather(type, 1, i -> toField(element, value));
+    }
+    if (value == null && type == FieldType.MFNode) {
+      return type.zero();
+    }
+    throw wrong(type, value);
+  }
+
+  private static double number(FieldType type, @Nullable Object value) {
+    if (value instanceof Scriptable) {
+      throw wrong(type, value);
+    }
+    return ScriptRuntime.toNumber(value);
+  }
+
+  private static double[] components(FieldType type, @Nullable Object value) {
+    if (!(value instanceof NativeArray array) || array.getLength() != type.components()) {
+      throw wrong(type, value);
+    }
+    double[] components = new double[type.components()];
+    for (int i = 0; i < components.length; i++) {
+      components[i] = ScriptRuntime.toNumber(ScriptableObject.getProperty(array, i));
+    }
+    return components;
+  }
+
+  private static RuntimeException wrong(FieldType type, @Nullable Object value) {
+    String given =
+        value instanceof Scriptable object
+            ? object.getClassName()
+            : value == null ? "null" : ScriptRuntime.typeof(value).toString();
+    return ScriptRuntime.typeError("a value of type %s is needed, not %s".formatted(type, given));
+  }
+
+  /** A value of a script as it is printed in a list. */
+  String text(FieldType type, @Nullable Object value) {
+    if (value instanceof String string) {
+      return '"' + string.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+    }
+    if (value instanceof Double number) {
+      return Tuple.number(number, type.kind() == FieldType.Kind.FLOAT);
+    }
+    return value == null ? "NULL" : Context.toString(value);
+  }
+}

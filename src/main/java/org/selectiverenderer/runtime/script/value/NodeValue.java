@@ -1,0 +1,96 @@
+package org.selectiverenderer.runtime.script.value;
+
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.ScriptRuntime;
+import org.mozilla.javascript.Scriptable;
+import org.mozilla.javascript.ScriptableObject;
+import org.mozilla.javascript.Undefined;
+import org.mozilla.javascript.Wrapper;
+import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+
+/**
+ * An SFNode: a node whose fields are properties, under the names that events have, too. Two objects
+ * of one node are equal in scripts.
+ */
+@SuppressWarnings("serial") // See FieldValue.
+public final class NodeValue extends ScriptableObject implements Wrapper {
+  private final transient Node node;
+  private final transient FieldValues values;
+  private final transient NodeAccess access;
+
+  NodeValue(Node node, FieldValues values, NodeAccess access) {
+    this.node = node;
+    this.values = values;
+    this.access = access;
+  }
+
+  public Node node() {
+    return node;
+  }
+
+  @Override
+  public Object unwrap() {
+    return node;
+  }
+
+  @Override
+  public String getClassName() {
+    return "SFNode";
+  }
+
+  @Override
+  public Object getDefaultValue(@Nullable Class<?> hint) {
+    String name = node.name();
+    return node.type().name() + (name == null ? "" : " " + name);
+  }
+
+  private Optional<FieldDefinition> readable(String name) {
+    return node.type()
+        .field(name)
+        .or(() -> node.type().output(name))
+        .filter(field -> field.access().initialisable() || field.access().sendsEvents());
+  }
+
+  @Override
+  public boolean has(String name, Scriptable start) {
+    return node.type().field(name).or(() -> node.type().output(name)).isPresent()
+        || super.has(name, start);
+  }
+
+  @Override
+  public @Nullable Object get(String name, Scriptable start) {
+    FieldDefinition field = readable(name).orElse(null);
+    if (field != null) {
+      return value(field);
+    }
+    return node.type().field(name).isPresent() ? Undefined.instance : super.get(name, start);
+  }
+
+  private @Nullable Object value(FieldDefinition field) {
+    return values.held(
+        field.type(), access.read(node, field), now -> access.write(node, field, now));
+  }
+
+  @Override
+  public void put(String name, Scriptable start, @Nullable Object value) {
+    FieldDefinition field = node.type().field(name).or(() -> node.type().input(name)).orElse(null);
+    if (field == null) {
+      List<String> names = node.type().fields().stream().map(FieldDefinition::name).toList();
+      throw ScriptRuntime.typeError(
+          node.type()
+              + " has no field "
+              + name
+              + Spelling.nearest(name, names).map(n -> " (did you mean " + n + "?)").orElse(""));
+    }
+    access.write(node, field, values.toField(field.type(), value));
+  }
+
+  @Override
+  public Object[] getIds() {
+    return node.type().fields().stream().map(FieldDefinition::name).toArray();
+  }
+}

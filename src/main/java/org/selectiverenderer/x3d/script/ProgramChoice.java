@@ -1,0 +1,72 @@
+package org.selectiverenderer.x3d.script;
+
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * The program that a Script means: the text between its tags, or else the first of its urls that
+ * can be used (X3D 4.0, 29.2.3 and 29.4.1).
+ */
+public sealed interface ProgramChoice {
+  /** The text stands in the scene. */
+  record Text(Program program) implements ProgramChoice {}
+
+  /** The text is in a file of its own. */
+  record File(Content content) implements ProgramChoice {}
+
+  /**
+   * There is none that can be used.
+   *
+   * @param problem why; a Script without any program is worth a remark only
+   */
+  record None(Problem problem) implements ProgramChoice {}
+
+  /**
+   * @param base where the relative urls of the Script start
+   */
+  static ProgramChoice of(ParsedNode script, ContentRoot root, ContentBase base) {
+    String text = script.string("sourceCode");
+    if (!text.isBlank()) {
+      return new Text(Program.of(text, script.textLocation()));
+    }
+    String[] urls = script.strings("url");
+    @Nullable String reason = null;
+    for (String url : urls) {
+      if (Program.isText(url)) {
+        return new Text(Program.of(url, script.textLocation()));
+      }
+      String why = null;
+      if (isJava(url)) {
+        why = "is a program in Java, which is never run; write it in ECMAScript";
+      } else {
+        ContentRoot.Target target = root.resolve(url, base);
+        if (target instanceof ContentRoot.Target.Found found) {
+          return new File(found.content());
+        }
+        why = ((ContentRoot.Target.Refused) target).reason();
+      }
+      reason = reason == null ? "url '%s' %s".formatted(shown(url), why) : reason;
+    }
+    return new None(
+        reason == null
+            ? new Problem(
+                Severity.INFO, script.location(), "the Script has no program; it does nothing")
+            : new Problem(
+                Severity.ERROR, script.location(), "Script " + reason + "; it does nothing"));
+  }
+
+  private static boolean isJava(String url) {
+    String name = url.strip().toLowerCase(Locale.ROOT);
+    return name.endsWith(".class") || name.endsWith(".jar") || name.startsWith("java:");
+  }
+
+  private static String shown(String url) {
+    return url.length() <= 80 ? url : url.substring(0, 80) + "…";
+  }
+}
