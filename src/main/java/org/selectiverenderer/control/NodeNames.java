@@ -1,48 +1,77 @@
 package org.selectiverenderer.control;
 
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
-import org.web3d.x3d.sai.X3DExecutionContext;
+import java.util.Set;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
  * Names of nodes for events and messages: the DEF name, else one made up of the type and the place
- * among the nodes of that type in the scene ({@code Switch#3}), which a node keeps. The SAI does
- * not tell a node's name, only the node of a name, so that nodes are compared: a browser may hand
- * out the same object for a node each time, or an equal one. All names are looked up for that, so
- * only when a name is asked for.
+ * among the nodes of that type in its scene ({@code Switch#3}), which a node keeps. What stands in
+ * an Inline is called the same, so that a scene that is divided into files keeps its time line.
+ * Only where that does not tell it from others, or is made up, do the names of the Inlines stand
+ * before it: {@code Kitchen/Teapot}.
+ *
+ * <p>The SAI does not tell a node's name, only the node of a name, so that nodes are compared: a
+ * browser may hand out the same object for a node each time, or an equal one. All names are looked
+ * up for that, so only when a name is asked for.
  */
 final class NodeNames {
-  private final X3DExecutionContext scene;
+  private record Unnamed(SceneScope scope, String madeUp) {}
+
   private final Map<X3DNode, String> names = new HashMap<>();
-  private final Map<X3DNode, String> unnamed = new HashMap<>();
-  private final Map<String, Integer> numbers = new HashMap<>();
+  private final Set<String> taken = new HashSet<>();
+  private final Map<X3DNode, Unnamed> unnamed = new LinkedHashMap<>();
+  private final Map<SceneScope, Map<String, Integer>> numbers = new HashMap<>();
 
-  NodeNames(X3DExecutionContext scene) {
-    this.scene = scene;
-  }
-
-  /** Names nodes that appeared, in the order of the scene. */
-  void add(Iterable<X3DNode> nodes) {
-    for (X3DNode node : nodes) {
-      String type = node.getNodeName();
-      unnamed.put(node, type + "#" + numbers.merge(type, 1, Integer::sum));
-    }
+  /** Names a node that appeared, each in the order of its scene. */
+  void add(X3DNode node, SceneScope scope) {
+    String type = node.getNodeName();
+    int number =
+        numbers.computeIfAbsent(scope, known -> new HashMap<>()).merge(type, 1, Integer::sum);
+    unnamed.put(node, new Unnamed(scope, type + "#" + number));
   }
 
   private void look() {
-    for (String name : scene.getNamedNodes()) {
-      X3DNode node = scene.getNamedNode(name);
-      if (unnamed.remove(node) != null) {
-        names.put(node, name.strip());
-      }
-    }
-    names.putAll(unnamed);
+    Map<X3DNode, String> defs = defs();
+    Map<String, Integer> uses = new HashMap<>();
+    defs.values().forEach(def -> uses.merge(def, 1, Integer::sum));
+    Map<SceneScope, String> paths = new HashMap<>();
+    unnamed.forEach(
+        (node, known) -> {
+          String def = defs.get(node);
+          String plain = def == null ? known.madeUp() : def;
+          boolean clear = def != null && uses.get(def) == 1 && !taken.contains(def);
+          names.put(
+              node,
+              clear || known.scope().isMain()
+                  ? plain
+                  : paths.computeIfAbsent(known.scope(), SceneScope::path) + plain);
+        });
+    unnamed.keySet().forEach(node -> taken.add(names.get(node)));
     unnamed.clear();
   }
 
+  private Map<X3DNode, String> defs() {
+    Set<SceneScope> scopes = new LinkedHashSet<>();
+    unnamed.values().forEach(known -> scopes.add(known.scope()));
+    Map<X3DNode, String> defs = new HashMap<>();
+    for (SceneScope scope : scopes) {
+      for (String name : scope.scene().getNamedNodes()) {
+        X3DNode node = scope.scene().getNamedNode(name);
+        if (unnamed.containsKey(node)) {
+          defs.put(node, name.strip());
+        }
+      }
+    }
+    return defs;
+  }
+
   void remove(X3DNode node) {
-    names.remove(node);
+    taken.remove(names.remove(node));
     unnamed.remove(node);
   }
 

@@ -9,7 +9,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.control.ControlProblem.Severity;
+import org.selectiverenderer.control.SceneWatch.Found;
 import org.selectiverenderer.control.SelectiveController.Settings;
+import org.selectiverenderer.sai.InlinedScenes;
 import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.schema.Activation.Change;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -23,7 +27,8 @@ final class SceneControl implements ControlledArea.Listener {
   private final Settings settings;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
-  private final NodeNames names;
+  private final NodeNames names = new NodeNames();
+  private final @Nullable InlinedScenes inlined;
   private final SceneWatch walk;
   private final Activation<ControlledArea, VersionedObject> activation = new Activation<>();
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
@@ -31,18 +36,25 @@ final class SceneControl implements ControlledArea.Listener {
   private boolean started;
   private double now;
 
+  /**
+   * @param inlined opens the Inlines, or null where they stay closed
+   */
   SceneControl(
       X3DExecutionContext scene,
+      @Nullable InlinedScenes inlined,
       Settings settings,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
     this.settings = settings;
     this.events = events;
     this.problems = problems;
-    this.names = new NodeNames(scene);
+    this.inlined = inlined;
     this.walk =
         new SceneWatch(
-            scene, n -> n instanceof Switch || n instanceof ProximitySensor, this::changed);
+            scene,
+            inlined,
+            n -> n instanceof Switch || n instanceof ProximitySensor,
+            this::changed);
   }
 
   /** Reads the scene, sets what the condition sets, and says so. */
@@ -52,8 +64,28 @@ final class SceneControl implements ControlledArea.Listener {
     started = true;
     problems().forEach(problems);
     UnmatchedSchemas.of(areas.values(), objects.values()).forEach(problems);
+    if (inlined == null) {
+      closedInlines().ifPresent(problems);
+    }
     events.accept(new ControlEvent.Start(now, choices()));
     areas.values().forEach(this::enterIfInside);
+  }
+
+  /** Versions of objects are Inlines as a rule and hold no others: only those elsewhere may. */
+  private Optional<ControlProblem> closedInlines() {
+    List<X3DNode> closed =
+        walk.inlinesOutside(
+            node -> objects.containsKey(node) && objects.get(node).schemas().isPresent());
+    return closed.stream()
+        .findFirst()
+        .map(
+            first ->
+                new ControlProblem(
+                    closed.size() == 1 ? "Inline" : closed.size() + " Inlines",
+                    first,
+                    Severity.INFO,
+                    "this browser does not show nodes inside Inlines: enriched ones do not change "
+                        + "and their areas are not sensed"));
   }
 
   /** Looks for changes at the top of the scene. */
@@ -150,12 +182,13 @@ final class SceneControl implements ControlledArea.Listener {
     activation.noteShown(object, object.shown());
   }
 
-  private void changed(List<X3DNode> found, List<X3DNode> lost, double time) {
+  private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
-    names.add(found);
+    found.forEach(one -> names.add(one.node(), one.scope()));
     List<ControlledArea> foundAreas = new ArrayList<>();
     List<VersionedObject> foundObjects = new ArrayList<>();
-    for (X3DNode node : found) {
+    for (Found one : found) {
+      X3DNode node = one.node();
       if (node instanceof ProximitySensor sensor) {
         ControlledArea area = new ControlledArea(sensor, () -> names.of(node), this);
         areas.put(node, area);

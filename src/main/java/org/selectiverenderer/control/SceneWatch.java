@@ -4,17 +4,17 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Predicate;
-import org.web3d.x3d.sai.MFNode;
-import org.web3d.x3d.sai.SFNode;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.sai.InlinedScenes;
 import org.web3d.x3d.sai.X3DAppearanceChildNode;
 import org.web3d.x3d.sai.X3DAppearanceNode;
 import org.web3d.x3d.sai.X3DExecutionContext;
-import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldDefinition;
-import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.X3DFieldTypes;
 import org.web3d.x3d.sai.X3DFontStyleNode;
 import org.web3d.x3d.sai.X3DGeometricPropertyNode;
@@ -23,12 +23,14 @@ import org.web3d.x3d.sai.X3DLightNode;
 import org.web3d.x3d.sai.X3DMetadataObject;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DShapeNode;
+import org.web3d.x3d.sai.networking.Inline;
 
 /**
  * Finds nodes in a scene and keeps finding them as the scene changes. It follows every field that
  * holds nodes, whatever its name, except metadata and what no Switch or sensor can stand in
- * (shapes, appearances, geometry, lights). A node that stands in several places is found once and
- * lost when it has left the last one; nodes that hold themselves do not disturb.
+ * (shapes, appearances, geometry, lights); and what Inlines show, if the browser opens them. A node
+ * that stands in several places is found once and lost when it has left the last one; nodes that
+ * hold themselves do not disturb.
  *
  * <p>The SAI sends no event when a node is added at the top of the scene: call {@link #rescan}.
  */
@@ -42,18 +44,35 @@ final class SceneWatch {
      * @param lost wanted nodes that are there no more
      * @param time stamp in seconds
      */
-    void changed(List<X3DNode> found, List<X3DNode> lost, double time);
+    void changed(List<Found> found, List<X3DNode> lost, double time);
   }
 
-  private final X3DExecutionContext scene;
+  /**
+   * A wanted node.
+   *
+   * @param scope the scene that it stands in
+   */
+  record Found(X3DNode node, SceneScope scope) {}
+
+  private final SceneScope main;
+  private final @Nullable InlinedScenes inlined;
   private final Predicate<X3DNode> wanted;
   private final Listener listener;
   private final Map<X3DNode, Place> places = new HashMap<>();
   private List<X3DNode> roots = List.of();
 
-  /** Walks nothing yet; see {@link #rescan}. */
-  SceneWatch(X3DExecutionContext scene, Predicate<X3DNode> wanted, Listener listener) {
-    this.scene = scene;
+  /**
+   * Walks nothing yet; see {@link #rescan}.
+   *
+   * @param inlined opens the Inlines, or null where they stay closed
+   */
+  SceneWatch(
+      X3DExecutionContext scene,
+      @Nullable InlinedScenes inlined,
+      Predicate<X3DNode> wanted,
+      Listener listener) {
+    this.main = new SceneScope(scene);
+    this.inlined = inlined;
     this.wanted = wanted;
     this.listener = listener;
   }
@@ -65,8 +84,29 @@ final class SceneWatch {
    */
   void rescan(double time) {
     List<X3DNode> before = roots;
-    roots = List.of(scene.getRootNodes());
-    replace(before, roots, time);
+    roots = List.of(main.scene().getRootNodes());
+    replace(main, before, roots, time);
+  }
+
+  /** The Inlines of the main scene that lie below none of some nodes. */
+  List<X3DNode> inlinesOutside(Predicate<X3DNode> within) {
+    List<X3DNode> outside = new ArrayList<>();
+    Set<X3DNode> seen = new HashSet<>();
+    Deque<X3DNode> pending = new ArrayDeque<>();
+    pushReversed(pending, roots);
+    while (!pending.isEmpty()) {
+      X3DNode node = pending.pop();
+      Place place = places.get(node);
+      if (place == null || within.test(node) || !seen.add(node)) {
+        continue;
+      }
+      if (node instanceof Inline) {
+        outside.add(node);
+      } else {
+        pushReversed(pending, place.children());
+      }
+    }
+    return outside;
   }
 
   /** Ends the walk without a word to the listener. */
@@ -76,33 +116,39 @@ final class SceneWatch {
     roots = List.of();
   }
 
-  private void replace(List<X3DNode> before, List<X3DNode> after, double time) {
-    List<X3DNode> found = new ArrayList<>();
+  private void replace(SceneScope scope, List<X3DNode> before, List<X3DNode> after, double time) {
+    List<Found> found = new ArrayList<>();
     List<X3DNode> lost = new ArrayList<>();
-    retain(after, found);
+    retain(scope, after, found);
     release(before, lost);
     if (!found.isEmpty() || !lost.isEmpty()) {
       listener.changed(found, lost, time);
     }
   }
 
-  private void retain(List<X3DNode> nodes, List<X3DNode> found) {
-    Deque<X3DNode> pending = new ArrayDeque<>();
-    pushReversed(pending, nodes);
+  private void retain(SceneScope scope, List<X3DNode> nodes, List<Found> found) {
+    Deque<Found> pending = new ArrayDeque<>();
+    pushReversed(pending, scope, nodes);
     while (!pending.isEmpty()) {
-      X3DNode node = pending.pop();
+      Found next = pending.pop();
+      X3DNode node = next.node();
       if (isLeaf(node)) {
         continue;
       }
       Place place = places.get(node);
       if (place == null) {
-        place = new Place(node);
+        place = new Place(node, next.scope());
         places.put(node, place);
         if (wanted.test(node)) {
-          found.add(node);
+          found.add(next);
         }
-        place.open();
-        pushReversed(pending, place.children());
+        for (Branch branch : place.branches) {
+          branch.open();
+        }
+        for (int i = place.branches.size() - 1; i >= 0; i--) {
+          Branch branch = place.branches.get(i);
+          pushReversed(pending, branch.scope(), branch.children());
+        }
       }
       place.uses++;
     }
@@ -131,6 +177,12 @@ final class SceneWatch {
     }
   }
 
+  private static void pushReversed(Deque<Found> stack, SceneScope scope, List<X3DNode> nodes) {
+    for (int i = nodes.size() - 1; i >= 0; i--) {
+      stack.push(new Found(nodes.get(i), scope));
+    }
+  }
+
   private static boolean isLeaf(X3DNode node) {
     return node instanceof X3DShapeNode
         || node instanceof X3DAppearanceNode
@@ -142,81 +194,40 @@ final class SceneWatch {
         || node instanceof X3DMetadataObject;
   }
 
-  private static List<X3DNode> read(X3DField field) {
-    if (field instanceof MFNode nodes) {
-      X3DNode[] array = new X3DNode[nodes.getSize()];
-      nodes.getValue(array);
-      List<X3DNode> found = new ArrayList<>(array.length);
-      for (X3DNode node : array) {
-        if (node != null) {
-          found.add(node);
-        }
-      }
-      return List.copyOf(found);
-    }
-    X3DNode node = ((SFNode) field).getValue();
-    return node == null ? List.of() : List.of(node);
-  }
-
-  /** A node of the scene with the fields that hold other nodes. */
+  /** A node of the scene with what leads to other nodes. */
   private final class Place {
-    final X3DNode node;
-    List<Branch> branches = List.of();
+    final List<Branch> branches;
     int uses;
 
-    Place(X3DNode node) {
-      this.node = node;
-    }
-
-    void open() {
+    Place(X3DNode node, SceneScope scope) {
       List<Branch> found = new ArrayList<>();
       for (X3DFieldDefinition definition : node.getFieldDefinitions()) {
         int type = definition.getFieldType();
         if ((type == X3DFieldTypes.SFNODE || type == X3DFieldTypes.MFNODE)
             && definition.getAccessType() != X3DFieldTypes.INPUT_ONLY
             && !definition.getName().equals("metadata")) {
-          found.add(new Branch(node.getField(definition.getName())));
+          found.add(
+              new FieldBranch(
+                  scope, node.getField(definition.getName()), SceneWatch.this::replace));
         }
+      }
+      if (inlined != null && node instanceof Inline) {
+        found.add(new InlineBranch(scope, node, inlined, SceneWatch.this::replace));
       }
       branches = List.copyOf(found);
     }
 
     List<X3DNode> children() {
       if (branches.size() == 1) {
-        return branches.get(0).children;
+        return branches.get(0).children();
       }
       List<X3DNode> all = new ArrayList<>();
-      branches.forEach(branch -> all.addAll(branch.children));
+      branches.forEach(branch -> all.addAll(branch.children()));
       return all;
     }
 
     void close() {
       branches.forEach(Branch::close);
-    }
-  }
-
-  /** A field that holds nodes. */
-  private final class Branch {
-    final X3DField field;
-    final X3DFieldEventListener onChange = event -> changed(event.getTime());
-    List<X3DNode> children;
-
-    Branch(X3DField field) {
-      this.field = field;
-      this.children = read(field);
-      if (field.getDefinition().getAccessType() != X3DFieldTypes.INITIALIZE_ONLY) {
-        field.addX3DEventListener(onChange);
-      }
-    }
-
-    void changed(double time) {
-      List<X3DNode> before = children;
-      children = read(field);
-      replace(before, children, time);
-    }
-
-    void close() {
-      FieldRelease.remove(field, onChange);
     }
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.sai.InlinedScenes;
 import org.selectiverenderer.schema.Activation;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
@@ -15,8 +16,9 @@ import org.web3d.x3d.sai.ExternalBrowser;
  *
  * <p>Only nodes with metadata of the vocabulary count; others are left alone. The scene is read
  * once when control begins and followed from there: children and metadata that change, nodes that
- * come and go, and another world in place of this one. The scene of an Inline is not part of it,
- * since the SAI does not show it.
+ * come and go, and another world in place of this one. The scenes of Inlines are part of it where
+ * the browser opens them ({@link InlinedScenes}), as if the files were one; the standard keeps them
+ * closed, which is said then.
  *
  * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
  * take effect later than it is made, and writes only what differs. What others write (a ROUTE, an
@@ -115,9 +117,13 @@ public final class SelectiveController implements AutoCloseable {
     detach();
     var context = browser.getExecutionContext();
     if (context != null) { // no world is shown yet
-      scene = new SceneControl(context, settings, events, problems);
+      scene = new SceneControl(context, opener(), settings, events, problems);
       scene.start();
     }
+  }
+
+  private @Nullable InlinedScenes opener() {
+    return browser instanceof InlinedScenes opening ? opening : null;
   }
 
   private void detach() {

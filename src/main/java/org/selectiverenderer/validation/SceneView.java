@@ -17,11 +17,14 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * @param main the scene's own file
  * @param root decides which files the scene may name
  * @param contents the file in each Inline, of whichever file; none for one that cannot be had
+ * @param part whether another scene of the run inlines this one, and speaks for what only the whole
+ *     can tell
  */
 public record SceneView(
     FileOutline main,
     ContentRoot root,
     Map<ParsedNode, FileOutline> contents,
+    boolean part,
     ValidationSettings settings) {
   /** The file in an Inline; empty if it is not to be loaded or could not be read. */
   public Optional<FileOutline> content(ParsedNode inline) {

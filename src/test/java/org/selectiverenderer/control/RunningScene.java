@@ -29,11 +29,18 @@ final class RunningScene implements AutoCloseable {
   final List<ControlEvent> events = new ArrayList<>();
   final List<ControlProblem> problems = new ArrayList<>();
   SelectiveController controller;
+  private final Path folder;
   private final SceneLoader loader;
   private double time;
 
   /** The scene without a controller; see {@link #control}. */
   RunningScene(String nodes) {
+    this(Path.of(""), nodes);
+  }
+
+  /** The scene in a folder, whose files it may inline. */
+  RunningScene(Path folder, String nodes) {
+    this.folder = folder;
     Problems found = new Problems();
     loader = new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), found);
     world = new World(load(nodes), found);
@@ -55,7 +62,7 @@ final class RunningScene implements AutoCloseable {
   private LoadedScene load(String nodes) {
     byte[] text = file(nodes).getBytes(StandardCharsets.UTF_8);
     try {
-      return loader.load("test.x3d", new ByteArrayInputStream(text), Path.of(""));
+      return loader.load("test.x3d", new ByteArrayInputStream(text), folder);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -19,9 +19,10 @@ class SceneWatchTest {
     SceneWatch walk =
         new SceneWatch(
             scene,
+            null,
             node -> node instanceof X3DGroupingNode,
             (added, gone, time) -> {
-              found.addAll(added);
+              added.forEach(one -> found.add(one.node()));
               lost.addAll(gone);
             });
     walk.rescan(0);

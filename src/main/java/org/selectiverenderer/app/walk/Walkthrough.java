@@ -54,7 +54,6 @@ public final class Walkthrough implements AutoCloseable {
     this.timeline = timeline;
     browser = new EmbeddedBrowser(world, loader, console, Map.of());
     controller = new SelectiveController(browser, settings, this::heard, this::report);
-    InlinedEnrichment.report(world.scene(), problems);
     world.instances().update();
   }
 

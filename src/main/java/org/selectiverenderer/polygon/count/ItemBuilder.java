@@ -2,9 +2,9 @@ package org.selectiverenderer.polygon.count;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,23 +19,22 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * Makes items of files that are read, and reports the problems of each file when it is first met.
- * The metadata of an inlined file is not looked at, since the controller does not see it either:
- * its Switches show what the file says.
+ * Objects and areas count in whatever file they stand, as the controller sees them.
  */
 final class ItemBuilder {
-  private final CountedFile main;
   private final Problems problems;
   private final Map<ParsedNode, CountedItem> items = new IdentityHashMap<>();
   private final Map<CountedFile, CountedItem> contents = new IdentityHashMap<>();
   private final Set<CountedFile> open = new HashSet<>();
-  private final Map<String, Integer> numbers = new HashMap<>();
+  private final Map<CountedFile, ItemNames> names = new IdentityHashMap<>();
+  private final Set<String> taken = new HashSet<>();
+  private final Map<String, ParsedNode> named = new LinkedHashMap<>();
   private final CountedItem root;
 
   /** Builds at once. */
   ItemBuilder(CountedFile main, Problems problems) {
-    this.main = main;
     this.problems = problems;
-    this.root = content(main);
+    this.root = content(main, "");
   }
 
   /** The scene's top. */
@@ -48,18 +47,31 @@ final class ItemBuilder {
     return Collections.unmodifiableMap(items);
   }
 
-  /** The item of a node of the scene's own file; empty for what is not drawn and no area. */
+  /**
+   * DEF name to node, of the scene's own file and of those it inlines. A name of several files is
+   * that of the first one.
+   */
+  Map<String, ParsedNode> named() {
+    return Collections.unmodifiableMap(named);
+  }
+
+  /** The item of a node; empty for what is not drawn and no area. */
   Optional<CountedItem> of(@Nullable ParsedNode node) {
     return Optional.ofNullable(items.get(node));
   }
 
-  private CountedItem content(CountedFile file) {
+  /**
+   * @param path the names of the Inlines that lead to it, as {@link ItemNames} wants it
+   */
+  private CountedItem content(CountedFile file, String path) {
     CountedItem known = contents.get(file);
     if (known != null) {
       return known;
     }
     file.problemList().forEach(problems::add);
     open.add(file);
+    names.put(file, new ItemNames(path, taken));
+    file.file().named().forEach(named::putIfAbsent);
     CountedItem made =
         new CountedItem.Builder(null).children(items(file.file().nodes(), file)).build();
     open.remove(file);
@@ -85,17 +97,15 @@ final class ItemBuilder {
   }
 
   private CountedItem make(ParsedNode node, CountedFile file) {
-    String name = nameOf(node);
+    String name = names.get(file).of(node);
     CountedItem.Builder builder = new CountedItem.Builder(node).name(name);
     if (Structure.isShape(node)) {
       Structure.geometry(node).ifPresent(geometry -> builder.size(file.size(geometry)));
     } else if (Structure.isInline(node)) {
-      fill(node, file, builder);
+      fill(node, name, file, builder);
     } else {
       List<ParsedNode> children = Structure.children(node);
-      if (file == main) {
-        enrich(node, name, children.size(), builder);
-      }
+      enrich(node, name, children.size(), builder);
       builder.children(items(children, file));
       if (node.type().name().equals("Transform") || node.type().name().equals("CADPart")) {
         builder.placement(TransformPlacement.of(node, new Matrix4d()));
@@ -104,7 +114,7 @@ final class ItemBuilder {
     return builder.build();
   }
 
-  private void fill(ParsedNode inline, CountedFile file, CountedItem.Builder builder) {
+  private void fill(ParsedNode inline, String name, CountedFile file, CountedItem.Builder builder) {
     CountedFile content = file.content(inline).orElse(null);
     if (content == null) {
       return;
@@ -115,7 +125,7 @@ final class ItemBuilder {
           "Inline %s includes itself and is left out".formatted(content.file().source()));
       return;
     }
-    builder.children(List.of(content(content)));
+    builder.children(List.of(content(content, names.get(file).path() + name + "/")));
     double scale = content.file().unitLength() / file.file().unitLength();
     if (scale != 1) {
       builder.placement(new Matrix4d().scale(scale));
@@ -134,13 +144,5 @@ final class ItemBuilder {
     } else if (Structure.isSensor(node)) {
       builder.area(NodeMetadata.of(node).flatMap(reader::sensor));
     }
-  }
-
-  /** The DEF name, else type and number, as the controller names nodes. */
-  private String nameOf(ParsedNode node) {
-    String type = node.type().name();
-    int number = numbers.merge(type, 1, Integer::sum);
-    String name = node.name();
-    return name != null ? name.strip() : type + "#" + number;
   }
 }

@@ -30,7 +30,7 @@ public final class PolygonStatistics {
     ItemBuilder items = new ItemBuilder(file, problems);
     root = items.root();
     objects = CountScope.of(SceneStatistics.WHOLE_SCENE, root).objects();
-    ScopeFinder finder = new ScopeFinder(items, file.file().named());
+    ScopeFinder finder = new ScopeFinder(items, items.named());
     scopesChosen = !scopeNames.isEmpty();
     scopes = scopeNames.isEmpty() ? finder.outermost() : finder.named(scopeNames);
     areas = new AreaFinder(root, scopes);

@@ -82,7 +82,6 @@ public final class SceneModel {
     }
   }
 
-  private final CountedFile main;
   private final ItemBuilder items;
   private final CountScope all;
   private final List<Area> areas;
@@ -90,7 +89,6 @@ public final class SceneModel {
   private final ItemInstances places;
 
   private SceneModel(CountedFile main) {
-    this.main = main;
     items = new ItemBuilder(main, new Problems());
     all = CountScope.of(SceneStatistics.WHOLE_SCENE, items.root());
     areas = new AreaFinder(items.root(), List.of()).all();
@@ -152,9 +150,9 @@ public final class SceneModel {
     return activation;
   }
 
-  /** The groups of the scene's own file that can be counted, by DEF name. */
+  /** The groups that can be counted, by DEF name: of the scene's own file and of inlined ones. */
   public Set<String> groups() {
-    Map<String, ParsedNode> groups = new LinkedHashMap<>(main.file().named());
+    Map<String, ParsedNode> groups = new LinkedHashMap<>(items.named());
     groups.values().removeIf(node -> !Structure.isGroup(node.type()) || items.of(node).isEmpty());
     return groups.keySet();
   }
@@ -167,9 +165,7 @@ public final class SceneModel {
    */
   public List<State> states(String group) {
     CountedItem item =
-        group.isEmpty()
-            ? items.root()
-            : items.of(main.file().named().get(group)).orElse(items.root());
+        group.isEmpty() ? items.root() : items.of(items.named().get(group)).orElse(items.root());
     return new ReachableStates(all.objects(), areas).states(item);
   }
 

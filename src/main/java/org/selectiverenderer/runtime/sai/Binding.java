@@ -104,6 +104,12 @@ final class Binding {
     return find(node).node();
   }
 
+  /** What stands behind an SAI object. */
+  NodeProxy proxyOf(X3DNode node) {
+    check();
+    return find(node);
+  }
+
   private NodeProxy find(@Nullable X3DNode node) {
     InvocationHandler handler =
         node != null && Proxy.isProxyClass(node.getClass())

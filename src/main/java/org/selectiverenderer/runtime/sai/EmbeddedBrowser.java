@@ -10,7 +10,9 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.sai.InlinedScenes;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ComponentInfo;
@@ -24,7 +26,7 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
 /** The embedded browser. Stepping its world is its owner's business. Thread-safe. */
-public final class EmbeddedBrowser implements ExternalBrowser {
+public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes {
   /**
    * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
    */
@@ -64,7 +66,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
     listeners = new BrowserListeners(world);
     meter = new FrameMeter(world);
     current = shown(world.scene());
-    roots = new RootWatch(world.scene(), () -> tell(ROOTS_CHANGED));
+    roots = new RootWatch(world.scene(), time -> tell(ROOTS_CHANGED));
     world.onReplace(this::replaced);
   }
 
@@ -79,7 +81,7 @@ public final class EmbeddedBrowser implements ExternalBrowser {
       current = shown(shownBy.scene());
     }
     roots.close();
-    roots = new RootWatch(shownBy.scene(), () -> tell(ROOTS_CHANGED));
+    roots = new RootWatch(shownBy.scene(), time -> tell(ROOTS_CHANGED));
     tell(BrowserEvent.INITIALIZED);
   }
 
@@ -90,6 +92,23 @@ public final class EmbeddedBrowser implements ExternalBrowser {
   /** Where a node was read, for messages. */
   public Location locationOf(X3DNode node) {
     return binding.peek(node).location();
+  }
+
+  @Override
+  public Optional<X3DScene> inlinedScene(X3DNode inline) {
+    return Optional.ofNullable(InlineWatch.shown(inlineOf(inline))).map(this::shown);
+  }
+
+  @Override
+  public Registration watchInline(X3DNode inline, Listener listener) {
+    return new InlineWatch(world, binding.proxyOf(inline), inlineOf(inline), listener);
+  }
+
+  private InlineNode inlineOf(X3DNode node) {
+    if (binding.unwrapped(node) instanceof InlineNode inline) {
+      return inline;
+    }
+    throw new InvalidNodeException(node.getNodeName() + " is no Inline");
   }
 
   @Override

@@ -318,4 +318,15 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   public void dispose() {
     disposed = true;
   }
+
+  /** Two objects of one scene are equal. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof EmbeddedScene same && same.scene == scene;
+  }
+
+  @Override
+  public int hashCode() {
+    return System.identityHashCode(scene);
+  }
 }

@@ -1,17 +1,21 @@
 package org.selectiverenderer.runtime.sai;
 
+import java.util.function.DoubleConsumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.ListenerOfField;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
-/** Hears when nodes come to or leave the top of a scene that is shown, as listeners hear it. */
+/**
+ * Hears when nodes come to or leave the top of a scene that is shown, as listeners hear it; is told
+ * the time stamp.
+ */
 final class RootWatch implements ListenerOfField, AutoCloseable {
   private final Node root;
   private final int children;
-  private final Runnable onChange;
+  private final DoubleConsumer onChange;
 
-  RootWatch(Scene scene, Runnable onChange) {
+  RootWatch(Scene scene, DoubleConsumer onChange) {
     this.root = scene.root();
     this.children = root.type().indexOf("children");
     this.onChange = onChange;
@@ -25,7 +29,7 @@ final class RootWatch implements ListenerOfField, AutoCloseable {
 
   @Override
   public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
-    onChange.run();
+    onChange.accept(time);
   }
 
   @Override

@@ -117,7 +117,11 @@ public final class Cascade {
     deliveries.add(new Delivery(to, field, value));
   }
 
-  void notify(FieldListener listener, Node node, int field, @Nullable Object value) {
+  /**
+   * Calls a listener in {@link #run()}, after those that wait already. For what is no event, but to
+   * be heard as one: a file that has arrived.
+   */
+  public void notify(FieldListener listener, Node node, int field, @Nullable Object value) {
     notifications.add(new Notification(listener, node, field, value));
   }
 

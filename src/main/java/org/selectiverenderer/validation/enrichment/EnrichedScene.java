@@ -10,6 +10,7 @@ import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.OutlinedFile;
 import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -17,12 +18,16 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 /**
  * A scene as the controller sees it.
  *
- * @param areas the ProximitySensors of the scene's own file that name schemas
- * @param objects the Switches of the scene's own file that name schemas
+ * @param files the scene's own file and those that it inlines, by the name in their locations
+ * @param nodes all nodes of these files, parents first, the scene's own file first
+ * @param areas the ProximitySensors that name schemas
+ * @param objects the Switches that name schemas
  * @param counts what the polygon counts make of it; null where there is neither area nor object
  */
 record EnrichedScene(
     SceneView view,
+    Map<String, FileOutline> files,
+    List<ParsedNode> nodes,
     Map<ParsedNode, SensorSchemas> areas,
     Map<ParsedNode, SwitchSchemas> objects,
     @Nullable SceneModel counts) {
@@ -31,7 +36,11 @@ record EnrichedScene(
     SchemaReader reader = new SchemaReader(problem -> {});
     Map<ParsedNode, SensorSchemas> areas = new LinkedHashMap<>();
     Map<ParsedNode, SwitchSchemas> objects = new LinkedHashMap<>();
-    for (ParsedNode node : view.main().nodes()) {
+    Map<String, FileOutline> files = new LinkedHashMap<>();
+    view.files().forEach(file -> files.put(file.scene().source(), file));
+    List<ParsedNode> nodes =
+        files.values().stream().flatMap(file -> file.nodes().stream()).toList();
+    for (ParsedNode node : nodes) {
       NodeMetadata metadata = isArea(node) || isObject(node) ? metadata(node) : null;
       if (metadata != null && isArea(node)) {
         reader.sensor(metadata).ifPresent(schemas -> areas.put(node, schemas));
@@ -40,7 +49,8 @@ record EnrichedScene(
       }
     }
     boolean nothing = areas.isEmpty() && objects.isEmpty();
-    return new EnrichedScene(view, areas, objects, nothing ? null : OutlinedFile.model(view));
+    return new EnrichedScene(
+        view, files, nodes, areas, objects, nothing ? null : OutlinedFile.model(view));
   }
 
   private static @Nullable NodeMetadata metadata(ParsedNode node) {
@@ -59,9 +69,9 @@ record EnrichedScene(
     return object.nodes("children").size();
   }
 
-  /** All nodes of the scene's own file, parents first. */
-  List<ParsedNode> nodes() {
-    return view.main().nodes();
+  /** The file that a node stands in. */
+  FileOutline file(ParsedNode node) {
+    return files.getOrDefault(node.location().file(), view.main());
   }
 
   /** Present where there is an area or an object. */
@@ -73,18 +83,18 @@ record EnrichedScene(
   boolean driven(ParsedNode node, String field) {
     int index = node.type().indexOf(field);
     return scripted()
-        || view.main().scene().routes().stream()
+        || file(node).scene().routes().stream()
             .anyMatch(route -> route.to() == node && route.toField() == index);
   }
 
   /** Whether a route starts at a node, or a script may listen to it. */
   boolean heard(ParsedNode node) {
     return scripted()
-        || view.main().scene().routes().stream().anyMatch(route -> route.from() == node)
-        || view.main().scene().exports().stream().anyMatch(e -> e.localDef().equals(node.name()));
+        || file(node).scene().routes().stream().anyMatch(route -> route.from() == node)
+        || file(node).scene().exports().stream().anyMatch(e -> e.localDef().equals(node.name()));
   }
 
   private boolean scripted() {
-    return nodes().stream().anyMatch(node -> node.type().name().equals("Script"));
+    return nodes.stream().anyMatch(node -> node.type().name().equals("Script"));
   }
 }

@@ -9,6 +9,9 @@ import org.selectiverenderer.validation.SceneView;
 record EnrichmentCheck(List<EnrichmentPart> parts) implements SceneCheck {
   @Override
   public void check(SceneView view, Findings findings) {
+    if (view.part()) {
+      return; // Its areas and objects may have their counterparts in other rooms.
+    }
     EnrichedScene scene = EnrichedScene.of(view);
     parts.forEach(part -> part.check(scene, findings));
   }

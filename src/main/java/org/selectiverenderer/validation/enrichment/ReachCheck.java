@@ -33,7 +33,7 @@ final class ReachCheck implements EnrichmentPart {
     float[] size = sensor.floats("size");
     if (!SensorCheck.hasVolume(sensor)) {
       if (Math.min(size[0], Math.min(size[1], size[2])) >= 0) { // Less is SR105's.
-        findings.addAt(SensorRules.NO_VOLUME, scene.view().main(), sensor, "size");
+        findings.addAt(SensorRules.NO_VOLUME, scene.file(sensor), sensor, "size");
       }
     } else if (scene.areas().containsKey(sensor)) {
       List<Matrix4dc> places = scene.model().map(m -> m.places(sensor)).orElse(List.of());
@@ -41,11 +41,11 @@ final class ReachCheck implements EnrichmentPart {
       places.forEach(
           place -> SensorBox.of(sensor.floats("center"), size, place).ifPresent(boxes::add));
       if (boxes.isEmpty() && !places.isEmpty()) {
-        findings.addAt(SensorRules.NO_VOLUME, scene.view().main(), sensor, "size");
+        findings.addAt(SensorRules.NO_VOLUME, scene.file(sensor), sensor, "size");
       } else if (!sensor.bool("enabled") && !scene.driven(sensor, "enabled")) {
         findings.addAt(
             SensorRules.UNREACHABLE,
-            scene.view().main(),
+            scene.file(sensor),
             sensor,
             "enabled",
             "it is not enabled, and no route enables it");
@@ -63,7 +63,8 @@ final class ReachCheck implements EnrichmentPart {
   /** Where a viewer can be expected; empty where that cannot be known. */
   private static Optional<Bounds> reach(EnrichedScene scene, SceneModel model) {
     boolean moving =
-        scene.view().main().scene().routes().stream()
+        scene.files().values().stream()
+            .flatMap(file -> file.scene().routes().stream())
             .map(route -> route.to().type())
             .anyMatch(type -> type.name().equals("Transform") || type.is("X3DViewpointNode"));
     boolean incomplete =

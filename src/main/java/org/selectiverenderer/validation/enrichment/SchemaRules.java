@@ -60,7 +60,7 @@ final class SchemaRules {
           .because(
               """
               Schemas are read from the metadata of the ProximitySensors and Switches of the \
-              scene's own file, in the sets of the choices. Elsewhere they have no effect.""")
+              scene and its Inlines, in the sets of the choices. Elsewhere they have no effect.""")
           .bad("<Group>\n" + Examples.set("metadata", Examples.ENTER_DESK).indent(2) + "</Group>")
           .good(GOOD)
           .see("thesis 4.2.2");

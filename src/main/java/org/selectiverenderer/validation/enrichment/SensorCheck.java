@@ -21,7 +21,7 @@ final class SensorCheck implements EnrichmentPart {
   }
 
   private static void check(EnrichedScene scene, ParsedNode sensor, Findings findings) {
-    FileOutline file = scene.view().main();
+    FileOutline file = scene.file(sensor);
     boolean[] emptyExit = {false};
     SchemaReader reader =
         new SchemaReader(

@@ -44,7 +44,7 @@ final class StartCheck implements EnrichmentPart {
           && !scene.driven(object.node(), "whichChoice")) {
         findings.addAt(
             ObjectVersionRules.NOT_AS_AT_START,
-            scene.view().main(),
+            scene.file(object.node()),
             object.node(),
             "whichChoice",
             shown,

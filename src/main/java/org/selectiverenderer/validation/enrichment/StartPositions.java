@@ -27,7 +27,7 @@ final class StartPositions {
    * Empty if there is none, or if something moves it.
    */
   static Optional<Vector3d> start(EnrichedScene scene, SceneModel model) {
-    for (ParsedNode node : scene.nodes()) {
+    for (ParsedNode node : scene.view().main().nodes()) {
       if (node.type().is("X3DViewpointNode")) {
         boolean known = isViewpoint(node) && !scene.driven(node, "position");
         return known ? eyes(node, model).stream().findFirst() : Optional.empty();

@@ -39,7 +39,7 @@ final class SwitchMetadataCheck implements EnrichmentPart {
         new SchemaReader(
             problem -> {
               ours[0] = true;
-              report(problem, scene.view().main(), sets, children, findings);
+              report(problem, scene.file(node), sets, children, findings);
             });
     SwitchSchemas schemas = reader.switchNode(metadata, children).orElse(null);
     if (schemas != null) {
@@ -117,7 +117,7 @@ final class SwitchMetadataCheck implements EnrichmentPart {
     if ((choice >= children || choice < -1) && !scene.driven(node, "whichChoice")) {
       findings.addAt(
           SwitchRules.OUT_OF_RANGE,
-          scene.view().main(),
+          scene.file(node),
           node,
           "whichChoice",
           choice,

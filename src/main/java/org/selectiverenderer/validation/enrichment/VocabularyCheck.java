@@ -1,7 +1,6 @@
 package org.selectiverenderer.validation.enrichment;
 
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -22,8 +21,8 @@ final class VocabularyCheck implements EnrichmentPart {
 
   @Override
   public void check(EnrichedScene scene, Findings findings) {
-    FileOutline file = scene.view().main();
     for (ParsedNode node : scene.nodes()) {
+      FileOutline file = scene.file(node);
       boolean ours = EnrichedScene.isArea(node) || EnrichedScene.isObject(node);
       words(
           node,
@@ -35,9 +34,6 @@ final class VocabularyCheck implements EnrichmentPart {
             }
           });
     }
-    Set<FileOutline> inlined = new LinkedHashSet<>(scene.view().contents().values());
-    inlined.remove(scene.view().main());
-    inlined.forEach(other -> inlined(other, findings));
   }
 
   private static void spelling(NodeMetadata at, FileOutline file, Findings findings) {
@@ -53,21 +49,6 @@ final class VocabularyCheck implements EnrichmentPart {
           .ifPresent(
               near ->
                   findings.addAt(SchemaRules.UNKNOWN_NAME, file, at.node(), "name", name, near));
-    }
-  }
-
-  /** The controller sees the nodes of the scene's own file only. */
-  private static void inlined(FileOutline file, Findings findings) {
-    for (ParsedNode node : file.nodes()) {
-      if (EnrichedScene.isArea(node) || EnrichedScene.isObject(node)) {
-        words(
-            node,
-            at -> {
-              if (SchemaField.of(at.name()).isPresent()) {
-                misplaced(at, "the controller does not look into inlined files", file, findings);
-              }
-            });
-      }
     }
   }
 

@@ -128,10 +128,14 @@ final class ValidationRun {
       suppressions.put(result.outline().file().name(), result.suppressions());
       files.add(result.outline().file());
     }
+    Set<Scene> parts = parts(scenes);
     WantedFindings wanted = new WantedFindings(settings, suppressions);
     List<CompletableFuture<Findings>> checking =
         scenes.stream()
-            .map(scene -> CompletableFuture.supplyAsync(() -> check(scene, wanted), executor))
+            .map(
+                scene ->
+                    CompletableFuture.supplyAsync(
+                        () -> check(view(scene, parts), wanted), executor))
             .toList();
     for (CompletableFuture<Findings> scene : checking) {
       all.addAll(scene.join().list());
@@ -141,7 +145,7 @@ final class ValidationRun {
     Path file = settings.file();
     RunCheck.Settings given =
         new RunCheck.Settings(settings, file == null ? "" : ReportedNames.relative(file, base));
-    List<SceneView> views = scenes.stream().map(this::view).toList();
+    List<SceneView> views = scenes.stream().map(scene -> view(scene, parts)).toList();
     runChecks.forEach(check -> check.check(views, given, ofRun));
     all.addAll(ofRun.list());
     List<Finding> weighed =
@@ -149,14 +153,31 @@ final class ValidationRun {
     return Report.of(files, weighed, dropped);
   }
 
-  private Findings check(Scene scene, WantedFindings wanted) {
+  private Findings check(SceneView view, WantedFindings wanted) {
     Findings findings = new Findings(wanted);
-    SceneView view = view(scene);
     sceneChecks.forEach(check -> check.check(view, findings));
     return findings;
   }
 
-  private SceneView view(Scene scene) {
-    return new SceneView(scene.main, scene.root, scene.contents, settings);
+  /** The scenes that others inline; of scenes that inline each other, all but one. */
+  private static Set<Scene> parts(List<Scene> scenes) {
+    Set<Scene> parts = Collections.newSetFromMap(new IdentityHashMap<>());
+    for (Scene scene : scenes) {
+      boolean part =
+          scenes.stream()
+              .anyMatch(
+                  other ->
+                      other != scene
+                          && !parts.contains(other)
+                          && other.followed.contains(scene.main));
+      if (part) {
+        parts.add(scene);
+      }
+    }
+    return parts;
+  }
+
+  private SceneView view(Scene scene, Set<Scene> parts) {
+    return new SceneView(scene.main, scene.root, scene.contents, parts.contains(scene), settings);
   }
 }

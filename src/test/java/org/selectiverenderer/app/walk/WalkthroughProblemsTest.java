@@ -28,20 +28,21 @@ class WalkthroughProblemsTest {
   }
 
   @Test
-  void aFileInlinedWithEnrichedNodesIsMentionedOnce() throws IOException {
-    Files.writeString(dir.resolve("part.x3d"), FILE.formatted(ENRICHED));
-    Files.writeString(dir.resolve("plain.x3d"), FILE.formatted("<Switch><Group/></Switch>"));
-    assertThat(
-            problems(
-                "<Inline url='\"plain.x3d\"'/>\n<Inline url='\"part.x3d\"'/>\n"
-                    + "<Inline url='\"part.x3d\"'/>"))
+  void whatIsWrongWithAnInlinedRoomIsToldAtItsPlace() throws IOException {
+    Files.writeString(
+        dir.resolve("room.x3d"),
+        FILE.formatted(
+            "\n<Switch DEF='Can'><Group/><MetadataSet containerField='metadata'><MetadataString"
+                + " name='schemaBelonginess' value='\"A\"'/><MetadataString"
+                + " name='degreeOfConsistency' value='\"hihg\"'/></MetadataSet></Switch>"));
+    assertThat(problems("<Inline url='\"room.x3d\"'/>"))
+        .filteredOn(problem -> problem.severity() == Problem.Severity.WARNING)
         .singleElement()
         .satisfies(
             problem -> {
-              assertThat(problem.severity()).isEqualTo(Problem.Severity.INFO);
+              assertThat(problem.location().file()).endsWith("room.x3d");
               assertThat(problem.location().line()).isEqualTo(2);
-              assertThat(problem.message())
-                  .contains("contains enriched nodes, which the controller cannot see");
+              assertThat(problem.message()).startsWith("Can: ");
             });
   }
 

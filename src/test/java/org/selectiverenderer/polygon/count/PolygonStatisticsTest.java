@@ -19,6 +19,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
+import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
 
 class PolygonStatisticsTest {
   @TempDir Path folder;
@@ -218,14 +219,44 @@ class PolygonStatisticsTest {
   }
 
   @Test
-  void metadataInAnInlinedFileIsNotTheScenes() throws IOException {
+  void objectsAndAreasOfInlinedFilesCount() throws IOException {
+    Files.writeString(
+        folder.resolve("part.x3d"),
+        SmallScene.document("<Group DEF='Room'>", object("Switch_A", "A:9", "R:2"), "</Group>"));
+    Files.writeString(folder.resolve("area.x3d"), SmallScene.document(area("A", "R", 0)));
+    String[] building = {
+      "<Inline url='\"area.x3d\"'/>",
+      "<Inline url='\"part.x3d\"'/><Transform><Inline url='\"part.x3d\"'/></Transform>"
+    };
+
+    SceneStatistics scene = count(folder, problems, building);
+
+    assertThat(scene.objects()).extracting(ObjectCount::switchName).containsExactly("Switch_A");
+    assertThat(scene.totalHigh()).as("the same object in two places").isEqualTo(18);
+    assertThat(scene.scopes()).extracting(ScopeCount::scope).containsExactly("Room");
+    assertThat(scene.scopes().get(0).states())
+        .extracting(StateCount::schemas)
+        .containsExactly(List.of("R"), List.of("A"));
+    Path file = folder.resolve("scene.x3d");
+    assertThat(PolygonStatistics.of(file, List.of("Room"), problems).scopes()).hasSize(1);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void objectsOfOneNameInSeveralFilesAreToldApart() throws IOException {
     Files.writeString(
         folder.resolve("part.x3d"), SmallScene.document(object("Switch_A", "A:9", "R:2")));
 
-    SceneStatistics scene = count(folder, problems, "<Inline url='\"part.x3d\"'/>");
+    SceneStatistics scene =
+        count(
+            folder,
+            problems,
+            object("Switch_A", "A:9", "R:2"),
+            "<Inline DEF='Room' url='\"part.x3d\"'/>");
 
-    assertThat(scene.objects()).isEmpty();
-    assertThat(scene.totalHigh()).as("what it shows").isEqualTo(2);
+    assertThat(scene.objects())
+        .extracting(ObjectCount::switchName)
+        .containsExactlyInAnyOrder("Switch_A", "Room/Switch_A");
   }
 
   @Test

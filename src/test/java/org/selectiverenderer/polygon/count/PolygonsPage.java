@@ -188,8 +188,8 @@ final class PolygonsPage {
           objects it changes.
         - Areas overlap if there is a point inside all of their boxes. A rotated box that is scaled unequally becomes slanted,
           and is treated so. Boxes that only touch do not overlap.
-        - A LOD counts with its most detailed level. A Switch without metadata, and what an Inline contains, count as the file
-          says.\
+        - A LOD counts with its most detailed level. A Switch without metadata counts as the file says.
+        - What Inlines contain counts like the scene itself: a file that is inlined twice is one object in two places.\
         """);
   }
 

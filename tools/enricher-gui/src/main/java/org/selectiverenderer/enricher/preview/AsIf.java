@@ -1,13 +1,13 @@
 package org.selectiverenderer.enricher.preview;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
@@ -27,19 +27,17 @@ final class AsIf {
   private final Cascade cascade;
 
   /**
-   * @param nodes of the scene, Inlines' contents apart, which the controller does not see either
+   * @param switches of the scene and of what it inlines, as the controller sees them
    */
-  AsIf(List<Node> nodes, Cascade cascade) {
+  AsIf(Collection<SwitchNode> switches, Cascade cascade) {
     this.cascade = cascade;
     SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings tell them.
-    for (Node node : nodes) {
-      if (node instanceof SwitchNode versions) {
-        atStart.put(versions, versions.whichChoice());
-        Optional<SwitchSchemas> schemas =
-            NodeMetadata.of(versions)
-                .flatMap(metadata -> reader.switchNode(metadata, versions.children().size()));
-        schemas.ifPresent(known -> enriched.put(versions, known));
-      }
+    for (SwitchNode versions : switches) {
+      atStart.put(versions, versions.whichChoice());
+      Optional<SwitchSchemas> schemas =
+          NodeMetadata.of(versions)
+              .flatMap(metadata -> reader.switchNode(metadata, versions.children().size()));
+      schemas.ifPresent(known -> enriched.put(versions, known));
     }
   }
 

@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.preview;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -18,17 +19,38 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** The nodes of the document's own text in a running scene, and the way from one to the other. */
+/**
+ * The nodes of the document's own text in a running scene, and the way from one to the other; and
+ * the Switches of the whole scene.
+ */
 final class PreviewNodes {
   private record Place(int line, int column) {}
 
   private final World world;
   private final Map<Place, Node> byPlace = new HashMap<>();
   private final Set<Node> all = new LinkedHashSet<>();
+  private final Set<SwitchNode> switches = new LinkedHashSet<>();
 
   PreviewNodes(World world) {
     this.world = world;
     collect(world.instances().root());
+    switches(world.instances().root());
+  }
+
+  private void switches(GroupInstance group) {
+    if (group.node() instanceof SwitchNode versions) {
+      switches.add(versions);
+    }
+    for (Instance child : group.children()) {
+      if (child instanceof GroupInstance below) {
+        switches(below);
+      }
+    }
+  }
+
+  /** All Switches, those of inlined files too, in document order. */
+  Set<SwitchNode> switches() {
+    return Collections.unmodifiableSet(switches);
   }
 
   private void collect(GroupInstance group) {

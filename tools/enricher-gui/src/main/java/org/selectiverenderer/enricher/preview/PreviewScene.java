@@ -41,9 +41,8 @@ final class PreviewScene implements AutoCloseable {
     world = loaded.world();
     world.step(0, (viewer, now, dt) -> {}); // The viewer is at the start from here on.
     nodes = new PreviewNodes(world);
-    List<Node> all = nodes.all();
-    areas = new AreaBoxes(world, all);
-    asIf = new AsIf(all, world.cascade());
+    areas = new AreaBoxes(world, nodes.all());
+    asIf = new AsIf(nodes.switches(), world.cascade());
     rays = new RayCaster(world.instances(), world.meshes());
     browser = new EmbeddedBrowser(world, loaded.loader(), text -> {}, Map.of());
   }

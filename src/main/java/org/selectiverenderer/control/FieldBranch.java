@@ -1,0 +1,50 @@
+package org.selectiverenderer.control;
+
+import java.util.List;
+import org.web3d.x3d.sai.MFNode;
+import org.web3d.x3d.sai.SFNode;
+import org.web3d.x3d.sai.X3DField;
+import org.web3d.x3d.sai.X3DFieldEventListener;
+import org.web3d.x3d.sai.X3DFieldTypes;
+import org.web3d.x3d.sai.X3DNode;
+
+/** A field that holds nodes. */
+final class FieldBranch extends Branch {
+  private final SceneScope scope;
+  private final X3DField field;
+  private final X3DFieldEventListener onChange = event -> changed(event.getTime());
+
+  FieldBranch(SceneScope scope, X3DField field, Listener listener) {
+    super(listener);
+    this.scope = scope;
+    this.field = field;
+  }
+
+  @Override
+  SceneScope scope() {
+    return scope;
+  }
+
+  @Override
+  List<X3DNode> look() {
+    if (field instanceof MFNode nodes) {
+      X3DNode[] array = new X3DNode[nodes.getSize()];
+      nodes.getValue(array);
+      return present(array);
+    }
+    X3DNode node = ((SFNode) field).getValue();
+    return node == null ? List.of() : List.of(node);
+  }
+
+  @Override
+  void listen() {
+    if (field.getDefinition().getAccessType() != X3DFieldTypes.INITIALIZE_ONLY) {
+      field.addX3DEventListener(onChange);
+    }
+  }
+
+  @Override
+  void close() {
+    FieldRelease.remove(field, onChange);
+  }
+}

@@ -1,0 +1,55 @@
+package org.selectiverenderer.control;
+
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.sai.InlinedScenes;
+import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.X3DScene;
+
+/** The scene in an Inline: it may arrive late, be replaced, and go and come with {@code load}. */
+final class InlineBranch extends Branch {
+  private final X3DNode inline;
+  private final InlinedScenes browser;
+  private final SceneScope outer;
+  private final int number;
+  private @Nullable SceneScope inner;
+  private InlinedScenes.@Nullable Registration registration;
+
+  InlineBranch(SceneScope outer, X3DNode inline, InlinedScenes browser, Listener listener) {
+    super(listener);
+    this.outer = outer;
+    this.inline = inline;
+    this.browser = browser;
+    this.number = outer.nextInline();
+  }
+
+  @Override
+  SceneScope scope() {
+    return inner == null ? outer : inner; // While there is none, no node asks for it.
+  }
+
+  @Override
+  List<X3DNode> look() {
+    Optional<X3DScene> content = browser.inlinedScene(inline);
+    if (content.isEmpty()) {
+      return List.of();
+    }
+    if (inner == null || !inner.scene().equals(content.get())) {
+      inner = outer.inner(inline, number, content.get());
+    }
+    return present(content.get().getRootNodes());
+  }
+
+  @Override
+  void listen() {
+    registration = browser.watchInline(inline, (node, time) -> changed(time));
+  }
+
+  @Override
+  void close() {
+    if (registration != null) {
+      registration.close();
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package org.selectiverenderer.control;
+
+import org.jspecify.annotations.Nullable;
+import org.web3d.x3d.sai.X3DExecutionContext;
+import org.web3d.x3d.sai.X3DNode;
+
+/** A scene within which DEF names are unique: the one that the browser shows, or an Inline's. */
+final class SceneScope {
+  private final X3DExecutionContext scene;
+  private final @Nullable SceneScope outer;
+  private final @Nullable X3DNode inline;
+  private final int number;
+  private int inlines;
+
+  /** The scene that the browser shows. */
+  SceneScope(X3DExecutionContext scene) {
+    this(scene, null, null, 0);
+  }
+
+  private SceneScope(
+      X3DExecutionContext scene, @Nullable SceneScope outer, @Nullable X3DNode inline, int number) {
+    this.scene = scene;
+    this.outer = outer;
+    this.inline = inline;
+    this.number = number;
+  }
+
+  /** A number for an Inline of this scene, which keeps it whatever it shows. */
+  int nextInline() {
+    return ++inlines;
+  }
+
+  /** The scene in an Inline of this one. */
+  SceneScope inner(X3DNode inlineHere, int itsNumber, X3DExecutionContext content) {
+    return new SceneScope(content, this, inlineHere, itsNumber);
+  }
+
+  X3DExecutionContext scene() {
+    return scene;
+  }
+
+  /** Whether it is in no Inline. */
+  boolean isMain() {
+    return outer == null;
+  }
+
+  /**
+   * The names of the Inlines that lead here, outermost first, each followed by a slash: {@code
+   * Kitchen/Inline#2/}. Empty for the main scene.
+   */
+  String path() {
+    if (outer == null || inline == null) {
+      return "";
+    }
+    String name = "Inline#" + number;
+    for (String candidate : outer.scene.getNamedNodes()) {
+      if (inline.equals(outer.scene.getNamedNode(candidate))) {
+        name = candidate.strip();
+      }
+    }
+    return outer.path() + name + "/";
+  }
+}

@@ -1,0 +1,80 @@
+package org.selectiverenderer.runtime.sai;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeObserver;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.sai.InlinedScenes;
+import org.selectiverenderer.sai.InlinedScenes.Registration;
+
+/**
+ * Hears when an Inline shows another scene, or that scene other nodes at its top. What observers
+ * see at once is told as listeners hear of events: when the cascade has come to rest, in the frame
+ * in which a file has arrived.
+ */
+final class InlineWatch implements NodeObserver, Registration {
+  private final World world;
+  private final InlineNode inline;
+  private final int load;
+  private final InlinedScenes.Listener listener;
+  private final NodeProxy proxy;
+  private @Nullable Scene content;
+  private @Nullable RootWatch roots;
+  private boolean told = true;
+  private boolean closed;
+
+  InlineWatch(World world, NodeProxy proxy, InlineNode inline, InlinedScenes.Listener listener) {
+    this.world = world;
+    this.proxy = proxy;
+    this.inline = inline;
+    this.listener = listener;
+    load = inline.type().indexOf("load");
+    inline.addObserver(this);
+    follow();
+  }
+
+  /** What an Inline shows, or null. */
+  static @Nullable Scene shown(InlineNode inline) {
+    return inline.bool("load") ? inline.content().orElse(null) : null;
+  }
+
+  @Override
+  public void changed(Node node, int field) {
+    if (field == load && told && shown(inline) != content) {
+      told = false;
+      world.cascade().notify((at, index, value, time) -> tell(time), node, field, null);
+    }
+  }
+
+  private void tell(double time) {
+    told = true;
+    if (!closed && !proxy.gone()) {
+      follow();
+      listener.inlinedSceneChanged(proxy.proxy(), time);
+    }
+  }
+
+  private void follow() {
+    closeRoots();
+    content = shown(inline);
+    if (content != null) {
+      roots = new RootWatch(content, this::tell);
+    }
+  }
+
+  private void closeRoots() {
+    if (roots != null) {
+      roots.close();
+      roots = null;
+    }
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    inline.removeObserver(this);
+    closeRoots();
+  }
+}
