@@ -10,7 +10,7 @@ import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
-import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
@@ -19,7 +19,7 @@ import org.selectiverenderer.runtime.scene.Scene;
  *
  * @param frameNodes sensors and clocks, those that stand in no group last
  * @param inlines all Inlines, filled or not
- * @param touchable whether there is a TouchSensor or an Anchor
+ * @param touchable whether there is a sensor of the pointing device or an Anchor
  */
 record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean touchable) {
 
@@ -33,7 +33,7 @@ record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean 
       inline.content().ifPresent(content -> addFrameNodes(content.loose(), nodes));
     }
     boolean touchable =
-        anchors || instances.otherNodes().stream().anyMatch(TouchSensorNode.class::isInstance);
+        anchors || instances.otherNodes().stream().anyMatch(PointingSensorNode.class::isInstance);
     return new FrameNodes(List.copyOf(nodes), List.copyOf(inlines), touchable);
   }
 

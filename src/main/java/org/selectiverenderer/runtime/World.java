@@ -178,6 +178,22 @@ public final class World {
   }
 
   /**
+   * Whether a drag sensor has the pointing device, or would have it if its button went down now:
+   * then dragging is not the viewer's. As of the last step.
+   */
+  public boolean wantsDrag() {
+    return pointing.wantsDrag();
+  }
+
+  /**
+   * What the author says of what the pointing device is over: the descriptions of its sensors or
+   * Anchor (X3D 4.0, 20.2.1). As of the last step.
+   */
+  public List<String> descriptions() {
+    return pointing.descriptions();
+  }
+
+  /**
    * The SFTime at which the world's time is 0. X3D counts time from 1970 (X3D 4.0, 4.4.8.3), so
    * that a startTime of 0 is long past. This one is fixed, so that the same walk gives the same
    * events.

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.bind.BindableNode;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
+import org.selectiverenderer.runtime.nodes.drag.DragSensors;
 import org.selectiverenderer.runtime.nodes.event.Blend;
 import org.selectiverenderer.runtime.nodes.event.EaseInEaseOutNode;
 import org.selectiverenderer.runtime.nodes.event.EventUtilities;
@@ -38,6 +39,7 @@ public final class NodeFactory {
   private final Map<String, NodeMaker> makers = new HashMap<>(EventUtilities.MAKERS);
 
   public NodeFactory() {
+    makers.putAll(DragSensors.MAKERS);
     put(
         GroupingNode::new,
         "Group",
