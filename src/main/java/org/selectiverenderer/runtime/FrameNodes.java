@@ -9,6 +9,7 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
 import org.selectiverenderer.runtime.scene.Node;
@@ -19,26 +20,34 @@ import org.selectiverenderer.runtime.scene.Scene;
  *
  * @param frameNodes sensors and clocks, those that stand in no group last
  * @param inlines all Inlines, filled or not
+ * @param keySensors sensors of the keyboard
  * @param touchable whether there is a sensor of the pointing device or an Anchor
  */
-record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean touchable) {
+record FrameNodes(
+    List<FrameNode> frameNodes,
+    List<InlineNode> inlines,
+    List<KeyDeviceSensorNode> keySensors,
+    boolean touchable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
     boolean anchors = collect(instances.root(), inlines);
     List<FrameNode> nodes = new ArrayList<>();
-    addFrameNodes(instances.otherNodes(), nodes);
-    addFrameNodes(scene.loose(), nodes);
+    List<KeyDeviceSensorNode> keySensors = new ArrayList<>();
+    List<Node> placed = instances.otherNodes();
+    add(placed, FrameNode.class, nodes);
+    add(placed, KeyDeviceSensorNode.class, keySensors);
+    add(scene.loose(), FrameNode.class, nodes);
     for (InlineNode inline : inlines) {
-      inline.content().ifPresent(content -> addFrameNodes(content.loose(), nodes));
+      inline.content().ifPresent(content -> add(content.loose(), FrameNode.class, nodes));
     }
-    boolean touchable =
-        anchors || instances.otherNodes().stream().anyMatch(PointingSensorNode.class::isInstance);
-    return new FrameNodes(List.copyOf(nodes), List.copyOf(inlines), touchable);
+    boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
+    return new FrameNodes(
+        List.copyOf(nodes), List.copyOf(inlines), List.copyOf(keySensors), touchable);
   }
 
-  private static void addFrameNodes(Collection<Node> from, List<FrameNode> to) {
-    from.stream().filter(FrameNode.class::isInstance).forEach(node -> to.add((FrameNode) node));
+  private static <T> void add(Collection<Node> from, Class<T> kind, List<T> to) {
+    from.stream().filter(kind::isInstance).forEach(node -> to.add(kind.cast(node)));
   }
 
   /** Collects Inlines; says whether there is an Anchor. */

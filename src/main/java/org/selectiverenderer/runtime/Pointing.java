@@ -15,10 +15,10 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * Takes the pointing device to the TouchSensors, drag sensors and Anchors of a scene. What it says between two
- * frames is evaluated in order, so that no click is lost, and its last word again in every frame,
- * since viewer and scene move under it. An Anchor is activated when the button is released where it
- * was pressed.
+ * Takes the pointing device to the TouchSensors, drag sensors and Anchors of a scene. What it says
+ * between two frames is evaluated in order, so that no click is lost, and its last word again in
+ * every frame, since viewer and scene move under it. An Anchor is activated when the button is
+ * released where it was pressed.
  */
 final class Pointing {
   private final InstanceTree instances;
@@ -48,6 +48,11 @@ final class Pointing {
   /** Whether a drag sensor has the pointer, or would have it if the button went down. */
   boolean wantsDrag() {
     return touchable && (touch.dragging() || touch.overDragSensor());
+  }
+
+  /** Whether a drag sensor has the pointer. */
+  boolean dragging() {
+    return touchable && touch.dragging();
   }
 
   /** What the scene says of what is pointed at; none where it says nothing. */

@@ -19,6 +19,7 @@ import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -54,6 +55,7 @@ public final class World {
   private ViewpointFollower follower;
   private LiveFiles files;
   private Pointing pointing;
+  private final KeyDevice keys = new KeyDevice();
   private final MeshTrees meshes = new MeshTrees();
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
@@ -92,6 +94,7 @@ public final class World {
     pointing = new Pointing(instances, meshes, links::follow);
     round.close();
     round = new FrameRound(List.of());
+    keys.follow(List.of(), cascade);
     frameNodesOf = -1;
     cutOff = false;
     reportCutOff();
@@ -177,12 +180,22 @@ public final class World {
     pointed.add(pointer);
   }
 
+  /** The keyboard of the scene's sensors. */
+  public KeyDevice keys() {
+    return keys;
+  }
+
   /**
    * Whether a drag sensor has the pointing device, or would have it if its button went down now:
    * then dragging is not the viewer's. As of the last step.
    */
   public boolean wantsDrag() {
     return pointing.wantsDrag();
+  }
+
+  /** Whether the pointing device is held for a drag. As of the last step. */
+  public boolean dragging() {
+    return pointing.dragging();
   }
 
   /**
@@ -310,6 +323,7 @@ public final class World {
     Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
     instances.view(viewer.position(), up, cascade);
     instances.update();
+    keys.frame(cascade);
     pointing.frame(drain(pointed), viewer, cascade);
     WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
     frameNodes();
@@ -357,6 +371,7 @@ public final class World {
         round = new FrameRound(walk.frameNodes());
       }
       files.watch(walk.inlines());
+      keys.follow(walk.keySensors(), cascade);
       pointing.touchable(walk.touchable());
     }
   }

@@ -22,6 +22,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
@@ -40,6 +41,7 @@ public final class NodeFactory {
 
   public NodeFactory() {
     makers.putAll(DragSensors.MAKERS);
+    makers.putAll(KeyDevice.MAKERS);
     put(
         GroupingNode::new,
         "Group",
