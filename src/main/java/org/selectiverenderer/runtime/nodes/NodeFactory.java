@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.nodes.event.EaseInEaseOutNode;
 import org.selectiverenderer.runtime.nodes.event.EventUtilities;
 import org.selectiverenderer.runtime.nodes.event.InterpolatorNode;
 import org.selectiverenderer.runtime.nodes.event.SequencerNode;
+import org.selectiverenderer.runtime.nodes.follow.Followers;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
@@ -42,6 +43,7 @@ public final class NodeFactory {
   public NodeFactory() {
     makers.putAll(DragSensors.MAKERS);
     makers.putAll(KeyDevice.MAKERS);
+    makers.putAll(Followers.MAKERS);
     put(
         GroupingNode::new,
         "Group",

@@ -13,6 +13,7 @@
  *   <li>{@code sensor} what a frame drives: time, the viewer's place, the pointing device
  *   <li>{@code drag} what dragging with the pointing device becomes
  *   <li>{@code key} what is typed
+ *   <li>{@code follow} values that follow a destination: chasers and dampers
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers
  * </ul>
  *
