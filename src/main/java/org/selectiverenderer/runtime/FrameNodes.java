@@ -9,9 +9,10 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
-import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
@@ -21,12 +22,14 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param frameNodes sensors and clocks, those that stand in no group last
  * @param inlines all Inlines, filled or not
  * @param scripts all Scripts, those that stand in no group last
- * @param touchable whether there is a TouchSensor or an Anchor
+ * @param keySensors sensors of the keyboard
+ * @param touchable whether there is a sensor of the pointing device or an Anchor
  */
 record FrameNodes(
     List<FrameNode> frameNodes,
     List<InlineNode> inlines,
     List<ScriptNode> scripts,
+    List<KeyDeviceSensorNode> keySensors,
     boolean touchable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
@@ -34,26 +37,29 @@ record FrameNodes(
     boolean anchors = collect(instances.root(), inlines);
     List<FrameNode> nodes = new ArrayList<>();
     List<ScriptNode> scripts = new ArrayList<>();
-    add(instances.otherNodes(), nodes, scripts);
-    add(scene.loose(), nodes, scripts);
+    List<KeyDeviceSensorNode> keySensors = new ArrayList<>();
+    List<Node> placed = instances.otherNodes();
+    List<Node> loose = new ArrayList<>(scene.loose());
     for (InlineNode inline : inlines) {
-      inline.content().ifPresent(content -> add(content.loose(), nodes, scripts));
+      inline.content().ifPresent(content -> loose.addAll(content.loose()));
     }
-    boolean touchable =
-        anchors || instances.otherNodes().stream().anyMatch(TouchSensorNode.class::isInstance);
+    add(placed, FrameNode.class, nodes);
+    add(loose, FrameNode.class, nodes);
+    add(placed, ScriptNode.class, scripts);
+    add(loose, ScriptNode.class, scripts);
+    add(placed, KeyDeviceSensorNode.class, keySensors);
+    add(loose, KeyDeviceSensorNode.class, keySensors);
+    boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
     return new FrameNodes(
-        List.copyOf(nodes), List.copyOf(inlines), List.copyOf(scripts), touchable);
+        List.copyOf(nodes),
+        List.copyOf(inlines),
+        List.copyOf(scripts),
+        List.copyOf(keySensors),
+        touchable);
   }
 
-  private static void add(
-      Collection<Node> from, List<FrameNode> frameNodes, List<ScriptNode> scripts) {
-    for (Node node : from) {
-      if (node instanceof FrameNode frameNode) {
-        frameNodes.add(frameNode);
-      } else if (node instanceof ScriptNode script) {
-        scripts.add(script);
-      }
-    }
+  private static <T> void add(Collection<Node> from, Class<T> kind, List<T> to) {
+    from.stream().filter(kind::isInstance).forEach(node -> to.add(kind.cast(node)));
   }
 
   /** Collects Inlines; says whether there is an Anchor. */

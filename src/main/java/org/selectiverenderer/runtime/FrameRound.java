@@ -13,6 +13,7 @@ import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 import org.selectiverenderer.runtime.nodes.sensor.Frame;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
@@ -20,8 +21,9 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 /**
  * Has the sensors and clocks of a scene look at each frame, in their order. Of ProximitySensors
  * only those look that can have something to say: the viewer is at their box, or was in it, or what
- * a sensor before them sent has changed their box in this very frame. The events are those of a
- * round through all of them; what a frame costs depends on the sensors near the viewer.
+ * a sensor before them sent has changed their box in this very frame; of {@link Sleeper}s those
+ * that are awake. The events are those of a round through all of them; what a frame costs depends
+ * on the sensors near the viewer.
  */
 final class FrameRound {
   /** Changed boxes per sensor after which the tree's shape is worth making anew. */
@@ -36,10 +38,12 @@ final class FrameRound {
   private final List<Turn> always = new ArrayList<>();
   private final List<Watched> sensors = new ArrayList<>();
   private final Map<Node, Watched> byNode = new IdentityHashMap<>();
+  private final List<Sleeping> sleepers = new ArrayList<>();
   private final ArrayDeque<Watched> changed = new ArrayDeque<>();
-  private final PriorityQueue<Watched> due =
-      new PriorityQueue<>(Comparator.comparingInt((Watched watched) -> watched.order));
-  private List<Watched> active = new ArrayList<>();
+  private final PriorityQueue<Due> due =
+      new PriorityQueue<>(Comparator.comparingInt((Due next) -> next.order));
+  private List<Due> active = new ArrayList<>();
+  private final ArrayDeque<Sleeping> late = new ArrayDeque<>();
   private final double[] eye = new double[6];
   private @Nullable BoxTree tree;
   private long moves;
@@ -58,6 +62,13 @@ final class FrameRound {
         sensor.addObserver(watched);
         if (sensor.active()) {
           active.add(watched);
+        }
+      } else if (nodes.get(order) instanceof Sleeper sleeper) {
+        Sleeping sleeping = new Sleeping(sleeper, order);
+        sleepers.add(sleeping);
+        sleeper.wakeBy(sleeping);
+        if (sleeper.awake()) {
+          active.add(sleeping);
         }
       } else {
         always.add(new Turn(order, nodes.get(order)));
@@ -89,6 +100,7 @@ final class FrameRound {
   /** Leaves the nodes without an observer. */
   void close() {
     sensors.forEach(watched -> watched.sensor.removeObserver(watched));
+    sleepers.forEach(sleeping -> sleeping.sleeper.wakeBy(null));
   }
 
   /**
@@ -98,18 +110,18 @@ final class FrameRound {
    */
   int frame(Frame frame, Cascade cascade) {
     BoxTree boxes = follow(frame);
-    active.forEach(Watched::queue);
+    active.forEach(Due::queue);
     for (int axis = 0; axis < 3; axis++) {
       eye[axis] = frame.eye().get(axis);
       eye[axis + 3] = eye[axis];
     }
     boxes.overlap(eye, item -> sensors.get(item).queue());
-    List<Watched> inside = new ArrayList<>();
+    List<Due> again = new ArrayList<>();
     int looked = 0;
     int next = 0;
     turn = BEFORE_ALL;
     while (next < always.size() || !due.isEmpty()) {
-      Watched nearest = due.peek();
+      Due nearest = due.peek();
       if (nearest == null || next < always.size() && always.get(next).order < nearest.order) {
         turn = always.get(next).order;
         always.get(next++).node.frame(frame, cascade);
@@ -117,15 +129,17 @@ final class FrameRound {
         due.remove();
         nearest.queued = false;
         turn = nearest.order;
-        nearest.sensor.frame(frame, cascade);
-        if (nearest.sensor.active()) {
-          inside.add(nearest);
+        if (nearest.look(frame, cascade)) {
+          again.add(nearest);
         }
       }
       looked++;
     }
     turn = AFTER_ALL;
-    active = inside;
+    for (Sleeping woken = late.poll(); woken != null; woken = late.poll()) {
+      again.add(woken);
+    }
+    active = again;
     return looked;
   }
 
@@ -149,18 +163,67 @@ final class FrameRound {
     return tree;
   }
 
+  /** A node that looks at some frames only. */
+  private abstract class Due {
+    final int order;
+    private boolean queued;
+
+    Due(int order) {
+      this.order = order;
+    }
+
+    /** Looks at a frame; returns whether it is to look at the next one too. */
+    abstract boolean look(Frame frame, Cascade cascade);
+
+    final void queue() {
+      if (!queued) {
+        queued = true;
+        due.add(this);
+      }
+    }
+  }
+
+  /** A node that may rest. */
+  private final class Sleeping extends Due implements Runnable {
+    private final Sleeper sleeper;
+
+    Sleeping(Sleeper sleeper, int order) {
+      super(order);
+      this.sleeper = sleeper;
+    }
+
+    @Override
+    public void run() {
+      if (order <= turn && turn != AFTER_ALL) {
+        late.add(this); // It has had its turn in this frame.
+      } else {
+        queue();
+      }
+    }
+
+    @Override
+    boolean look(Frame frame, Cascade cascade) {
+      sleeper.frame(frame, cascade);
+      return sleeper.awake();
+    }
+  }
+
   /** A ProximitySensor and the box in the world out of which it senses nothing. */
-  private final class Watched implements NodeObserver {
+  private final class Watched extends Due implements NodeObserver {
     private final ProximitySensorNode sensor;
-    private final int order;
     private final int item = sensors.size();
     private final double[] box = new double[6];
     private boolean stale;
-    private boolean queued;
 
     Watched(ProximitySensorNode sensor, int order) {
+      super(order);
       this.sensor = sensor;
-      this.order = order;
+    }
+
+    @Override
+    boolean look(Frame frame, Cascade cascade) {
+      sensor.frame(frame, cascade);
+      return sensor.active();
     }
 
     /** Rounds outwards, so that no float box is smaller than what it stands for. */
@@ -185,13 +248,6 @@ final class FrameRound {
       if (!stale) {
         stale = true;
         changed.add(this);
-      }
-    }
-
-    void queue() {
-      if (!queued) {
-        queued = true;
-        due.add(this);
       }
     }
   }

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.collide.RayCaster;
@@ -16,10 +15,10 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * Takes the pointing device to the TouchSensors and Anchors of a scene. What it says between two
- * frames is evaluated in order, so that no click is lost, and its last word again in every frame,
- * since viewer and scene move under it. An Anchor is activated when the button is released where it
- * was pressed.
+ * Takes the pointing device to the TouchSensors, drag sensors and Anchors of a scene. What it says
+ * between two frames is evaluated in order, so that no click is lost, and its last word again in
+ * every frame, since viewer and scene move under it. An Anchor is activated when the button is
+ * released where it was pressed.
  */
 final class Pointing {
   private final InstanceTree instances;
@@ -29,6 +28,7 @@ final class Pointing {
   private final TouchDispatch touch = new TouchDispatch();
   private Pointer last = Pointer.AWAY;
   private Optional<GroupInstance> pressedOn = Optional.empty();
+  private Optional<GroupInstance> pointedAnchor = Optional.empty();
   private boolean touchable;
 
   /**
@@ -40,9 +40,28 @@ final class Pointing {
     this.meshes = meshes;
   }
 
-  /** Whether there is a TouchSensor or an Anchor: without any, no ray is cast. */
+  /** Whether there is a sensor or an Anchor: without any, no ray is cast. */
   void touchable(boolean anything) {
     touchable = anything;
+  }
+
+  /** Whether a drag sensor has the pointer, or would have it if the button went down. */
+  boolean wantsDrag() {
+    return touchable && (touch.dragging() || touch.overDragSensor());
+  }
+
+  /** Whether a drag sensor has the pointer. */
+  boolean dragging() {
+    return touchable && touch.dragging();
+  }
+
+  /** What the scene says of what is pointed at; none where it says nothing. */
+  List<String> descriptions() {
+    if (!touchable || pointedAnchor.isEmpty()) {
+      return touchable ? touch.descriptions() : List.of();
+    }
+    String text = pointedAnchor.get().node().value("description") instanceof String s ? s : "";
+    return text.isBlank() ? List.of() : List.of(text.strip());
   }
 
   /**
@@ -61,15 +80,17 @@ final class Pointing {
   }
 
   private void point(Pointer pointer, Viewer viewer, Cascade cascade) {
-    Optional<TouchDispatch.Hit> hit =
+    Optional<TouchDispatch.Ray> ray =
         pointer
             .direction()
             .map(direction -> viewer.orientation().transform(direction, new Vector3d()))
-            .flatMap(
-                (Vector3dc ray) -> rays().cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
+            .map(to -> new TouchDispatch.Ray(new Vector3d(viewer.position()), to));
+    Optional<TouchDispatch.Hit> hit =
+        ray.flatMap(to -> rays().cast(to.origin(), to.direction(), Double.POSITIVE_INFINITY))
             .map(Pointing::touched);
-    touch.point(hit, pointer.pressed(), cascade);
+    touch.point(hit, ray, pointer.pressed(), cascade);
     Optional<GroupInstance> anchor = hit.flatMap(at -> TouchDispatch.anchor(at.shape()));
+    pointedAnchor = anchor;
     if (pointer.pressed() && !last.pressed()) {
       pressedOn = anchor;
     } else if (!pointer.pressed() && last.pressed()) {

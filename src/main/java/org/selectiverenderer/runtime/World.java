@@ -19,6 +19,7 @@ import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -57,6 +58,7 @@ public final class World {
   private LiveFiles files;
   private Pointing pointing;
   private Scripts scripts;
+  private final KeyDevice keys = new KeyDevice();
   private final MeshTrees meshes = new MeshTrees();
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
@@ -99,6 +101,7 @@ public final class World {
     scripts = new Scripts(scriptWorld(live, links));
     round.close();
     round = new FrameRound(List.of());
+    keys.follow(List.of(), cascade);
     frameNodesOf = -1;
     cutOff = false;
     reportCutOff();
@@ -220,6 +223,32 @@ public final class World {
     pointed.add(pointer);
   }
 
+  /** The keyboard of the scene's sensors. */
+  public KeyDevice keys() {
+    return keys;
+  }
+
+  /**
+   * Whether a drag sensor has the pointing device, or would have it if its button went down now:
+   * then dragging is not the viewer's. As of the last step.
+   */
+  public boolean wantsDrag() {
+    return pointing.wantsDrag();
+  }
+
+  /** Whether the pointing device is held for a drag. As of the last step. */
+  public boolean dragging() {
+    return pointing.dragging();
+  }
+
+  /**
+   * What the author says of what the pointing device is over: the descriptions of its sensors or
+   * Anchor (X3D 4.0, 20.2.1). As of the last step.
+   */
+  public List<String> descriptions() {
+    return pointing.descriptions();
+  }
+
   /**
    * The SFTime at which the world's time is 0. X3D counts time from 1970 (X3D 4.0, 4.4.8.3), so
    * that a startTime of 0 is long past. This one is fixed, so that the same walk gives the same
@@ -339,6 +368,7 @@ public final class World {
     Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
     instances.view(viewer.position(), up, cascade);
     instances.update();
+    keys.frame(cascade);
     pointing.frame(drain(pointed), viewer, cascade);
     WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
     frameNodes();
@@ -398,6 +428,7 @@ public final class World {
       }
       files.watch(walk.inlines());
       scripts.watch(walk.scripts());
+      keys.follow(walk.keySensors(), cascade);
       pointing.touchable(walk.touchable());
     }
   }

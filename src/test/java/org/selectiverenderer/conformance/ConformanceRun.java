@@ -13,6 +13,7 @@ import org.selectiverenderer.runtime.Pointer;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.key.KeyStroke;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
@@ -106,6 +107,13 @@ final class ConformanceRun implements AutoCloseable {
         return move(words.split("\\s+"));
       }
       case "pointer" -> point(words.split("\\s+"));
+      case "key" ->
+          world
+              .keys()
+              .type(
+                  new KeyStroke(
+                      key(ConformanceScene.word(words, 0)),
+                      ConformanceScene.word(words, 1).equals("down")));
       case "set" -> set(ConformanceScene.word(words, 0), ConformanceScene.rest(words, 1));
       default -> throw new IllegalArgumentException("there is no action " + action);
     }
@@ -124,6 +132,26 @@ final class ConformanceRun implements AutoCloseable {
             Viewer.orientation(Math.toRadians(numbers[3]), Math.toRadians(numbers[4]), 0));
       }
     };
+  }
+
+  private static KeyStroke.Key key(String name) {
+    for (KeyStroke.Action action : KeyStroke.Action.values()) {
+      if (action.name().equals(name)) {
+        return action;
+      }
+    }
+    for (KeyStroke.Modifier modifier : KeyStroke.Modifier.values()) {
+      if (modifier.name().equals(name)) {
+        return modifier;
+      }
+    }
+    return new KeyStroke.Character(
+        switch (name) {
+          case "ENTER" -> KeyStroke.ENTER;
+          case "BACKSPACE" -> KeyStroke.BACKSPACE;
+          case "SPACE" -> " ";
+          default -> name;
+        });
   }
 
   private void point(String[] words) {

@@ -7,9 +7,10 @@
  *   <li>{@code clause}: the clause that is checked, and what of it; required
  *   <li>{@code at}: {@code TIME [ACTION]}: a frame at that time in seconds, before which is done:
  *       {@code viewer X Y Z [YAW PITCH]} (metres, degrees), {@code pointer X Y [down|up]} (0..1 of
- *       the picture, from left and top), {@code key NAME down|up}, {@code set NODE.field VALUE} (as
- *       in an attribute; a node by its name). Those of one time are done in one frame, in order.
- *       Without any there is one frame, at 0.
+ *       the picture, from left and top), {@code key NAME down|up} (a character or {@code SPACE},
+ *       {@code ENTER}, {@code BACKSPACE}, {@code UP}, {@code F1}, {@code SHIFT} ...), {@code set
+ *       NODE.field VALUE} (as in an attribute; a node by its name). Those of one time are done in
+ *       one frame, in order. Without any there is one frame, at 0.
  *   <li>{@code event}: {@code TIME NODE.field VALUE}: all events of every field that is so named,
  *       in order
  *   <li>{@code silent}: {@code NODE.field}: it sends none

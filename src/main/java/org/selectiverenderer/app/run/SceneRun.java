@@ -27,6 +27,7 @@ import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.Controls;
+import org.selectiverenderer.runtime.walk.MouseButton;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
@@ -45,6 +46,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final RunStop stop;
   private final Controls controls;
   private final WindowInput windowInput;
+  private final SceneKeys sceneKeys = new SceneKeys();
   private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
   private final OverlayText overlay = new OverlayText();
   private final OperatorConsole console;
@@ -108,8 +110,21 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   @Override
   public void input(InputEvent event) {
-    windowInput.accept(event);
+    LiveScene live = scene;
+    if (live == null || !claimed(event, live.walk().world())) {
+      windowInput.accept(event);
+    }
     operatorKey(event, true);
+  }
+
+  /** Whether the scene has something of its own to do with it, so that the viewer does not move. */
+  private boolean claimed(InputEvent event, World world) {
+    boolean typed = sceneKeys.accept(event, world);
+    return typed
+        || event instanceof InputEvent.ButtonInput button
+            && button.button() == 1
+            && button.pressed()
+            && world.wantsDrag();
   }
 
   @Override
@@ -162,6 +177,9 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls.looking(!head.steering());
     time.tick(guide.paused());
     advance(live, time.seconds());
+    if (live.walk().world().dragging()) {
+      controls.buttonUp(MouseButton.LEFT); // It went down before the scene knew where.
+    }
     return Optional.of(live.walk().world());
   }
 
@@ -259,6 +277,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     }
     boolean walked = settings.motion().path().isEmpty();
     lines.addAll(overlay.lines(walk(), walked ? scene.walking().describe() : ""));
+    lines.addAll(walk().world().descriptions());
     return lines;
   }
 

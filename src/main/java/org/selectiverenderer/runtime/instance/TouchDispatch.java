@@ -7,15 +7,16 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.nodes.sensor.Bearing;
 import org.selectiverenderer.runtime.nodes.sensor.PointerHit;
-import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 
 /**
- * Tells the TouchSensors what the pointing device does (X3D 4.0, 20.2). A sensor senses the
- * geometry of its parent group; of those above a shape, the ones in the lowest group that has
- * enabled ones hear of it, all of them. While the button is held, only those over which it went
- * down hear of the pointer.
+ * Tells TouchSensors and drag sensors what the pointing device does (X3D 4.0, 20.2). A sensor
+ * senses the geometry of its parent group; of those above a shape, the ones in the lowest group
+ * that has enabled ones hear of it, all of them. While the button is held, only those over which it
+ * went down hear of the pointer.
  */
 public final class TouchDispatch {
   /**
@@ -26,6 +27,13 @@ public final class TouchDispatch {
    * @param t texture coordinate
    */
   public record Hit(ShapeInstance shape, Vector3dc point, Vector3dc normal, float s, float t) {}
+
+  /**
+   * Where the pointer points, in world coordinates.
+   *
+   * @param direction of any length but 0
+   */
+  public record Ray(Vector3dc origin, Vector3dc direction) {}
 
   private List<PlainInstance> over = List.of();
   private List<PlainInstance> grabbed = List.of();
@@ -66,22 +74,44 @@ public final class TouchDispatch {
     return group.node().type().name().equals("Anchor");
   }
 
-  private static Optional<TouchSensorNode> sensor(PlainInstance place) {
-    return place.node() instanceof TouchSensorNode sensor ? Optional.of(sensor) : Optional.empty();
+  private static Optional<PointingSensorNode> sensor(PlainInstance place) {
+    return place.node() instanceof PointingSensorNode sensor ? Optional.of(sensor) : Optional.empty();
+  }
+
+  /** Whether the button is held for a drag. */
+  public boolean dragging() {
+    return grabbed.stream()
+        .anyMatch(place -> sensor(place).filter(s -> s.drags() && s.active()).isPresent());
+  }
+
+  /** Whether pressing the button now begins a drag. */
+  public boolean overDragSensor() {
+    return over.stream().anyMatch(place -> sensor(place).filter(s -> s.drags()).isPresent());
+  }
+
+  /** What the authors of the sensors that are pointed at say of them, once each. */
+  public List<String> descriptions() {
+    return over.stream()
+        .flatMap(place -> sensor(place).stream())
+        .map(sensor -> sensor.description().strip())
+        .filter(text -> !text.isEmpty())
+        .distinct()
+        .toList();
   }
 
   /**
    * The pointer moved, or its button went down or up: once per frame.
    *
    * @param hit the nearest shape that the pointer meets
+   * @param ray where it points; empty when it points nowhere
    */
-  public void point(Optional<Hit> hit, boolean pressed, Cascade cascade) {
+  public void point(Optional<Hit> hit, Optional<Ray> ray, boolean pressed, Cascade cascade) {
     List<PlainInstance> now = hit.map(at -> sensors(at.shape())).orElse(List.of());
     boolean goesDown = pressed && !pressedBefore;
     pressedBefore = pressed;
     if (!grabbed.isEmpty()) {
       for (PlainInstance place : grabbed) {
-        tell(place, contains(now, place) ? hit : Optional.empty(), pressed, cascade);
+        tell(place, contains(now, place) ? hit : Optional.empty(), ray, pressed, cascade);
       }
       if (pressed) {
         return;
@@ -91,11 +121,11 @@ public final class TouchDispatch {
     }
     for (PlainInstance place : over) {
       if (!contains(now, place)) {
-        tell(place, Optional.empty(), false, cascade);
+        tell(place, Optional.empty(), ray, false, cascade);
       }
     }
     for (PlainInstance place : now) {
-      tell(place, hit, goesDown, cascade);
+      tell(place, hit, ray, goesDown, cascade);
     }
     over = now;
     grabbed = goesDown ? now : List.of();
@@ -107,10 +137,19 @@ public final class TouchDispatch {
   }
 
   private static void tell(
-      PlainInstance place, Optional<Hit> hit, boolean pressed, Cascade cascade) {
+      PlainInstance place,
+      Optional<Hit> hit,
+      Optional<Ray> ray,
+      boolean pressed,
+      Cascade cascade) {
     sensor(place)
         .ifPresent(
-            sensor -> sensor.point(hit.map(at -> local(at, place.world())), pressed, cascade));
+            sensor ->
+                sensor.point(
+                    hit.map(at -> local(at, place.world())),
+                    ray.map(to -> new Bearing(to.origin(), to.direction(), place.world())),
+                    pressed,
+                    cascade));
   }
 
   private static PointerHit local(Hit hit, Matrix4dc world) {

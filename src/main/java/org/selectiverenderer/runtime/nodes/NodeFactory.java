@@ -8,11 +8,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.bind.BindableNode;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
+import org.selectiverenderer.runtime.nodes.drag.DragSensors;
 import org.selectiverenderer.runtime.nodes.event.Blend;
 import org.selectiverenderer.runtime.nodes.event.EaseInEaseOutNode;
 import org.selectiverenderer.runtime.nodes.event.EventUtilities;
 import org.selectiverenderer.runtime.nodes.event.InterpolatorNode;
 import org.selectiverenderer.runtime.nodes.event.SequencerNode;
+import org.selectiverenderer.runtime.nodes.follow.Followers;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
@@ -21,6 +23,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
@@ -39,6 +42,9 @@ public final class NodeFactory {
   private final Map<String, NodeMaker> makers = new HashMap<>(EventUtilities.MAKERS);
 
   public NodeFactory() {
+    makers.putAll(DragSensors.MAKERS);
+    makers.putAll(KeyDevice.MAKERS);
+    makers.putAll(Followers.MAKERS);
     put(
         GroupingNode::new,
         "Group",

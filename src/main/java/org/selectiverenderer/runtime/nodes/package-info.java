@@ -11,6 +11,9 @@
  *   <li>{@code bind} what one of a kind is bound at a time: Viewpoint, NavigationInfo, Background
  *       ...
  *   <li>{@code sensor} what a frame drives: time, the viewer's place, the pointing device
+ *   <li>{@code drag} what dragging with the pointing device becomes
+ *   <li>{@code key} what is typed
+ *   <li>{@code follow} values that follow a destination: chasers and dampers
  *   <li>{@code script} Scripts, whose programs {@code runtime.script} runs
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers
  * </ul>

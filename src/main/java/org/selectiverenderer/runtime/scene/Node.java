@@ -209,6 +209,16 @@ public class Node implements NodeView {
     }
   }
 
+  /** Whether events of a field go anywhere: along a route or to a listener. */
+  public final boolean heard(int field) {
+    for (int i = 0; i < routeCount; i++) {
+      if (routes[i].fromField() == field) {
+        return true;
+      }
+    }
+    return listener(field, ListenerOfField.class, any -> true) != null;
+  }
+
   /** The first listener of a field that is of a kind and as wanted, or null. */
   public final <L extends ListenerOfField> @Nullable L listener(
       int field, Class<L> kind, Predicate<? super L> wanted) {

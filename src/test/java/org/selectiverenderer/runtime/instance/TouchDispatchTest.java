@@ -36,6 +36,7 @@ class TouchDispatchTest {
         Optional.of(
             new TouchDispatch.Hit(
                 tree.shapes().get(shape), new Vector3d(4, 0, 0), new Vector3d(0, 1, 0), 0, 0)),
+        Optional.empty(),
         pressed,
         nodes.cascade);
   }
@@ -91,7 +92,7 @@ class TouchDispatchTest {
     point(0, true);
     point(1, true);
     assertThat(nodes.sent()).containsExactly("a.isOver=true");
-    dispatch.point(Optional.empty(), false, nodes.cascade);
+    dispatch.point(Optional.empty(), Optional.empty(), false, nodes.cascade);
     assertThat(nodes.sent()).containsExactly("a.isOver=false");
   }
 

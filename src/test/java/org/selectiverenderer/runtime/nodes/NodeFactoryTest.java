@@ -42,19 +42,16 @@ class NodeFactoryTest {
             CubeMapTexturing: all
             DIS: all
             EnvironmentalEffects: Fog FogCoordinate LocalFog
-            Followers: all
             Geospatial: all
             HAnim: all
             Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
             SplineScalarInterpolator SquadOrientationInterpolator
-            KeyDeviceSensor: all
             Layering: all
             Layout: all
             NURBS: all
             Networking: LoadSensor
             ParticleSystems: all
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
-            PointingDeviceSensor: CylinderSensor PlaneSensor SphereSensor
             Rendering: ClipPlane
             RigidBodyPhysics: all
             Scripting: all

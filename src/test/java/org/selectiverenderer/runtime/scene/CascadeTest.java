@@ -225,7 +225,7 @@ class CascadeTest {
 
   @Test
   void anInputOnlyFieldOfAPlainNodeSendsNothing() {
-    Node sensor = nodes.watch(nodes.node("CylinderSensor"));
+    Node sensor = nodes.watch(nodes.node("CollisionSensor"));
     nodes.cascade.send(sensor, sensor.type().indexOf("isActive"), true);
     assertThat(nodes.sent()).isEmpty();
   }

@@ -3,8 +3,18 @@ package org.selectiverenderer.runtime.render.window;
 /** Something that the user did. Positions are in pixels from the upper left, y downwards. */
 public sealed interface InputEvent {
 
-  /** A key went down, again and again while it is held, or up. */
-  record KeyInput(KeyboardKey key, boolean pressed) implements InputEvent {}
+  /**
+   * A key went down, again and again while it is held, or up.
+   *
+   * @param character that it produced when it went down, with line feed for Enter and backspace for
+   *     Backspace; empty for keys that produce none
+   */
+  record KeyInput(KeyboardKey key, boolean pressed, String character) implements InputEvent {
+    /** A key that produces no character. */
+    public KeyInput(KeyboardKey key, boolean pressed) {
+      this(key, pressed, "");
+    }
+  }
 
   /**
    * A mouse button went down or up.

@@ -6,11 +6,14 @@ import com.jogamp.newt.event.MouseEvent;
 import com.jogamp.newt.event.MouseListener;
 import com.jogamp.newt.event.WindowAdapter;
 import com.jogamp.newt.event.WindowEvent;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
 
 /** Takes NEWT's events on NEWT's thread and keeps them for the render thread. */
 final class InputQueue extends WindowAdapter implements KeyListener, MouseListener {
   private final ConcurrentLinkedQueue<InputEvent> events = new ConcurrentLinkedQueue<>();
+  private final Map<Short, String> characters = new HashMap<>();
   private boolean inside;
   private int lastX;
   private int lastY;
@@ -36,7 +39,16 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
   }
 
   private void key(KeyEvent event, boolean pressed) {
-    events.add(new InputEvent.KeyInput(KeyboardKey.of(event.getKeySymbol()), pressed));
+    KeyboardKey key = KeyboardKey.of(event.getKeySymbol());
+    short code = event.getKeyCode();
+    String character =
+        pressed ? KeyCharacters.of(key, event.getKeyChar()) : characters.getOrDefault(code, "");
+    if (pressed) {
+      characters.put(code, character); // Shift may go up before it does.
+    } else {
+      characters.remove(code);
+    }
+    events.add(new InputEvent.KeyInput(key, pressed, character));
   }
 
   @Override
@@ -81,6 +93,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
   @Override
   public void windowLostFocus(WindowEvent event) {
     inside = false;
+    characters.clear();
     events.add(new InputEvent.FocusLost());
   }
 

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.render.window;
 
 import com.jogamp.newt.event.KeyEvent;
+import java.util.Locale;
 
 /** Keys by what stands on them. */
 public enum KeyboardKey {
@@ -73,6 +74,22 @@ public enum KeyboardKey {
   PLUS,
   MINUS,
   OTHER;
+
+  /** Whether it never produces a character. */
+  boolean special() {
+    return compareTo(F1) >= 0 && compareTo(ESCAPE) <= 0 && this != DELETE
+        || this == SHIFT
+        || this == CONTROL
+        || this == ALT;
+  }
+
+  /** The small letter or digit that stands on it; empty for other keys. */
+  String letter() {
+    if (compareTo(Z) <= 0) {
+      return name().toLowerCase(Locale.ROOT);
+    }
+    return compareTo(DIGIT_9) <= 0 ? name().substring(name().length() - 1) : "";
+  }
 
   static KeyboardKey of(short symbol) {
     if (symbol >= KeyEvent.VK_A && symbol <= KeyEvent.VK_Z) {

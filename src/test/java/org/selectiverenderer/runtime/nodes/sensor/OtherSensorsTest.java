@@ -93,40 +93,40 @@ class OtherSensorsTest {
   void aClickSendsOverHitActiveAndTouchTime() {
     TouchSensorNode sensor = touch();
     nodes.cascade.at(1);
-    sensor.point(HIT, false, nodes.cascade);
+    sensor.point(HIT, Optional.empty(), false, nodes.cascade);
     assertThat(nodes.sent())
         .containsExactly(
             "isOver=true",
             "hitPoint_changed=1.0 2.0 3.0",
             "hitNormal_changed=0.0 0.0 1.0",
             "hitTexCoord_changed=0.25 0.5");
-    sensor.point(HIT, true, nodes.cascade);
+    sensor.point(HIT, Optional.empty(), true, nodes.cascade);
     assertThat(nodes.sent()).containsExactly("isActive=true");
     nodes.cascade.at(2);
-    sensor.point(HIT, false, nodes.cascade);
+    sensor.point(HIT, Optional.empty(), false, nodes.cascade);
     assertThat(nodes.sent()).containsExactly("isActive=false", "touchTime=2.0");
-    sensor.point(Optional.empty(), false, nodes.cascade);
+    sensor.point(Optional.empty(), Optional.empty(), false, nodes.cascade);
     assertThat(nodes.sent()).containsExactly("isOver=false");
   }
 
   @Test
   void aReleaseElsewhereIsNoTouch() {
     TouchSensorNode sensor = touch();
-    sensor.point(HIT, true, nodes.cascade);
-    sensor.point(Optional.empty(), true, nodes.cascade);
+    sensor.point(HIT, Optional.empty(), true, nodes.cascade);
+    sensor.point(Optional.empty(), Optional.empty(), true, nodes.cascade);
     nodes.sent();
-    sensor.point(Optional.empty(), false, nodes.cascade);
+    sensor.point(Optional.empty(), Optional.empty(), false, nodes.cascade);
     assertThat(nodes.sent()).containsExactly("isActive=false");
   }
 
   @Test
   void disablingATouchSensorEndsWhatItSenses() {
     TouchSensorNode sensor = touch();
-    sensor.point(HIT, true, nodes.cascade);
+    sensor.point(HIT, Optional.empty(), true, nodes.cascade);
     nodes.sent();
     nodes.send(sensor, "enabled", false);
     assertThat(nodes.sent()).containsExactly("enabled=false", "isActive=false", "isOver=false");
-    sensor.point(HIT, true, nodes.cascade);
+    sensor.point(HIT, Optional.empty(), true, nodes.cascade);
     assertThat(nodes.sent()).isEmpty();
   }
 

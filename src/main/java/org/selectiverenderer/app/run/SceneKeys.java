@@ -1,0 +1,63 @@
+package org.selectiverenderer.app.run;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.nodes.key.KeyStroke;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
+
+/** Hands what is typed in a window to the key device sensors of its scene. */
+final class SceneKeys {
+  private final Map<String, KeyStroke.Key> special = new HashMap<>();
+  private final Map<KeyboardKey, KeyStroke.Key> held = new LinkedHashMap<>();
+
+  SceneKeys() {
+    for (KeyStroke.Action key : KeyStroke.Action.values()) {
+      special.put(key.name(), key);
+    }
+    for (KeyStroke.Modifier key : KeyStroke.Modifier.values()) {
+      special.put(key.name(), key);
+    }
+  }
+
+  /**
+   * Hands an event on.
+   *
+   * @return whether it is a key that goes down and is the scene's alone
+   */
+  boolean accept(InputEvent event, World world) {
+    if (event instanceof InputEvent.FocusLost) {
+      held.values().forEach(key -> world.keys().type(new KeyStroke(key, false)));
+      held.clear();
+      return false;
+    }
+    if (!(event instanceof InputEvent.KeyInput input)) {
+      return false;
+    }
+    Optional<KeyStroke.Key> key = key(input);
+    key.ifPresent(
+        known -> {
+          if (input.pressed()) {
+            held.put(input.key(), known);
+          } else {
+            held.remove(input.key());
+          }
+          world.keys().type(new KeyStroke(known, input.pressed()));
+        });
+    return input.pressed() && key.filter(world.keys()::takes).isPresent();
+  }
+
+  /** The key as sensors know it; of the others, such as Escape, they hear nothing. */
+  private Optional<KeyStroke.Key> key(InputEvent.KeyInput input) {
+    KeyStroke.Key known = special.get(input.key().name());
+    if (known != null) {
+      return Optional.of(known);
+    }
+    return input.character().isEmpty()
+        ? Optional.empty()
+        : Optional.of(new KeyStroke.Character(input.character()));
+  }
+}

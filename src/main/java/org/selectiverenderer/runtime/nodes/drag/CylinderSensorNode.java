@@ -1,0 +1,117 @@
+package org.selectiverenderer.runtime.nodes.drag;
+
+import java.util.Optional;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Rotations;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Dragging about an axis, as a rotation (X3D 4.0, 20.4.1): about Y of the coordinates that {@code
+ * axisRotation} turns. A pointer whose bearing is less than {@code diskAngle} off the axis when the
+ * drag begins is followed on a disk, the plane across the axis through the point where it begins;
+ * else on a cylinder through that point, and beside the cylinder where it passes nearest. Turning
+ * on beyond half a turn goes on counting. {@code minAngle} and {@code maxAngle} limit the angle
+ * where the minimum is not above the maximum.
+ */
+final class CylinderSensorNode extends DragSensorNode {
+  private static final Vector3dc ACROSS = new Vector3d(1, 0, 1);
+  private static final Vector3dc AXIS = new Vector3d(0, 1, 0);
+
+  private final int axisRotation;
+  private final int diskAngle;
+  private final int minAngle;
+  private final int maxAngle;
+
+  CylinderSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location, "rotation_changed");
+    axisRotation = type.indexOf("axisRotation");
+    diskAngle = type.indexOf("diskAngle");
+    minAngle = type.indexOf("minAngle");
+    maxAngle = type.indexOf("maxAngle");
+  }
+
+  @Override
+  DragSurface surface(Vector3dc hit, DragRay ray) {
+    Quaterniond turned = Rotations.read((float[]) value(axisRotation), 0, new Quaterniond());
+    DragRay begin = turnedBack(turned, ray);
+    Vector3d start = turned.transformInverse(hit, new Vector3d());
+    double slant = begin.direction().angle(AXIS);
+    boolean disk = Math.min(slant, Math.PI - slant) < (Float) value(diskAngle);
+    double radius = Math.hypot(start.x, start.z);
+    boolean far = !disk && DragSides.far(begin, start, radius, ACROSS);
+    return new Turn(turned, start, disk, radius, far, (Float) offset());
+  }
+
+  private static DragRay turnedBack(Quaterniond turned, DragRay ray) {
+    return new DragRay(
+        turned.transformInverse(ray.origin(), new Vector3d()),
+        turned.transformInverse(ray.direction(), new Vector3d()));
+  }
+
+  private double limited(double angle) {
+    double min = (Float) value(minAngle);
+    double max = (Float) value(maxAngle);
+    return min <= max ? Math.max(min, Math.min(max, angle)) : angle;
+  }
+
+  /** One drag. */
+  private final class Turn implements DragSurface {
+    private final Quaterniond turned;
+    private final Vector3dc start;
+    private final boolean disk;
+    private final double radius;
+    private final boolean far;
+    private double heading;
+    private double angle;
+    private float last;
+
+    Turn(
+        Quaterniond turned,
+        Vector3dc start,
+        boolean disk,
+        double radius,
+        boolean far,
+        float offset) {
+      this.turned = turned;
+      this.start = start;
+      this.disk = disk;
+      this.radius = radius;
+      this.far = far;
+      heading = heading(start);
+      angle = offset;
+      last = offset;
+    }
+
+    @Override
+    public Optional<Vector3d> follow(DragRay to) {
+      DragRay ray = turnedBack(turned, to);
+      Optional<Vector3d> point =
+          disk ? ray.onPlane(start, AXIS) : Optional.of(ray.atRadius(radius, ACROSS, far));
+      return point.map(turned::transform);
+    }
+
+    @Override
+    public Object value(Vector3dc point) {
+      double now = heading(turned.transformInverse(point, new Vector3d()));
+      angle += Math.IEEEremainder(now - heading, 2 * Math.PI);
+      heading = now;
+      last = (float) limited(angle);
+      Vector3d axis = turned.transform(AXIS, new Vector3d());
+      return new float[] {(float) axis.x, (float) axis.y, (float) axis.z, last};
+    }
+
+    @Override
+    public Object offset() {
+      return last;
+    }
+  }
+
+  /** The angle about Y, from Z towards X; that of a point on the axis means nothing. */
+  private static double heading(Vector3dc point) {
+    return Math.atan2(point.x(), point.z());
+  }
+}

@@ -1,0 +1,122 @@
+package org.selectiverenderer.runtime.nodes.drag;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.sensor.Bearing;
+import org.selectiverenderer.runtime.nodes.sensor.PointerHit;
+import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * A sensor that turns dragging into a value (X3D 4.0, X3DDragSensorNode, 20.3.1). Pressing the
+ * button over its geometry sends {@code isActive TRUE} and nothing else; each move after that sends
+ * {@code trackPoint_changed}, where the pointer is on the surface, and the value, which begins at
+ * {@code offset}. Releasing it sends {@code isActive FALSE}; with {@code autoOffset} the last value
+ * becomes the {@code offset}, which is sent too.
+ *
+ * <p>A drag goes on in the coordinates in which it began, so that a sensor may stand in the very
+ * group that it moves.
+ */
+abstract class DragSensorNode extends PointingSensorNode {
+  private final int autoOffset;
+  private final int offset;
+  private final int trackPoint;
+  private final int valueChanged;
+  private final Matrix4d toLocal = new Matrix4d();
+  private @Nullable DragSurface surface;
+  private @Nullable Vector3dc last;
+  private @Nullable Object sent;
+
+  /**
+   * @param output the field with the value that is dragged
+   */
+  DragSensorNode(NodeType type, @Nullable String name, Location location, String output) {
+    super(type, name, location);
+    autoOffset = type.indexOf("autoOffset");
+    offset = type.indexOf("offset");
+    trackPoint = type.indexOf("trackPoint_changed");
+    valueChanged = type.indexOf(output);
+  }
+
+  @Override
+  public final boolean drags() {
+    return true;
+  }
+
+  final Object offset() {
+    return value(offset);
+  }
+
+  /**
+   * What the pointer is followed along in a drag that begins now.
+   *
+   * @param hit where it begins, in local coordinates
+   * @param ray the pointer, in local coordinates
+   */
+  abstract DragSurface surface(Vector3dc hit, DragRay ray);
+
+  @Override
+  protected final void grabbed(PointerHit at, Bearing bearing) {
+    sent = null;
+    surface = null;
+    bearing.place().invert(toLocal);
+    if (toLocal.isFinite()) { // Else a transformation above flattens it: nothing can be dragged.
+      DragRay ray = ray(bearing);
+      surface = surface(at.point(), ray);
+      last = surface.follow(ray).orElse(null);
+    }
+  }
+
+  private DragRay ray(Bearing bearing) {
+    return new DragRay(
+        toLocal.transformPosition(bearing.origin(), new Vector3d()),
+        toLocal.transformDirection(bearing.direction(), new Vector3d()));
+  }
+
+  @Override
+  protected final void dragged(Bearing bearing, Cascade cascade) {
+    DragSurface along = surface;
+    if (along == null) {
+      return;
+    }
+    Optional<Vector3d> point = along.follow(ray(bearing));
+    if (point.isEmpty() || point.get().equals(last)) {
+      return; // A pointer that rests sends nothing.
+    }
+    last = point.get();
+    Object value = along.value(point.get());
+    emit(trackPoint, floats(point.get()), cascade);
+    if (active() && !same(sent, value)) { // An answer to trackPoint_changed may have disabled it.
+      sent = value;
+      emit(valueChanged, value, cascade);
+    }
+  }
+
+  @Override
+  protected final void released(boolean over, Cascade cascade) {
+    DragSurface along = surface;
+    surface = null;
+    if (along != null && sent != null && (Boolean) value(autoOffset)) {
+      Object kept = along.offset();
+      if (!same(value(offset), kept)) {
+        emit(offset, kept, cascade);
+      }
+    }
+  }
+
+  private static boolean same(@Nullable Object a, Object b) {
+    return a instanceof float[] floats && b instanceof float[] others
+        ? Arrays.equals(floats, others)
+        : b.equals(a);
+  }
+
+  static float[] floats(Vector3dc v) {
+    return new float[] {(float) v.x(), (float) v.y(), (float) v.z()};
+  }
+}

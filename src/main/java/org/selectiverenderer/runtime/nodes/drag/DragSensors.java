@@ -1,0 +1,15 @@
+package org.selectiverenderer.runtime.nodes.drag;
+
+import java.util.Map;
+import org.selectiverenderer.runtime.scene.NodeMaker;
+
+/** The drag sensors by the names of their types. */
+public final class DragSensors {
+  public static final Map<String, NodeMaker> MAKERS =
+      Map.of(
+          "PlaneSensor", PlaneSensorNode::new,
+          "SphereSensor", SphereSensorNode::new,
+          "CylinderSensor", CylinderSensorNode::new);
+
+  private DragSensors() {}
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.runtime.nodes.drag;
+
+import java.util.Optional;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Rotations;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Dragging along a sphere, as a rotation (X3D 4.0, 20.4.3). The sphere is that about the origin of
+ * the local coordinates through the point at which the drag begins; the rotation is the one that
+ * takes that point to where the pointer is, after {@code offset}. Beside the sphere the pointer is
+ * taken to the point of it that is nearest.
+ */
+final class SphereSensorNode extends DragSensorNode {
+  private static final Vector3dc ALL_AXES = new Vector3d(1);
+
+  SphereSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location, "rotation_changed");
+  }
+
+  @Override
+  DragSurface surface(Vector3dc hit, DragRay ray) {
+    double radius = hit.length();
+    boolean far = DragSides.far(ray, hit, radius, ALL_AXES);
+    Vector3d start = onSphere(ray, radius, far);
+    float[] begin = (float[]) offset();
+    Quaterniond offset = Rotations.read(begin, 0, new Quaterniond());
+    return new DragSurface() {
+      private float[] last = begin;
+
+      @Override
+      public Optional<Vector3d> follow(DragRay to) {
+        return Optional.of(onSphere(to, radius, far));
+      }
+
+      @Override
+      public Object value(Vector3dc point) {
+        Quaterniond way = new Quaterniond().rotationTo(start, point).mul(offset);
+        last = new float[4];
+        Rotations.write(way, last);
+        return last;
+      }
+
+      @Override
+      public Object offset() {
+        return last;
+      }
+    };
+  }
+
+  private static Vector3d onSphere(DragRay ray, double radius, boolean far) {
+    Vector3d point = ray.atRadius(radius, ALL_AXES, far);
+    double length = point.length();
+    return length > 0 ? point.mul(radius / length) : point;
+  }
+}

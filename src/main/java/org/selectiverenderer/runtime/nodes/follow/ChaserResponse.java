@@ -1,0 +1,90 @@
+package org.selectiverenderer.runtime.nodes.follow;
+
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+
+/**
+ * The response of chasers, of finite length (X3D 4.0, 39.3.1): each change of the destination is
+ * gone in {@code duration} seconds, slowly at both ends as half a wave of a cosine; the value is
+ * the sum of the ways so far. So a new destination blends with what is under way.
+ */
+final class ChaserResponse implements Response {
+  /** Ways under way at most; earlier ones are gone at once, so that no sender fills the memory. */
+  private static final int MOST = 1024;
+
+  private record Way(double[] way, double since) {}
+
+  private final FollowSpace space;
+  private final double duration;
+  private final Deque<Way> ways = new ArrayDeque<>();
+  private double[] base = {};
+  private double[] destination = {};
+  private double[] value = {};
+
+  ChaserResponse(FollowSpace space, double duration) {
+    this.space = space;
+    this.duration = duration;
+  }
+
+  @Override
+  public void start(double[] at) {
+    ways.clear();
+    base = at;
+    value = at;
+    destination = at;
+  }
+
+  @Override
+  public void aim(double[] to, double time) {
+    if (to.length != destination.length) {
+      refit(to);
+    }
+    double[] way = space.way(destination, to);
+    destination = to;
+    if (space.length(way) > 0) {
+      ways.add(new Way(way, time));
+    }
+    if (ways.size() > MOST) {
+      base = space.along(base, ways.remove().way, 1);
+    }
+  }
+
+  /** Elements that are new are at their destination at once. */
+  private void refit(double[] to) {
+    base = FollowSpace.fitted(base, to);
+    value = FollowSpace.fitted(value, to);
+    destination = FollowSpace.fitted(destination, to);
+    Way[] known = ways.toArray(Way[]::new);
+    ways.clear();
+    for (Way each : known) {
+      ways.add(new Way(Arrays.copyOf(each.way, to.length), each.since));
+    }
+  }
+
+  @Override
+  public void advance(double time) {
+    while (!ways.isEmpty() && time - ways.peek().since >= duration) {
+      base = space.along(base, ways.remove().way, 1);
+    }
+    if (ways.isEmpty()) {
+      base = destination; // Without what rounding has added up.
+    }
+    double[] sum = base;
+    for (Way way : ways) {
+      double share = 0.5 - 0.5 * Math.cos(Math.PI * (time - way.since) / duration);
+      sum = space.along(sum, way.way, share);
+    }
+    value = sum;
+  }
+
+  @Override
+  public double[] value() {
+    return value;
+  }
+
+  @Override
+  public boolean arrived() {
+    return ways.isEmpty();
+  }
+}

@@ -1,0 +1,140 @@
+package org.selectiverenderer.runtime.nodes.follow;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.sensor.Frame;
+import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * A value that follows a destination (X3D 4.0, X3DFollowerNode, 39.3.3). A new destination sends
+ * {@code isActive TRUE}, each frame after that {@code value_changed}, the last one with the
+ * destination itself and {@code isActive FALSE}. {@code set_value} is sent on at once and begins a
+ * way from there. A destination for which no time is wanted is sent on as it comes.
+ */
+abstract class FollowerNode extends Node implements Sleeper {
+  final FollowSpace space;
+  private final int setDestination;
+  private final int setValue;
+  private final int initialDestination;
+  private final int initialValue;
+  private final int valueChanged;
+  private final int isActive;
+  private final boolean scalar;
+  private @Nullable Object goal;
+  private double[] destination = {};
+  private @Nullable Response response;
+  private @Nullable Runnable wake;
+  private double since = Double.NaN;
+
+  FollowerNode(NodeType type, @Nullable String name, Location location, FollowSpace space) {
+    super(type, name, location);
+    this.space = space;
+    setDestination = type.indexOf("set_destination");
+    setValue = type.indexOf("set_value");
+    initialDestination = type.indexOf("initialDestination");
+    initialValue = type.indexOf("initialValue");
+    valueChanged = type.indexOf("value_changed");
+    isActive = type.indexOf("isActive");
+    FieldDefinition output = type.fields().get(valueChanged);
+    scalar = !output.type().multiple() && output.type().components() == 1;
+  }
+
+  /** The way in which the value gets to its destination; asked for once. */
+  abstract Response respond();
+
+  /** Whether it gets there in no time, as the fields say now. */
+  abstract boolean immediate();
+
+  private boolean active() {
+    return (Boolean) value(isActive);
+  }
+
+  /** Until its first frame it may have a way to begin. */
+  @Override
+  public final boolean awake() {
+    return response == null || active();
+  }
+
+  @Override
+  public final void wakeBy(@Nullable Runnable call) {
+    wake = call;
+  }
+
+  /** Follows the fields with which it was made. */
+  private Response begun(Cascade cascade) {
+    Response known = response;
+    if (known == null) {
+      double[] initial = space.read(value(initialValue));
+      goal = value(initialDestination);
+      destination = space.read(goal);
+      known = respond();
+      response = known;
+      known.start(initial);
+      aim(known, cascade);
+    }
+    return known;
+  }
+
+  private void aim(Response known, Cascade cascade) {
+    boolean other = known.value().length != destination.length;
+    known.aim(destination, cascade.time());
+    if (known.arrived() || immediate()) {
+      settle(known, other || !known.arrived(), cascade);
+    } else if (!active()) {
+      since = cascade.time();
+      emit(isActive, true, cascade);
+      if (wake != null) {
+        wake.run();
+      }
+    }
+  }
+
+  /**
+   * Rests at its destination.
+   *
+   * @param changed whether it was elsewhere
+   */
+  private void settle(Response known, boolean changed, Cascade cascade) {
+    known.start(destination);
+    if (changed) {
+      emit(valueChanged, goal, cascade);
+    }
+    if (active()) {
+      emit(isActive, false, cascade);
+    }
+  }
+
+  @Override
+  public final void frame(Frame frame, Cascade cascade) {
+    Response known = begun(cascade);
+    if (active() && frame.time() > since) {
+      known.advance(frame.time());
+      boolean arrived = known.arrived();
+      emit(valueChanged, arrived ? goal : space.write(known.value(), scalar), cascade);
+      if (arrived && active()) {
+        emit(isActive, false, cascade);
+      }
+    }
+  }
+
+  @Override
+  protected final void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    if (field.index() == setDestination && value != null) {
+      Response known = begun(cascade);
+      goal = value;
+      destination = space.read(value);
+      aim(known, cascade);
+    } else if (field.index() == setValue && value != null) {
+      Response known = begun(cascade);
+      known.start(space.read(value));
+      emit(valueChanged, value, cascade);
+      aim(known, cascade);
+    } else {
+      super.receive(field, value, cascade);
+    }
+  }
+}

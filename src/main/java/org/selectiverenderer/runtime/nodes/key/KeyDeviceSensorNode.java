@@ -1,0 +1,62 @@
+package org.selectiverenderer.runtime.nodes.key;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * A sensor of the keyboard (X3D 4.0, X3DKeyDeviceSensorNode, 21.3.1). Enabling it makes it active
+ * and disables the one that was: of all sensors of a world one is active at a time.
+ */
+public abstract class KeyDeviceSensorNode extends Node {
+  private final int enabled;
+  private final int isActive;
+  private @Nullable KeyDevice device;
+
+  KeyDeviceSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    enabled = type.indexOf("enabled");
+    isActive = type.indexOf("isActive");
+  }
+
+  final boolean enabled() {
+    return (Boolean) value(enabled);
+  }
+
+  /** It came into a scene whose keyboard that is, or left it. */
+  final void join(@Nullable KeyDevice ofScene) {
+    device = ofScene;
+  }
+
+  final void disable(Cascade cascade) {
+    cascade.send(this, enabled, false);
+  }
+
+  final void activate(boolean active, Cascade cascade) {
+    if ((Boolean) value(isActive) != active) {
+      begin();
+      emit(isActive, active, cascade);
+    }
+  }
+
+  /** Forgets what was typed before. */
+  abstract void begin();
+
+  /** Whether anybody hears of a key, so that it is not the program's. */
+  abstract boolean wants(KeyStroke.Key key);
+
+  /** A key went down or up while it is active. */
+  abstract void type(KeyStroke stroke, Cascade cascade);
+
+  @Override
+  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    super.receive(field, value, cascade);
+    KeyDevice keys = device;
+    if (field.index() == enabled && keys != null) {
+      keys.enabled(this, cascade);
+    }
+  }
+}

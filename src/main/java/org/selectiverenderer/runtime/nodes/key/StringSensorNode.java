@@ -1,0 +1,70 @@
+package org.selectiverenderer.runtime.nodes.key;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * Collects what is typed (X3D 4.0, 21.4.2): each character sends {@code enteredText}, Backspace
+ * takes the last one back unless {@code deletionAllowed} is FALSE, Enter sends it all as {@code
+ * finalText} and begins anew with an {@code enteredText} that is empty. It wants all keys that
+ * produce characters.
+ */
+final class StringSensorNode extends KeyDeviceSensorNode {
+  /** Characters of a line, so that a key that is stuck fills no memory. */
+  private static final int LONGEST = 10_000;
+
+  private final int deletionAllowed;
+  private final int enteredText;
+  private final int finalText;
+  private String text = "";
+  private boolean control;
+
+  StringSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    deletionAllowed = type.indexOf("deletionAllowed");
+    enteredText = type.indexOf("enteredText");
+    finalText = type.indexOf("finalText");
+  }
+
+  @Override
+  void begin() {
+    text = "";
+    control = false;
+  }
+
+  @Override
+  boolean wants(KeyStroke.Key key) {
+    return key instanceof KeyStroke.Character;
+  }
+
+  @Override
+  void type(KeyStroke stroke, Cascade cascade) {
+    if (stroke.key() == KeyStroke.Modifier.CONTROL) {
+      control = stroke.pressed();
+    } else if (stroke.key() instanceof KeyStroke.Character character
+        && stroke.pressed()
+        && !control) {
+      type(character.text(), cascade);
+    }
+  }
+
+  private void type(String typed, Cascade cascade) {
+    if (typed.equals(KeyStroke.ENTER)) {
+      String line = text;
+      text = "";
+      emit(finalText, line, cascade);
+      emit(enteredText, text, cascade);
+    } else if (typed.equals(KeyStroke.BACKSPACE)) {
+      if ((Boolean) value(deletionAllowed) && !text.isEmpty()) {
+        text = text.substring(0, text.offsetByCodePoints(text.length(), -1));
+        emit(enteredText, text, cascade);
+      }
+    } else if (!typed.codePoints().allMatch(Character::isISOControl)
+        && text.length() + typed.length() <= LONGEST) {
+      text += typed;
+      emit(enteredText, text, cascade);
+    }
+  }
+}
