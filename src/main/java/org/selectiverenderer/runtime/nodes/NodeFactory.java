@@ -21,6 +21,8 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
+import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
@@ -47,7 +49,9 @@ public final class NodeFactory {
         "CADLayer",
         "PickableGroup",
         "ViewpointGroup");
-    put(TransformNode::new, "Transform", "CADPart");
+    put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
+    put(HumanoidNode::new, "HAnimHumanoid");
+    put(SegmentNode::new, "HAnimSegment");
     put(CadFaceNode::new, "CADFace");
     put(SwitchNode::new, "Switch");
     put(LodNode::new, "LOD");

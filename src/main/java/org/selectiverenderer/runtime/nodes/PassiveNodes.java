@@ -54,6 +54,7 @@ final class PassiveNodes {
           "Coordinate",
           "CoordinateDouble",
           "FontStyle",
+          "HAnimDisplacer",
           "Normal",
           "TextureCoordinate");
 
