@@ -118,6 +118,21 @@ public final class GeoSystem {
     return secondFirst ? new double[] {second, first, at.z} : new double[] {first, second, at.z};
   }
 
+  /**
+   * A place some steps away.
+   *
+   * @param at three numbers
+   * @param east steps along longitude or easting, in the system's unit
+   * @param north steps along latitude or northing
+   * @param up metres
+   */
+  public double[] step(double[] at, double east, double north, double up) {
+    boolean eastFirst = secondFirst || kind == Kind.GEOCENTRIC;
+    return new double[] {
+      at[0] + (eastFirst ? east : north), at[1] + (eastFirst ? north : east), at[2] + up
+    };
+  }
+
   /** Latitude and longitude in radians and height, of a geocentric point on the ellipsoid. */
   Vector3d geodetic(Vector3dc geocentric) {
     return ellipsoid.geodetic(geocentric);

@@ -34,7 +34,9 @@ public final class NodeContent {
           "Collision",
           "HAnimJoint",
           "HAnimSegment",
-          "HAnimSite");
+          "HAnimSite",
+          "GeoLocation",
+          "GeoTransform");
 
   private NodeContent() {}
 
@@ -42,6 +44,7 @@ public final class NodeContent {
   public static boolean isGroup(NodeType type) {
     return WITH_CHILDREN.contains(type.name())
         || type.name().equals("CADFace")
+        || type.name().equals("GeoLOD")
         || type.name().equals("HAnimHumanoid");
   }
 
@@ -52,9 +55,9 @@ public final class NodeContent {
         NodeView shape = node.node("shape");
         yield shape == null ? List.of() : List.of(shape);
       }
+      case "GeoLOD" -> node.nodes("rootNode");
       case "HAnimHumanoid" -> figure(node);
-      default ->
-          WITH_CHILDREN.contains(node.type().name()) ? node.nodes("children") : List.of();
+      default -> WITH_CHILDREN.contains(node.type().name()) ? node.nodes("children") : List.of();
     };
   }
 
@@ -87,8 +90,13 @@ public final class NodeContent {
 
   /** From the coordinates of a group's content to those of its parent; empty when the same. */
   public static Optional<Matrix4d> placement(NodeView node) {
-    return TRANSFORMS.contains(node.type().name())
-        ? Optional.of(TransformPlacement.of(node, new Matrix4d()))
-        : Optional.empty();
+    return switch (node.type().name()) {
+      case "GeoLocation" -> Optional.of(GeoPlacement.location(node));
+      case "GeoTransform" -> Optional.of(GeoPlacement.transform(node));
+      default ->
+          TRANSFORMS.contains(node.type().name())
+              ? Optional.of(TransformPlacement.of(node, new Matrix4d()))
+              : Optional.empty();
+    };
   }
 }

@@ -32,6 +32,7 @@ public final class Tessellator {
     kinds.put("Sphere", RoundShapes::sphere);
     kinds.put("IndexedFaceSet", IndexedFaceSet::mesh);
     kinds.put("ElevationGrid", ElevationGrid::mesh);
+    kinds.put("GeoElevationGrid", GeoShapes::grid);
     kinds.put("Extrusion", Extrusion::mesh);
     kinds.put("IndexedLineSet", LineSets::indexedLines);
     kinds.put("LineSet", LineSets::lines);

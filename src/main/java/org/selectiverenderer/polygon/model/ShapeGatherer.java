@@ -12,8 +12,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshPlacement;
-import org.selectiverenderer.geometry.tessellate.Tessellator;
+import org.selectiverenderer.geometry.tessellate.GeoAnchor;
 import org.selectiverenderer.geometry.tessellate.NodeContent;
+import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.X3dFile;
@@ -97,7 +98,11 @@ final class ShapeGatherer {
       return;
     }
     NodeView appearance = shape.node("appearance");
-    Mesh placed = MeshPlacement.place(mesh, placement);
+    Matrix4dc place =
+        GeoAnchor.of(geometry)
+            .map(anchor -> (Matrix4dc) placement.translate(anchor, new Matrix4d()))
+            .orElse(placement);
+    Mesh placed = MeshPlacement.place(mesh, place);
     if (!finite(placed.positions())) {
       problems.error(
           geometry.location(),

@@ -13,6 +13,7 @@ import org.selectiverenderer.runtime.nodes.event.EaseInEaseOutNode;
 import org.selectiverenderer.runtime.nodes.event.EventUtilities;
 import org.selectiverenderer.runtime.nodes.event.InterpolatorNode;
 import org.selectiverenderer.runtime.nodes.event.SequencerNode;
+import org.selectiverenderer.runtime.nodes.geo.Geospatial;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
@@ -40,6 +41,7 @@ public final class NodeFactory {
   private final Map<String, NodeMaker> makers = new HashMap<>(EventUtilities.MAKERS);
 
   public NodeFactory() {
+    makers.putAll(Geospatial.MAKERS);
     put(
         GroupingNode::new,
         "Group",

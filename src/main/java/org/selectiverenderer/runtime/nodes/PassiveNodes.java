@@ -28,6 +28,7 @@ final class PassiveNodes {
           "Disk2D",
           "ElevationGrid",
           "Extrusion",
+          "GeoElevationGrid",
           "IndexedFaceSet",
           "IndexedLineSet",
           "IndexedQuadSet",
@@ -54,6 +55,8 @@ final class PassiveNodes {
           "Coordinate",
           "CoordinateDouble",
           "FontStyle",
+          "GeoCoordinate",
+          "GeoOrigin",
           "HAnimDisplacer",
           "Normal",
           "TextureCoordinate");
@@ -62,6 +65,7 @@ final class PassiveNodes {
 
   private static final Set<String> DESCRIPTIONS =
       Set.of(
+          "GeoMetadata",
           "MetadataBoolean",
           "MetadataDouble",
           "MetadataFloat",

@@ -11,6 +11,8 @@
  *   <li>{@code bind} what one of a kind is bound at a time: Viewpoint, NavigationInfo, Background
  *       ...
  *   <li>{@code sensor} what a frame drives: time, the viewer's place, the pointing device
+ *   <li>{@code geo} what is placed on the earth
+ *   <li>{@code hanim} figures: skeletons and their skin
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers
  * </ul>
  *

@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * call come in the order: isOver, hitPoint, hitNormal and hitTexCoord as far as they changed,
  * isActive, touchTime.
  */
-public final class TouchSensorNode extends Node {
+public class TouchSensorNode extends Node {
   private final int enabled;
   private final int isOver;
   private final int isActive;
@@ -84,7 +84,8 @@ public final class TouchSensorNode extends Node {
     }
   }
 
-  private void sendHit(PointerHit at, boolean always, Cascade cascade) {
+  /** Sends where the pointer meets the geometry. */
+  protected void sendHit(PointerHit at, boolean always, Cascade cascade) {
     send(hitPoint, floats(at.point()), always, cascade);
     send(hitNormal, floats(at.normal()), always, cascade);
     send(hitTexCoord, new float[] {at.s(), at.t()}, always, cascade);
@@ -92,6 +93,13 @@ public final class TouchSensorNode extends Node {
 
   private void send(int field, float[] now, boolean always, Cascade cascade) {
     if (always || !Arrays.equals((float[]) value(field), now)) {
+      emit(field, now, cascade);
+    }
+  }
+
+  /** Sends a field of doubles, when it differs from what was last sent. */
+  protected final void send(int field, double[] now, boolean always, Cascade cascade) {
+    if (always || !Arrays.equals((double[]) value(field), now)) {
       emit(field, now, cascade);
     }
   }
