@@ -36,6 +36,11 @@ final class PassiveNodes {
           "IndexedTriangleSet",
           "IndexedTriangleStripSet",
           "LineSet",
+          "NurbsCurve",
+          "NurbsPatchSurface",
+          "NurbsSweptSurface",
+          "NurbsSwungSurface",
+          "NurbsTrimmedSurface",
           "PointSet",
           "Polyline2D",
           "Polypoint2D",
@@ -58,7 +63,11 @@ final class PassiveNodes {
           "GeoCoordinate",
           "GeoOrigin",
           "HAnimDisplacer",
+          "Contour2D",
+          "ContourPolyline2D",
           "Normal",
+          "NurbsCurve2D",
+          "NurbsTextureCoordinate",
           "TextureCoordinate");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
