@@ -99,6 +99,9 @@ final class ViewpointFollower {
 
   /** From a viewpoint's local coordinates to the world; the identity when it is nowhere. */
   Matrix4dc placeOf(Node viewpoint) {
-    return instances.places(viewpoint).stream().findFirst().orElseGet(Matrix4d::new);
+    Matrix4dc place = instances.places(viewpoint).stream().findFirst().orElseGet(Matrix4d::new);
+    return viewpoint instanceof ViewpointNode looking
+        ? place.mul(looking.frame(), new Matrix4d())
+        : place;
   }
 }

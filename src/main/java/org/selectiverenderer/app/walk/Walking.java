@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.Colliders;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
@@ -149,11 +149,8 @@ public final class Walking implements ViewerMotion {
             .map(node -> NavigationFrame.of(world.placeOf(node)))
             .orElse(NavigationFrame.WORLD));
     boundViewpoint
-        .filter(node -> node.type().name().equals("Viewpoint"))
-        .ifPresent(
-            node -> {
-              float[] c = node.floats("centerOfRotation");
-              walker.pivot(world.placeOf(node).transformPosition(new Vector3d(c[0], c[1], c[2])));
-            });
+        .filter(ViewpointNode.class::isInstance)
+        .flatMap(node -> ((ViewpointNode) node).centerOfRotation())
+        .ifPresent(center -> walker.pivot(world.placeOf(viewpoint).transformPosition(center)));
   }
 }

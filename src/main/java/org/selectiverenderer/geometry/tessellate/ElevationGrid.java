@@ -16,35 +16,54 @@ final class ElevationGrid {
     if (columns < 2 || rows < 2 || !job.positive("xSpacing", "zSpacing")) {
       return ShapeBuilder.empty(solid);
     }
-    if (heights.length < (long) columns * rows) {
-      job.problem(
-          "has "
-              + heights.length
-              + " heights for "
-              + columns
-              + " x "
-              + rows
-              + " points; it is left out");
+    if (tooFew(job, heights.length, columns, rows)) {
       return ShapeBuilder.empty(solid);
     }
     double xSpacing = node.number("xSpacing");
     double zSpacing = node.number("zSpacing");
     float[] xyz = new float[3 * columns * rows];
-    float[] texCoords = new float[2 * columns * rows];
     for (int row = 0, point = 0; row < rows; row++) {
       for (int column = 0; column < columns; column++, point++) {
         xyz[3 * point] = (float) (column * xSpacing);
         xyz[3 * point + 1] = heights[point];
         xyz[3 * point + 2] = (float) (row * zSpacing);
-        texCoords[2 * point] = (float) column / (columns - 1);
-        texCoords[2 * point + 1] = (float) row / (rows - 1);
       }
     }
-    return mesh(job, Points.of(xyz), columns, rows, new VertexAttribute(texCoords, 2, null));
+    return mesh(job, xyz, columns, rows, false, job.node().number("creaseAngle"));
   }
 
-  private static Mesh mesh(
-      TessellationJob job, Points points, int columns, int rows, VertexAttribute texCoords) {
+  /** Whether there are fewer heights than points; says so. */
+  static boolean tooFew(TessellationJob job, int heights, int columns, int rows) {
+    if (heights >= (long) columns * rows) {
+      return false;
+    }
+    job.problem(
+        "has %d heights for %d x %d points; it is left out".formatted(heights, columns, rows));
+    return true;
+  }
+
+  private static VertexAttribute texCoords(int columns, int rows) {
+    float[] texCoords = new float[2 * columns * rows];
+    for (int point = 0; point < columns * rows; point++) {
+      texCoords[2 * point] = (float) (point % columns) / (columns - 1);
+      texCoords[2 * point + 1] = (float) (point / columns) / (rows - 1);
+    }
+    return new VertexAttribute(texCoords, 2, null);
+  }
+
+  /**
+   * The faces between the points of a grid, seen from above when ccw.
+   *
+   * @param northwards whether the second row lies north of the first, not south
+   */
+  static Mesh mesh(
+      TessellationJob job,
+      float[] xyz,
+      int columns,
+      int rows,
+      boolean northwards,
+      double creaseAngle) {
+    Points points = Points.of(xyz);
     int quads = (columns - 1) * (rows - 1);
     int[] stream = new int[4 * quads];
     TriangleList triangles = new TriangleList(stream, 2 * quads);
@@ -53,9 +72,9 @@ final class ElevationGrid {
       int at = 4 * quad;
       int corner = quad / (columns - 1) * columns + quad % (columns - 1);
       stream[at] = corner;
-      stream[at + 1] = corner + columns;
+      stream[at + 1] = northwards ? corner + 1 : corner + columns;
       stream[at + 2] = corner + columns + 1;
-      stream[at + 3] = corner + 1;
+      stream[at + 3] = northwards ? corner + columns : corner + 1;
       if (check.accepts(at, at + 4)) {
         triangles.add(at, at + 1, at + 2, quad);
         triangles.add(at, at + 2, at + 3, quad);
@@ -63,6 +82,6 @@ final class ElevationGrid {
     }
     check.report(job, "face");
     return new SurfaceMesher(job, points, triangles, quads)
-        .composed(SurfaceMesher.Indices.NONE, job.node().number("creaseAngle"), texCoords);
+        .composed(SurfaceMesher.Indices.NONE, creaseAngle, texCoords(columns, rows));
   }
 }

@@ -144,7 +144,8 @@ final class PlanarShapes {
     return plain(job, xyz, IndexRuns.identity(xyz.length / 3), 1, Mesh.Primitive.POINTS, "point");
   }
 
-  private static Mesh lines(TessellationJob job, float[] xyz) {
+  /** Lines from each point to the next. */
+  static Mesh lines(TessellationJob job, float[] xyz) {
     int[] ends = new int[Math.max(0, 2 * (xyz.length / 3) - 2)];
     for (int i = 0; i < ends.length; i++) {
       ends[i] = (i + 1) / 2;

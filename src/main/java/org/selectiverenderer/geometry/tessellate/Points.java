@@ -35,6 +35,7 @@ record Points(float[] xyz, int count, boolean @Nullable [] bad) {
     return switch (coord.type().name()) {
       case "Coordinate" -> of(coord.floats("point"));
       case "CoordinateDouble" -> of(toFloats((double[]) coord.value("point")));
+      case "GeoCoordinate" -> of(GeoShapes.points(job, coord));
       default -> {
         job.problem("has a " + coord.type().name() + ", which is not supported; it is left out");
         yield of(new float[0]);

@@ -32,7 +32,13 @@ public final class Tessellator {
     kinds.put("Sphere", RoundShapes::sphere);
     kinds.put("IndexedFaceSet", IndexedFaceSet::mesh);
     kinds.put("ElevationGrid", ElevationGrid::mesh);
+    kinds.put("GeoElevationGrid", GeoShapes::grid);
     kinds.put("Extrusion", Extrusion::mesh);
+    kinds.put("NurbsCurve", NurbsSweeps::curve);
+    kinds.put("NurbsPatchSurface", NurbsSurfaces::patch);
+    kinds.put("NurbsTrimmedSurface", NurbsSurfaces::trimmed);
+    kinds.put("NurbsSweptSurface", NurbsSweeps::swept);
+    kinds.put("NurbsSwungSurface", NurbsSweeps::swung);
     kinds.put("IndexedLineSet", LineSets::indexedLines);
     kinds.put("LineSet", LineSets::lines);
     kinds.put("PointSet", LineSets::points);

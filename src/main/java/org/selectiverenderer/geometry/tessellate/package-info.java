@@ -3,8 +3,8 @@
  *
  * <p>In: a geometry node of a file or of a running scene. Out: a {@link
  * org.selectiverenderer.geometry.mesh.Mesh}. Uses {@code geometry}, {@code geometry.mesh}, {@code
- * geometry.font} for texts, {@code x3d.catalogue}, {@code base.problem} and earcut4j, which divides
- * polygons; no AWT and no GL.
+ * geometry.font} for texts, {@code geometry.geo}, {@code geometry.nurbs}, {@code x3d.catalogue},
+ * {@code base.problem} and earcut4j, which divides polygons; no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.geometry.tessellate;

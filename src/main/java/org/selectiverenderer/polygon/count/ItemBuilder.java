@@ -12,7 +12,7 @@ import java.util.Set;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.geometry.tessellate.TransformPlacement;
+import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -107,9 +107,7 @@ final class ItemBuilder {
       List<ParsedNode> children = Structure.children(node);
       enrich(node, name, children.size(), builder);
       builder.children(items(children, file));
-      if (node.type().name().equals("Transform") || node.type().name().equals("CADPart")) {
-        builder.placement(TransformPlacement.of(node, new Matrix4d()));
-      }
+      NodeContent.placement(node).ifPresent(builder::placement);
     }
     return builder.build();
   }

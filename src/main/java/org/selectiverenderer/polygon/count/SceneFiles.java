@@ -112,7 +112,7 @@ final class SceneFiles {
             () ->
                 tessellator
                     .tessellate(geometry, file.problems())
-                    .ifPresent(mesh -> file.sizes().put(geometry, Size.of(mesh))),
+                    .ifPresent(mesh -> file.sizes().put(geometry, Size.of(geometry, mesh))),
             executor));
   }
 

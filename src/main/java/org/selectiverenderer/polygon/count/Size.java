@@ -2,6 +2,8 @@ package org.selectiverenderer.polygon.count;
 
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
  * What is kept of a mesh.
@@ -13,7 +15,17 @@ public record Size(int polygons, Bounds bounds) {
   /** Of geometry that draws nothing. */
   public static final Size NOTHING = new Size(0, Bounds.EMPTY);
 
-  static Size of(Mesh mesh) {
-    return new Size(mesh.polygons(), mesh.isEmpty() ? Bounds.EMPTY : Bounds.of(mesh.bounds()));
+  /**
+   * @param mesh of the geometry
+   */
+  static Size of(NodeView geometry, Mesh mesh) {
+    Bounds own = mesh.isEmpty() ? Bounds.EMPTY : Bounds.of(mesh.bounds());
+    Bounds placed =
+        mesh.isEmpty()
+            ? own
+            : GeoAnchor.of(geometry)
+                .map(at -> Bounds.of(own.min().add(at), own.max().add(at)))
+                .orElse(own);
+    return new Size(mesh.polygons(), placed);
   }
 }

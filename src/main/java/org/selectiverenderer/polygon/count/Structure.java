@@ -2,35 +2,17 @@ package org.selectiverenderer.polygon.count;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Which nodes of a file hold what is drawn: the same that the embedded browser draws. */
 final class Structure {
-  private static final Set<String> GROUPS =
-      Set.of(
-          "Group",
-          "StaticGroup",
-          "Anchor",
-          "CADAssembly",
-          "CADLayer",
-          "CADPart",
-          "PickableGroup",
-          "ViewpointGroup",
-          "Transform",
-          "Switch",
-          "LOD",
-          "Billboard",
-          "Collision");
-
   private Structure() {}
 
   /** Whether nodes of a type hold others that are drawn. */
   static boolean isGroup(NodeType type) {
-    return GROUPS.contains(type.name())
-        || type.name().equals("CADFace")
-        || type.name().equals("Inline");
+    return NodeContent.isGroup(type) || type.name().equals("Inline");
   }
 
   static boolean isInline(ParsedNode node) {
@@ -51,13 +33,7 @@ final class Structure {
 
   /** The nodes in a group of the same file, shown or not; none for what is no group. */
   static List<ParsedNode> children(ParsedNode node) {
-    if (GROUPS.contains(node.type().name())) {
-      return node.nodes("children").stream().map(ParsedNode.class::cast).toList();
-    }
-    if (node.type().name().equals("CADFace") && node.node("shape") instanceof ParsedNode shape) {
-      return List.of(shape);
-    }
-    return List.of();
+    return NodeContent.of(node).stream().map(ParsedNode.class::cast).toList();
   }
 
   static Optional<ParsedNode> geometry(ParsedNode shape) {

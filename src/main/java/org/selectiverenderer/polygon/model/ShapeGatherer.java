@@ -12,8 +12,9 @@ import org.joml.Matrix4dc;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshPlacement;
+import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
-import org.selectiverenderer.geometry.tessellate.TransformPlacement;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
@@ -73,27 +74,17 @@ final class ShapeGatherer {
           node.nodes("children").stream()
               .limit(1)
               .forEach(child -> visit(child, placement, folder, metres, depth + 1));
-      case "Transform", "CADPart" ->
-          children(node, TransformPlacement.of(node, placement), folder, metres, depth);
-      case "CADFace" -> {
-        NodeView shape = node.node("shape");
-        if (shape != null) {
-          visit(shape, placement, folder, metres, depth + 1);
-        }
-      }
       default -> {
         if (node.type().is("X3DShapeNode")) {
           shape(node, placement, folder);
-        } else if (node.type().is("X3DGroupingNode")) {
-          children(node, placement, folder, metres, depth);
+        } else {
+          Matrix4dc placed =
+              NodeContent.placement(node)
+                  .map(local -> (Matrix4dc) placement.mul(local, local))
+                  .orElse(placement);
+          NodeContent.of(node).forEach(child -> visit(child, placed, folder, metres, depth + 1));
         }
       }
-    }
-  }
-
-  private void children(NodeView node, Matrix4dc placement, Path folder, double metres, int depth) {
-    if (node.type().field("children").isPresent()) {
-      node.nodes("children").forEach(child -> visit(child, placement, folder, metres, depth + 1));
     }
   }
 
@@ -111,7 +102,11 @@ final class ShapeGatherer {
       return;
     }
     NodeView appearance = shape.node("appearance");
-    Mesh placed = MeshPlacement.place(mesh, placement);
+    Matrix4dc place =
+        GeoAnchor.of(geometry)
+            .map(anchor -> (Matrix4dc) placement.translate(anchor, new Matrix4d()))
+            .orElse(placement);
+    Mesh placed = MeshPlacement.place(mesh, place);
     if (!finite(placed.positions())) {
       problems.error(
           geometry.location(),

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
@@ -121,6 +122,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
           tree.moved();
         }
         case CHOICE -> choose();
+        case FORM -> ((Deforming) group).deform();
         case NONE -> {}
       }
     }

@@ -13,6 +13,7 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -213,6 +214,9 @@ public final class InstanceTree {
       GroupInstance instance = new GroupInstance(group, parent, this);
       group.addObserver(instance);
       instance.children = children(instance, depth, Map.of());
+      if (group instanceof Deforming) {
+        instance.affected(GroupingNode.Effect.FORM);
+      }
       return instance;
     }
     if (node.type().name().equals("Shape")) {

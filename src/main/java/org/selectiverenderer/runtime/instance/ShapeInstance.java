@@ -2,8 +2,10 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.List;
 import java.util.Optional;
+import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
@@ -12,6 +14,7 @@ import org.selectiverenderer.runtime.scene.Node;
 public final class ShapeInstance extends Instance {
   private final ShapeLook look;
   private double @Nullable [] bounds;
+  private @Nullable Matrix4dc placed;
   private List<LightInstance> lights = List.of();
 
   ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
@@ -27,6 +30,21 @@ public final class ShapeInstance extends Instance {
   /** Its look; the same object until it changes. */
   public Surface surface() {
     return look.surface();
+  }
+
+  /** From the mesh's coordinates, which may begin at a place far away, to the world. */
+  @Override
+  public Matrix4dc world() {
+    Vector3dc anchor = look.anchor();
+    if (anchor == null) {
+      return super.world();
+    }
+    Matrix4dc known = placed;
+    if (known == null) {
+      known = super.world().translate(anchor, new Matrix4d());
+      placed = known;
+    }
+    return known;
   }
 
   ShapeLook look() {
@@ -55,6 +73,7 @@ public final class ShapeInstance extends Instance {
 
   void forgetBounds() {
     bounds = null;
+    placed = null;
   }
 
   private static double[] empty() {
@@ -87,6 +106,6 @@ public final class ShapeInstance extends Instance {
 
   @Override
   void moved(InstanceTree tree) {
-    bounds = null;
+    forgetBounds();
   }
 }

@@ -6,8 +6,10 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tessellate.GeoAnchor;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -24,6 +26,7 @@ final class ShapeLook implements NodeObserver {
   final List<ShapeInstance> instances = new ArrayList<>(1);
   private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
   private @Nullable Mesh mesh;
+  private @Nullable Vector3dc anchor;
   private Surface surface = Surface.UNLIT_WHITE;
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
@@ -42,6 +45,11 @@ final class ShapeLook implements NodeObserver {
     return Optional.ofNullable(mesh);
   }
 
+  /** Where the mesh's coordinates begin in the Shape's own; null where they are the same. */
+  @Nullable Vector3dc anchor() {
+    return anchor;
+  }
+
   Surface surface() {
     return surface;
   }
@@ -56,6 +64,7 @@ final class ShapeLook implements NodeObserver {
 
   private void read() {
     mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
+    anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }
 

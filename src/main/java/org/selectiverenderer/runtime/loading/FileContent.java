@@ -63,6 +63,10 @@ record FileContent(
     problems.addAll(List.of(new Problem(Problem.Severity.ERROR, location, message)));
   }
 
+  void warning(Location location, String message) {
+    problems.addAll(List.of(new Problem(Problem.Severity.WARNING, location, message)));
+  }
+
   void info(Location location, String message) {
     problems.addAll(List.of(new Problem(Problem.Severity.INFO, location, message)));
   }

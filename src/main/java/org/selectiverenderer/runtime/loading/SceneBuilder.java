@@ -9,8 +9,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.geo.GeoSystem;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.geo.GeoLodNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Node;
@@ -41,6 +43,7 @@ final class SceneBuilder {
 
   private final NodeFactory factory;
   private final NodeType groupType;
+  private final NodeType inlineType;
   private final SceneStore store;
   private final ContentRoot root;
   private final int maxNodes;
@@ -55,9 +58,15 @@ final class SceneBuilder {
    *     ever
    */
   SceneBuilder(
-      NodeFactory factory, NodeType groupType, SceneStore store, ContentRoot root, int maxNodes) {
+      NodeFactory factory,
+      NodeType groupType,
+      NodeType inlineType,
+      SceneStore store,
+      ContentRoot root,
+      int maxNodes) {
     this.factory = factory;
     this.groupType = groupType;
+    this.inlineType = inlineType;
     this.store = store;
     this.root = root;
     this.maxNodes = maxNodes;
@@ -235,6 +244,8 @@ final class SceneBuilder {
         if (node instanceof ScriptNode script && program != null) {
           script.load(program, scene);
         }
+      } else if (node.type().component().equals("Geospatial")) {
+        geospatial(node);
       }
       if (store.firstKept(node.type())) {
         content.info(
@@ -242,6 +253,36 @@ final class SceneBuilder {
             "%s is kept in the scene, but this program does not act on it"
                 .formatted(node.type().name()));
       }
+    }
+
+    private void geospatial(Node node) {
+      if (node instanceof GeoLodNode level) {
+        level.files(
+            level.nodes("rootNode").isEmpty() ? inlines(level, "rootUrl") : List.of(),
+            inlines(level, "child1Url", "child2Url", "child3Url", "child4Url"));
+      }
+      boolean tessellated =
+          node.type().is("X3DGeometricPropertyNode") || node.type().is("X3DGeometryNode");
+      if (!tessellated && node.type().field("geoSystem").isPresent()) {
+        GeoSystem.of(node.strings("geoSystem"))
+            .problem()
+            .ifPresent(text -> content.warning(node.location(), node.type().name() + " " + text));
+      }
+    }
+
+    /** An Inline for each url field that is not empty, not yet read. */
+    private List<InlineNode> inlines(Node node, String... urls) {
+      List<InlineNode> made = new ArrayList<>();
+      for (String url : urls) {
+        if (node.strings(url).length > 0) {
+          InlineNode inline = (InlineNode) factory.make(inlineType, null, node.location());
+          inline.init(inline.urlField(), node.strings(url));
+          inline.init(inlineType.indexOf("load"), false);
+          store.origin(inline, origin);
+          made.add(inline);
+        }
+      }
+      return made;
     }
 
     private void fill(InlineNode inline, Outcome outcome) {

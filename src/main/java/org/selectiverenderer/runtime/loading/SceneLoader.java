@@ -201,7 +201,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
-    SceneBuilder builder = new SceneBuilder(factory, catalogue.get("Group"), store, root, maxNodes);
+    SceneBuilder builder =
+        new SceneBuilder(
+            factory, catalogue.get("Group"), catalogue.get("Inline"), store, root, maxNodes);
     Scene scene = builder.build(content, above);
     builder.report(hears);
     return scene;

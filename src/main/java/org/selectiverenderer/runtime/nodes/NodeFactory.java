@@ -15,6 +15,7 @@ import org.selectiverenderer.runtime.nodes.event.EventUtilities;
 import org.selectiverenderer.runtime.nodes.event.InterpolatorNode;
 import org.selectiverenderer.runtime.nodes.event.SequencerNode;
 import org.selectiverenderer.runtime.nodes.follow.Followers;
+import org.selectiverenderer.runtime.nodes.geo.Geospatial;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
@@ -23,6 +24,8 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
+import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
@@ -45,6 +48,7 @@ public final class NodeFactory {
     makers.putAll(DragSensors.MAKERS);
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
+    makers.putAll(Geospatial.MAKERS);
     put(
         GroupingNode::new,
         "Group",
@@ -54,7 +58,9 @@ public final class NodeFactory {
         "CADLayer",
         "PickableGroup",
         "ViewpointGroup");
-    put(TransformNode::new, "Transform", "CADPart");
+    put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
+    put(HumanoidNode::new, "HAnimHumanoid");
+    put(SegmentNode::new, "HAnimSegment");
     put(CadFaceNode::new, "CADFace");
     put(SwitchNode::new, "Switch");
     put(LodNode::new, "LOD");

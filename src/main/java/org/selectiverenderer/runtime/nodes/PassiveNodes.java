@@ -28,6 +28,7 @@ final class PassiveNodes {
           "Disk2D",
           "ElevationGrid",
           "Extrusion",
+          "GeoElevationGrid",
           "IndexedFaceSet",
           "IndexedLineSet",
           "IndexedQuadSet",
@@ -35,6 +36,11 @@ final class PassiveNodes {
           "IndexedTriangleSet",
           "IndexedTriangleStripSet",
           "LineSet",
+          "NurbsCurve",
+          "NurbsPatchSurface",
+          "NurbsSweptSurface",
+          "NurbsSwungSurface",
+          "NurbsTrimmedSurface",
           "PointSet",
           "Polyline2D",
           "Polypoint2D",
@@ -54,13 +60,21 @@ final class PassiveNodes {
           "Coordinate",
           "CoordinateDouble",
           "FontStyle",
+          "GeoCoordinate",
+          "GeoOrigin",
+          "HAnimDisplacer",
+          "Contour2D",
+          "ContourPolyline2D",
           "Normal",
+          "NurbsCurve2D",
+          "NurbsTextureCoordinate",
           "TextureCoordinate");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
   private static final Set<String> DESCRIPTIONS =
       Set.of(
+          "GeoMetadata",
           "MetadataBoolean",
           "MetadataDouble",
           "MetadataFloat",

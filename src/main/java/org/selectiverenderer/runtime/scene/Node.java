@@ -152,6 +152,16 @@ public class Node implements NodeView {
     return true;
   }
 
+  /**
+   * Keeps another value in a field and tells the observers, without an event: what the node itself
+   * derives from others, such as the deformed skin of a figure.
+   */
+  public final void derive(int field, Object value) {
+    VarHandle.releaseFence();
+    values[field] = value;
+    tellObservers(field);
+  }
+
   /** Makes observers look at a field again, without an event: what it leads to has changed. */
   public final void tellObservers(int field) {
     for (int i = 0; i < observerCount; i++) {

@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.nodes.bind;
 
 import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -13,9 +15,11 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * Viewpoint and OrthoViewpoint (X3D 4.0, 23.4.6, 23.4.5): a place to look from, in the node's local
  * coordinates. The NavigationInfo in it is bound and unbound with it.
  */
-public final class ViewpointNode extends BindableNode {
+public class ViewpointNode extends BindableNode {
   /** The default of Viewpoint's {@code fieldOfView}. */
   private static final double DEFAULT_FIELD_OF_VIEW = Math.PI / 4;
+
+  private static final Matrix4dc IDENTITY = new Matrix4d();
 
   private final int navigationInfo;
   private final int fieldOfView;
@@ -24,6 +28,23 @@ public final class ViewpointNode extends BindableNode {
     super(type, name, location);
     navigationInfo = type.indexOf("navigationInfo");
     fieldOfView = type.indexOf("fieldOfView");
+  }
+
+  /**
+   * From the coordinates in which it stands, +Y up, to those of the group that it is in; the same
+   * but for a GeoViewpoint.
+   */
+  public Matrix4dc frame() {
+    return IDENTITY;
+  }
+
+  /** The point that the viewer turns about, in the coordinates of {@link #frame()}, if any. */
+  public Optional<Vector3d> centerOfRotation() {
+    if (!type().name().equals("Viewpoint")) {
+      return Optional.empty();
+    }
+    float[] c = floats("centerOfRotation");
+    return Optional.of(new Vector3d(c[0], c[1], c[2]));
   }
 
   public Vector3d position() {

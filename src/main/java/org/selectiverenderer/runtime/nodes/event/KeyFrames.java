@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.nodes.event;
 
 /** Finds a fraction among the keys of an interpolator or sequencer. */
-final class KeyFrames {
+public final class KeyFrames {
   private KeyFrames() {}
 
   /**
@@ -10,7 +10,7 @@ final class KeyFrames {
    * @param key in ascending order
    * @param count how many keys count, at least 1
    */
-  static int at(float[] key, int count, float fraction) {
+  public static int at(float[] key, int count, float fraction) {
     int low = 0;
     int high = count - 1;
     while (low < high) {

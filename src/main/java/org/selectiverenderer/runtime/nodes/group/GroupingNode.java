@@ -65,7 +65,9 @@ public class GroupingNode extends Node {
     /** Other children are shown. */
     CHOICE,
     /** The children are elsewhere. */
-    PLACEMENT
+    PLACEMENT,
+    /** What is in it has another form: {@link Deforming#deform()}. */
+    FORM
   }
 
   @Override

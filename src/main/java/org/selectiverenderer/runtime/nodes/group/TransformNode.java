@@ -7,8 +7,11 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.geometry.tessellate.TransformPlacement;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Transform and CADPart: places its children, P' = T C R SR S -SR -C P (X3D 4.0, 10.4.4). */
-public final class TransformNode extends GroupingNode {
+/**
+ * Transform, CADPart, HAnimJoint and HAnimSite: places its children, P' = T C R SR S -SR -C P (X3D
+ * 4.0, 10.4.4).
+ */
+public class TransformNode extends GroupingNode {
   private final int translation;
   private final int center;
   private final int rotation;

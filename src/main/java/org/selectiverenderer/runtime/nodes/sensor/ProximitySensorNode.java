@@ -21,8 +21,9 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * <p>The pose sent is the one in the place entered; that stays until the viewer leaves its box.
  * Events carry the frame's time: crossings between two frames are not interpolated.
  */
-public final class ProximitySensorNode extends RegionSensorNode {
+public class ProximitySensorNode extends RegionSensorNode {
   private final int centerOfRotationChanged;
+  private final int positionChanged;
   private final PoseReport pose;
   private final List<LocalFrame> locals = new ArrayList<>(1);
   private final Vector3d eye = new Vector3d();
@@ -32,6 +33,7 @@ public final class ProximitySensorNode extends RegionSensorNode {
 
   public ProximitySensorNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
+    positionChanged = type.indexOf("position_changed");
     centerOfRotationChanged = type.indexOf("centerOfRotation_changed");
     pose = new PoseReport(this);
   }
@@ -89,10 +91,19 @@ public final class ProximitySensorNode extends RegionSensorNode {
     }
   }
 
+  /**
+   * For sensors that tell more of where the viewer is; called in each frame in which it is inside.
+   *
+   * @param moved whether {@code position_changed} has been sent
+   */
+  protected void reportPosition(Vector3dc local, boolean moved, Cascade cascade) {}
+
   private void report(Frame frame, LocalFrame local, boolean always, Cascade cascade) {
     Rotations.forward(frame.orientation(), forward);
     Rotations.up(frame.orientation(), up);
+    float[] before = (float[]) value(positionChanged);
     pose.send(local, eye, forward, up, always, cascade);
+    reportPosition(eye, value(positionChanged) != before, cascade);
     Vector3dc center = frame.centerOfRotation();
     if (center != null && enabled()) {
       pose.sendPoint(centerOfRotationChanged, local.point(center, eye), always, cascade);

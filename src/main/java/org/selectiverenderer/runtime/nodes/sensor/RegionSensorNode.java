@@ -42,11 +42,12 @@ abstract class RegionSensorNode extends Node implements FrameNode {
   }
 
   /** Whether a field says where the box is or how large. */
-  public final boolean hasBoxOf(int field) {
+  public boolean hasBoxOf(int field) {
     return field == center || field == size;
   }
 
-  final float[] center() {
+  /** The middle of the box in local coordinates. */
+  protected float[] center() {
     return (float[]) value(center);
   }
 

@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * Events of one call come in the order: isOver, hitPoint, hitNormal and hitTexCoord as far as they
  * changed, isActive, touchTime.
  */
-public final class TouchSensorNode extends PointingSensorNode {
+public class TouchSensorNode extends PointingSensorNode {
   private final int touchTime;
   private final int hitPoint;
   private final int hitNormal;
@@ -47,6 +47,13 @@ public final class TouchSensorNode extends PointingSensorNode {
 
   private void send(int field, float[] now, boolean always, Cascade cascade) {
     if (always || !Arrays.equals((float[]) value(field), now)) {
+      emit(field, now, cascade);
+    }
+  }
+
+  /** Sends a field of doubles, when it differs from what was last sent. */
+  protected final void send(int field, double[] now, boolean always, Cascade cascade) {
+    if (always || !Arrays.equals((double[]) value(field), now)) {
       emit(field, now, cascade);
     }
   }

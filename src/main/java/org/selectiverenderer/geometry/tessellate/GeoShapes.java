@@ -1,0 +1,70 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.geo.GeoFrame;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/** GeoElevationGrid and the points of a GeoCoordinate (X3D 4.0, 25.3.2, 25.3.1). */
+final class GeoShapes {
+  private GeoShapes() {}
+
+  /** The points of a GeoCoordinate in the scene, less the anchor of the job's geometry. */
+  static float[] points(TessellationJob job, NodeView coord) {
+    double[] given = (double[]) coord.value("point");
+    GeoFrame frame = frame(job, coord);
+    Vector3d anchor = GeoAnchor.of(job.node()).orElseGet(Vector3d::new);
+    float[] xyz = new float[given.length / 3 * 3];
+    for (int i = 0; i + 2 < given.length; i += 3) {
+      put(frame.scene(given[i], given[i + 1], given[i + 2]).sub(anchor), xyz, i);
+    }
+    return xyz;
+  }
+
+  private static GeoFrame frame(TessellationJob job, NodeView node) {
+    GeoFrame frame = GeoFrame.of(node);
+    frame.system().problem().ifPresent(job::problem);
+    return frame;
+  }
+
+  private static void put(Vector3d at, float[] xyz, int i) {
+    xyz[i] = (float) at.x;
+    xyz[i + 1] = (float) at.y;
+    xyz[i + 2] = (float) at.z;
+  }
+
+  /** Heights over the ellipsoid: rows from south to north, each from west to east. */
+  static Mesh grid(TessellationJob job) {
+    NodeView node = job.node();
+    int columns = node.integer("xDimension");
+    int rows = node.integer("zDimension");
+    double[] heights = (double[]) node.value("height");
+    double east = (Double) node.value("xSpacing");
+    double north = (Double) node.value("zSpacing");
+    boolean solid = node.bool("solid");
+    if (columns < 2 || rows < 2) {
+      return ShapeBuilder.empty(solid);
+    }
+    if (!(east > 0 && north > 0)) {
+      job.problem("has an xSpacing or zSpacing that is not above 0; it is left out");
+      return ShapeBuilder.empty(solid);
+    }
+    if (ElevationGrid.tooFew(job, heights.length, columns, rows)) {
+      return ShapeBuilder.empty(solid);
+    }
+    GeoFrame frame = frame(job, node);
+    Vector3d anchor = GeoAnchor.of(node).orElseGet(Vector3d::new);
+    double[] corner = (double[]) node.value("geoGridOrigin");
+    float yScale = node.number("yScale");
+    float[] xyz = new float[3 * columns * rows];
+    for (int row = 0, point = 0; row < rows; row++) {
+      for (int column = 0; column < columns; column++, point++) {
+        double[] at =
+            frame.system().step(corner, column * east, row * north, heights[point] * yScale);
+        put(frame.scene(at[0], at[1], at[2]).sub(anchor), xyz, 3 * point);
+      }
+    }
+    double creaseAngle = (Double) node.value("creaseAngle");
+    return ElevationGrid.mesh(job, xyz, columns, rows, true, creaseAngle);
+  }
+}

@@ -1,0 +1,204 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.geometry.nurbs.Basis;
+import org.selectiverenderer.geometry.nurbs.RationalCurve;
+import org.selectiverenderer.geometry.nurbs.RationalSurface;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/**
+ * Reads curves and surfaces from the fields of NURBS nodes (X3D 4.0, 27.3 and 27.4). Knots that do
+ * not fit are taken as uniform; weights that are missing or not above 0 as 1.
+ */
+public final class NurbsFields {
+  /** Parts that a curve or an edge of a surface is divided into at most. */
+  private static final int MAX_PARTS = 1000;
+
+  private NurbsFields() {}
+
+  /**
+   * A NurbsCurve, NurbsCurve2D or an interpolator along a curve; nothing without enough points.
+   *
+   * @param problem hears what is wrong, as the end of a sentence
+   */
+  public static Optional<RationalCurve> curve(NodeView node, Consumer<String> problem) {
+    double[] points = controlPoints(node, problem);
+    int dimensions = node.type().name().equals("NurbsCurve2D") ? 2 : 3;
+    int count = points.length / dimensions;
+    int order = node.integer("order");
+    if (!sound(order, count, points, "order", problem)) {
+      return Optional.empty();
+    }
+    double[] weights = weights(node, count);
+    double[] knots = (double[]) node.value("knot");
+    boolean closed =
+        node.type().field("closed").isPresent()
+            && node.bool("closed")
+            && !Basis.fits(order, knots, count)
+            && count > order
+            && same(points, dimensions, count);
+    if (closed) {
+      // Without its last point, which is the first, and going on with as many as the degree.
+      int distinct = count - 1;
+      double[] around = Arrays.copyOf(points, dimensions * (distinct + order - 1));
+      System.arraycopy(points, 0, around, dimensions * distinct, dimensions * (order - 1));
+      double[] aroundWeights = Arrays.copyOf(weights, distinct + order - 1);
+      System.arraycopy(weights, 0, aroundWeights, distinct, order - 1);
+      Basis basis = Basis.periodic(order, distinct + order - 1);
+      return Optional.of(new RationalCurve(basis, around, dimensions, aroundWeights));
+    }
+    Basis basis = basis(order, knots, count, "knot", problem);
+    return Optional.of(new RationalCurve(basis, points, dimensions, weights));
+  }
+
+  private static boolean same(double[] points, int dimensions, int count) {
+    int last = dimensions * (count - 1);
+    return Arrays.equals(points, 0, dimensions, points, last, last + dimensions);
+  }
+
+  /** A node with {@code uDimension} times {@code vDimension} control points. */
+  public static Optional<RationalSurface> surface(NodeView node, Consumer<String> problem) {
+    boolean plane = node.type().name().equals("NurbsTextureCoordinate");
+    return surface(node, controlPoints(node, problem), plane ? 2 : 3, problem);
+  }
+
+  /** The same surface with other control points, such as texture coordinates. */
+  static Optional<RationalSurface> surface(
+      NodeView node, double[] points, int dimensions, Consumer<String> problem) {
+    int columns = node.integer("uDimension");
+    int rows = node.integer("vDimension");
+    if (columns < 1 || rows < 1 || points.length == 0) {
+      return Optional.empty();
+    }
+    if (points.length / dimensions < (long) columns * rows) {
+      problem.accept(
+          "has %d control points for %d x %d; it is left out"
+              .formatted(points.length / dimensions, columns, rows));
+      return Optional.empty();
+    }
+    int uOrder = node.integer("uOrder");
+    int vOrder = node.integer("vOrder");
+    if (!sound(uOrder, columns, points, "uOrder", problem)
+        || !sound(vOrder, rows, new double[0], "vOrder", problem)) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new RationalSurface(
+            basis(uOrder, (double[]) node.value("uKnot"), columns, "uKnot", problem),
+            basis(vOrder, (double[]) node.value("vKnot"), rows, "vKnot", problem),
+            points,
+            dimensions,
+            weights(node, columns * rows)));
+  }
+
+  private static boolean sound(
+      int order, int count, double[] points, String field, Consumer<String> problem) {
+    if (count == 0) {
+      return false;
+    }
+    if (order < 2 || order > Basis.MAX_ORDER || order > count) {
+      problem.accept(
+          "has %s %d, which is not between 2 and its %d control points (%d at most); it is left out"
+              .formatted(field, order, count, Basis.MAX_ORDER));
+      return false;
+    }
+    for (double value : points) {
+      if (!Double.isFinite(value)) {
+        problem.accept("has control points that are not finite; it is left out");
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static Basis basis(
+      int order, double[] knots, int count, String field, Consumer<String> problem) {
+    if (Basis.fits(order, knots, count)) {
+      return Basis.of(order, knots, count);
+    }
+    if (knots.length > 0) {
+      problem.accept(
+          "has a %s that is not %d ascending values; equal distances are taken"
+              .formatted(field, order + count));
+    }
+    return Basis.uniform(order, count);
+  }
+
+  private static double[] weights(NodeView node, int count) {
+    double[] given = (double[]) node.value("weight");
+    double[] weights = new double[count];
+    for (int i = 0; i < count; i++) {
+      weights[i] =
+          given.length >= count && given[i] > 0 && given[i] < Double.POSITIVE_INFINITY
+              ? given[i]
+              : 1;
+    }
+    return weights;
+  }
+
+  /** The control points of a node, in a field of its own or in a Coordinate node. */
+  private static double[] controlPoints(NodeView node, Consumer<String> problem) {
+    Object value = node.value("controlPoint");
+    if (value instanceof double[] own) {
+      return own;
+    }
+    if (value instanceof float[] own) {
+      return doubles(own);
+    }
+    if (!(value instanceof NodeView coord)) {
+      return new double[0];
+    }
+    return switch (coord.type().name()) {
+      case "Coordinate" -> doubles(coord.floats("point"));
+      case "CoordinateDouble" -> (double[]) coord.value("point");
+      default -> {
+        problem.accept("has a " + coord.type().name() + ", which is not supported; it is left out");
+        yield new double[0];
+      }
+    };
+  }
+
+  static double[] doubles(float[] floats) {
+    double[] doubles = new double[floats.length];
+    for (int i = 0; i < floats.length; i++) {
+      doubles[i] = floats[i];
+    }
+    return doubles;
+  }
+
+  /**
+   * The parts to divide into (X3D 4.0, 27.4.4): as many as said; for less than 0 that many per
+   * control point, for 0 two.
+   */
+  static int parts(int tessellation, int controlPoints) {
+    long parts =
+        tessellation > 0
+            ? tessellation
+            : (tessellation == 0 ? 2L : -(long) tessellation) * controlPoints;
+    return (int) Math.max(1, Math.min(parts, MAX_PARTS));
+  }
+
+  /**
+   * The points of a NurbsCurve, NurbsCurve2D or ContourPolyline2D, one after the other; none when
+   * it has none that can be used.
+   */
+  static double[] polyline(NodeView node, Consumer<String> problem) {
+    if (node.type().name().equals("ContourPolyline2D")) {
+      return controlPoints(node, problem);
+    }
+    RationalCurve curve = curve(node, problem).orElse(null);
+    if (curve == null) {
+      return new double[0];
+    }
+    int parts = parts(node.integer("tessellation"), curve.basis().count());
+    int dimensions = curve.dimensions();
+    double[] parameters = curve.basis().parameters(parts);
+    double[] all = new double[dimensions * parameters.length];
+    for (int i = 0; i < parameters.length; i++) {
+      System.arraycopy(curve.at(parameters[i]), 0, all, dimensions * i, dimensions);
+    }
+    return all;
+  }
+}

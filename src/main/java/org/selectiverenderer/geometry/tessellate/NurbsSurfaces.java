@@ -1,0 +1,129 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.nurbs.RationalSurface;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/**
+ * NurbsPatchSurface and NurbsTrimmedSurface (X3D 4.0, 27.4.11, 27.4.15): divided evenly in both
+ * parameters, normals and texture coordinates computed at every vertex. The front is where u, v and
+ * the normal make a right-handed system.
+ */
+final class NurbsSurfaces {
+  private final RationalSurface surface;
+  private final @Nullable RationalSurface texture;
+  private final ShapeBuilder builder = new ShapeBuilder();
+
+  private NurbsSurfaces(RationalSurface surface, @Nullable RationalSurface texture) {
+    this.surface = surface;
+    this.texture = texture;
+  }
+
+  static Mesh patch(TessellationJob job) {
+    return mesh(job, false);
+  }
+
+  static Mesh trimmed(TessellationJob job) {
+    return mesh(job, !job.node().nodes("trimmingContour").isEmpty());
+  }
+
+  private static Mesh mesh(TessellationJob job, boolean trimmed) {
+    NodeView node = job.node();
+    boolean solid = node.bool("solid");
+    Optional<RationalSurface> found = NurbsFields.surface(node, job::problem);
+    if (found.isEmpty()) {
+      return ShapeBuilder.empty(solid);
+    }
+    RationalSurface surface = found.get();
+    NurbsSurfaces made = new NurbsSurfaces(surface, texture(job, surface));
+    double[] us =
+        surface
+            .u()
+            .parameters(NurbsFields.parts(node.integer("uTessellation"), surface.u().count()));
+    double[] vs =
+        surface
+            .v()
+            .parameters(NurbsFields.parts(node.integer("vTessellation"), surface.v().count()));
+    if (trimmed) {
+      new TrimmedGrid(us, vs)
+          .fill(Contours2D.of(node.nodes("trimmingContour"), job), made::vertex, made::triangle);
+    } else {
+      made.grid(us, vs);
+    }
+    Mesh mesh = made.builder.mesh(solid);
+    return Degenerate.without(mesh, job);
+  }
+
+  private void grid(double[] us, double[] vs) {
+    for (int row = 0; row < vs.length; row++) {
+      for (int column = 0; column < us.length; column++) {
+        int at = vertex(us[column], vs[row]);
+        if (row > 0 && column > 0) {
+          int below = at - us.length;
+          builder.quad(below - 1, below, at, at - 1);
+        }
+      }
+    }
+  }
+
+  private void triangle(int a, int b, int c) {
+    builder.triangle(a, b, c);
+  }
+
+  private int vertex(double u, double v) {
+    double[] at = surface.at(u, v);
+    Vector3d normal = normal(at);
+    if (!(normal.lengthSquared() > 0.5)) {
+      // Where an edge is drawn together to a point: as a little further inside.
+      double insideU = u + 1e-4 * (surface.u().at(0.5) - u);
+      double insideV = v + 1e-4 * (surface.v().at(0.5) - v);
+      normal = normal(surface.at(insideU, insideV));
+    }
+    if (!(normal.lengthSquared() > 0.5)) {
+      normal.set(0, 0, 1);
+    }
+    double s = (u - surface.u().from()) / (surface.u().to() - surface.u().from());
+    double t = (v - surface.v().from()) / (surface.v().to() - surface.v().from());
+    if (texture != null) {
+      double[] st = texture.at(texture.u().at(s), texture.v().at(t));
+      s = st[0];
+      t = st[1];
+    }
+    return builder.vertex(at[0], at[1], at[2], normal.x, normal.y, normal.z, s, t);
+  }
+
+  private static Vector3d normal(double[] at) {
+    Vector3d byU = new Vector3d(at[3], at[4], at[5]);
+    Vector3d byV = new Vector3d(at[6], at[7], at[8]);
+    double scale = byU.length() * byV.length();
+    Vector3d normal = byU.cross(byV);
+    return normal.length() > 1e-9 * scale && scale > 0 ? normal.normalize() : normal.zero();
+  }
+
+  /** Texture coordinates of their own, or one for each control point. */
+  private static @Nullable RationalSurface texture(TessellationJob job, RationalSurface surface) {
+    NodeView given = job.node().node("texCoord");
+    if (given == null) {
+      return null;
+    }
+    if (given.type().name().equals("NurbsTextureCoordinate")) {
+      return NurbsFields.surface(given, job::problem).orElse(null);
+    }
+    float[] points = PropertyValues.texCoords(job);
+    if (points == null) {
+      return null;
+    }
+    if (points.length / 2 < surface.weights().length) {
+      job.problem("has too few texture coordinates; default texture coordinates are used");
+      return null;
+    }
+    double[] weighted = NurbsFields.doubles(points);
+    for (int i = 0; i < 2 * surface.weights().length; i++) {
+      weighted[i] *= surface.weights()[i / 2];
+    }
+    return new RationalSurface(surface.u(), surface.v(), weighted, 2, surface.weights());
+  }
+}

@@ -1,0 +1,119 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/**
+ * NurbsSweptSurface and NurbsSwungSurface (X3D 4.0, 27.4.13, 27.4.14), with smooth normals, and
+ * NurbsCurve as lines.
+ */
+final class NurbsSweeps {
+  private static final int LIMIT = 1_000_000;
+
+  private NurbsSweeps() {}
+
+  /** A line along the curve. */
+  static Mesh curve(TessellationJob job) {
+    return PlanarShapes.lines(job, floats(NurbsFields.polyline(job.node(), job::problem)));
+  }
+
+  /** A cross-section, in x and z of its plane as an Extrusion's, along a trajectory. */
+  static Mesh swept(TessellationJob job) {
+    double[] section = polyline(job, "crossSectionCurve");
+    double[] path = polyline(job, "trajectoryCurve");
+    int across = section.length / 2;
+    int along = path.length / 3;
+    if (across < 2 || along < 2) {
+      return ShapeBuilder.empty(job.node().bool("solid"));
+    }
+    SpineFrames frames = new SpineFrames(floats(path));
+    return grid(
+        job,
+        across,
+        along,
+        (i, j, p) -> {
+          for (int axis = 0; axis < 3; axis++) {
+            p[axis] =
+                path[3 * j + axis]
+                    + section[2 * i] * frames.xAxis(j).get(axis)
+                    + section[2 * i + 1] * frames.zAxis(j).get(axis);
+          }
+        });
+  }
+
+  /**
+   * A profile in the y-z plane swung along a trajectory in the x-z plane: each point of the
+   * trajectory scales and turns the profile about the y axis (The NURBS Book, 8.4).
+   */
+  static Mesh swung(TessellationJob job) {
+    double[] profile = polyline(job, "profileCurve");
+    double[] path = polyline(job, "trajectoryCurve");
+    int across = profile.length / 2;
+    int along = path.length / 2;
+    if (across < 2 || along < 2) {
+      return ShapeBuilder.empty(job.node().bool("solid"));
+    }
+    return grid(
+        job,
+        across,
+        along,
+        (i, j, p) -> {
+          p[0] = profile[2 * i] * path[2 * j];
+          p[1] = profile[2 * i + 1];
+          p[2] = profile[2 * i] * path[2 * j + 1];
+        });
+  }
+
+  private static double[] polyline(TessellationJob job, String field) {
+    @Nullable NodeView curve = job.node().node(field);
+    return curve == null ? new double[0] : NurbsFields.polyline(curve, job::problem);
+  }
+
+  @FunctionalInterface
+  private interface Grid {
+    void point(int i, int j, double[] into);
+  }
+
+  private static Mesh grid(TessellationJob job, int across, int along, Grid grid) {
+    boolean solid = job.node().bool("solid");
+    if ((long) across * along > LIMIT) {
+      job.problem("has more than " + LIMIT + " points; it is left out");
+      return ShapeBuilder.empty(solid);
+    }
+    boolean ccw = job.node().bool("ccw");
+    TriangleMeshBuilder form = new TriangleMeshBuilder();
+    float[] texCoords = new float[2 * across * along];
+    double[] p = new double[3];
+    for (int j = 0; j < along; j++) {
+      for (int i = 0; i < across; i++) {
+        grid.point(i, j, p);
+        int at = form.point(p[0], p[1], p[2]);
+        texCoords[2 * at] = (float) i / (across - 1);
+        texCoords[2 * at + 1] = (float) j / (along - 1);
+        if (i > 0 && j > 0) {
+          int below = at - across;
+          form.quad(below - 1, ccw ? below : at - 1, at, ccw ? at - 1 : below);
+        }
+      }
+    }
+    TriangleMesh made = form.mesh();
+    for (float value : made.positions()) {
+      if (!Float.isFinite(value)) {
+        job.problem("has points that are not finite; it is left out");
+        return ShapeBuilder.empty(solid);
+      }
+    }
+    return VertexMeshes.of(made, null, null, texCoords, Math.PI / 3, solid);
+  }
+
+  private static float[] floats(double[] doubles) {
+    float[] floats = new float[doubles.length];
+    for (int i = 0; i < doubles.length; i++) {
+      floats[i] = (float) doubles[i];
+    }
+    return floats;
+  }
+}

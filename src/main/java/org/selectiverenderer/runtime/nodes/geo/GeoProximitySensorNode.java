@@ -1,0 +1,50 @@
+package org.selectiverenderer.runtime.nodes.geo;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.geometry.geo.GeoFrame;
+import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * GeoProximitySensor (X3D 4.0, 25.3.9): a box of the scene about a place on the earth, which also
+ * sends where on the earth the viewer is. The centre is {@code geoCenter} (X3D 3.3), and where that
+ * is 0 0 0, {@code center}.
+ */
+final class GeoProximitySensorNode extends ProximitySensorNode {
+  private final int geoCoordChanged;
+  private final int geoCenter;
+  private final int center;
+
+  GeoProximitySensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    geoCoordChanged = type.indexOf("geoCoord_changed");
+    geoCenter = type.indexOf("geoCenter");
+    center = type.indexOf("center");
+  }
+
+  @Override
+  protected float[] center() {
+    double[] at = (double[]) value(geoCenter);
+    if (at[0] == 0 && at[1] == 0 && at[2] == 0) {
+      at = (double[]) value(center);
+    }
+    Vector3d scene = GeoFrame.of(this).scene(at[0], at[1], at[2]);
+    return new float[] {(float) scene.x, (float) scene.y, (float) scene.z};
+  }
+
+  @Override
+  public boolean hasBoxOf(int field) {
+    return field == geoCenter || super.hasBoxOf(field);
+  }
+
+  @Override
+  protected void reportPosition(Vector3dc local, boolean moved, Cascade cascade) {
+    if (moved) {
+      emit(geoCoordChanged, GeoFrame.of(this).coordinates(local), cascade);
+    }
+  }
+}

@@ -1,0 +1,25 @@
+package org.selectiverenderer.runtime.nodes.geo;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.geometry.geo.GeoFrame;
+import org.selectiverenderer.runtime.nodes.sensor.PointerHit;
+import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** GeoTouchSensor (X3D 4.0, 25.3.10): also sends the place on the earth that is pointed at. */
+final class GeoTouchSensorNode extends TouchSensorNode {
+  private final int hitGeoCoord;
+
+  GeoTouchSensorNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    hitGeoCoord = type.indexOf("hitGeoCoord_changed");
+  }
+
+  @Override
+  protected void touched(PointerHit at, boolean entered, Cascade cascade) {
+    super.touched(at, entered, cascade);
+    send(hitGeoCoord, GeoFrame.of(this).coordinates(at.point()), entered, cascade);
+  }
+}

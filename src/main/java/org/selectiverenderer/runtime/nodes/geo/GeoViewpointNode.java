@@ -1,0 +1,43 @@
+package org.selectiverenderer.runtime.nodes.geo;
+
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.geometry.geo.GeoFrame;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * GeoViewpoint (X3D 4.0, 25.3.12): stands at the origin of the axes east, up and south of its
+ * position, and its orientation is about these: without one it looks north.
+ */
+final class GeoViewpointNode extends ViewpointNode {
+  private final int position;
+  private final int centerOfRotation;
+
+  GeoViewpointNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    position = type.indexOf("position");
+    centerOfRotation = type.indexOf("centerOfRotation");
+  }
+
+  @Override
+  public Matrix4dc frame() {
+    return GeoFrame.of(this).place((double[]) value(position));
+  }
+
+  @Override
+  public Vector3d position() {
+    return new Vector3d();
+  }
+
+  @Override
+  public Optional<Vector3d> centerOfRotation() {
+    double[] c = (double[]) value(centerOfRotation);
+    Vector3d scene = GeoFrame.of(this).scene(c[0], c[1], c[2]);
+    return Optional.of(frame().invertAffine(new Matrix4d()).transformPosition(scene));
+  }
+}

@@ -1,0 +1,19 @@
+package org.selectiverenderer.runtime.nodes.geo;
+
+import java.util.Map;
+import org.selectiverenderer.runtime.scene.NodeMaker;
+
+/** The makers of the geospatial nodes that behave. */
+public final class Geospatial {
+  public static final Map<String, NodeMaker> MAKERS =
+      Map.of(
+          "GeoLocation", GeoGroupNode::new,
+          "GeoTransform", GeoGroupNode::new,
+          "GeoViewpoint", GeoViewpointNode::new,
+          "GeoPositionInterpolator", GeoPositionInterpolatorNode::new,
+          "GeoTouchSensor", GeoTouchSensorNode::new,
+          "GeoProximitySensor", GeoProximitySensorNode::new,
+          "GeoLOD", GeoLodNode::new);
+
+  private Geospatial() {}
+}

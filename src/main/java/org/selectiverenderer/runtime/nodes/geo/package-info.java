@@ -1,0 +1,14 @@
+/**
+ * The behaviour of geospatial nodes (X3D 4.0, clause 25): groups placed on the earth, viewpoints,
+ * sensors and interpolators whose numbers are places on it. What places mean is told by {@code
+ * geometry.geo}.
+ *
+ * <p>In and out: events, as in the packages beside it. Uses {@code runtime.nodes.bind}, {@code
+ * runtime.nodes.event}, {@code runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code
+ * runtime.scene}, {@code geometry.geo}, {@code geometry.tessellate}, {@code x3d.catalogue} and
+ * {@code base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.nodes.geo;
+
+import org.jspecify.annotations.NullMarked;

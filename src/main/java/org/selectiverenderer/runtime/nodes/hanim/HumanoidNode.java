@@ -1,0 +1,132 @@
+package org.selectiverenderer.runtime.nodes.hanim;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
+import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.group.Deforming;
+import org.selectiverenderer.runtime.nodes.group.TransformNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeObserver;
+import org.selectiverenderer.geometry.tessellate.NodeContent;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * HAnimHumanoid (X3D 4.0, 26.3.2): places a skeleton of joints, and the skin whose points follow
+ * them. The skin is deformed when a joint, a displacer or the skin itself has changed, once per
+ * frame at most.
+ */
+public final class HumanoidNode extends TransformNode implements Deforming {
+  private final int skeleton;
+  private final int skin;
+  private final int viewpoints;
+  private final int motions;
+  private final int skinCoord;
+  private final int skinNormal;
+  private final NodeObserver watch = this::watched;
+  private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
+  private @Nullable Skeleton joints;
+  private @Nullable RestValues points;
+  private @Nullable RestValues normals;
+
+  public HumanoidNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    skeleton = type.indexOf("skeleton");
+    skin = type.indexOf("skin");
+    viewpoints = type.indexOf("viewpoints");
+    motions = type.indexOf("motions");
+    skinCoord = type.indexOf("skinCoord");
+    skinNormal = type.indexOf("skinNormal");
+    addObserver(watch);
+  }
+
+  @Override
+  @SuppressWarnings("unchecked")
+  public List<Node> children() {
+    return (List<Node>) NodeContent.of(this);
+  }
+
+  @Override
+  public Effect effectOf(int field) {
+    if (field == skeleton || field == skin || field == viewpoints || field == motions) {
+      return Effect.STRUCTURE;
+    }
+    return field == skinCoord || field == skinNormal ? Effect.FORM : super.effectOf(field);
+  }
+
+  private void watched(Node node, int field) {
+    if (node == this) {
+      if (field != skeleton) {
+        return;
+      }
+      joints = null;
+    }
+    if (points != null && node == points.node() && !points.others(field)
+        || normals != null && node == normals.node() && !normals.others(field)) {
+      return; // Its own doing.
+    }
+    if (node.type().name().equals("HAnimJoint")) {
+      String changed = node.type().fields().get(field).name();
+      if (changed.equals("children") || changed.equals("displacers")) {
+        joints = null;
+      }
+    }
+    tellObservers(skinCoord);
+  }
+
+  @Override
+  public void deform() {
+    points = rest(node("skinCoord"), "Coordinate", "point", points);
+    normals = rest(node("skinNormal"), "Normal", "vector", normals);
+    Skeleton known = joints;
+    if (known == null) {
+      known = Skeleton.of(nodes("skeleton"));
+      joints = known;
+      observe(known);
+    }
+    if (points == null) {
+      return;
+    }
+    Matrix4dc[] placements = known.placements();
+    float[] rest = points.rest().clone();
+    known.joints().forEach(joint -> Displacers.apply(Displacers.of(joint), rest));
+    points.show(Skinning.of(known.joints(), placements, rest, false));
+    if (normals != null && normals.rest().length == rest.length) {
+      normals.show(Skinning.of(known.joints(), placements, normals.rest(), true));
+    }
+  }
+
+  private @Nullable RestValues rest(
+      @Nullable Node node, String kind, String field, @Nullable RestValues before) {
+    if (node == null || !node.type().name().equals(kind)) {
+      return null;
+    }
+    if (before != null && before.node() == node) {
+      return before;
+    }
+    joints = null; // To be observed too.
+    return new RestValues(node, field);
+  }
+
+  private void observe(Skeleton known) {
+    observed.forEach(node -> node.removeObserver(watch));
+    observed.clear();
+    List<Node> all = new ArrayList<>(known.joints());
+    known.joints().forEach(joint -> all.addAll(Displacers.of(joint)));
+    if (points != null) {
+      all.add(points.node());
+    }
+    if (normals != null) {
+      all.add(normals.node());
+    }
+    for (Node node : all) {
+      if (observed.add(node)) {
+        node.addObserver(watch);
+      }
+    }
+  }
+}
