@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
+import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
@@ -167,6 +168,11 @@ public final class World {
   /** What is to be seen behind everything. */
   public Backdrop backdrop() {
     return bindables.bound("X3DBackgroundNode").map(BackdropReader::read).orElse(Backdrop.BLACK);
+  }
+
+  /** The fog that the bound Fog makes. */
+  public Fog fog() {
+    return bindables.bound("Fog").map(node -> Fog.read(node, placeOf(node))).orElse(Fog.NONE);
   }
 
   /**

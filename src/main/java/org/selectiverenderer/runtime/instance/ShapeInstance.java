@@ -13,6 +13,7 @@ public final class ShapeInstance extends Instance {
   private final ShapeLook look;
   private double @Nullable [] bounds;
   private List<LightInstance> lights = List.of();
+  private Surroundings surroundings = Surroundings.NONE;
 
   ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
     super(node, parent);
@@ -29,6 +30,11 @@ public final class ShapeInstance extends Instance {
     return look.surface();
   }
 
+  /** How its lines, points and areas are drawn; the same object until that changes. */
+  public Stroke stroke() {
+    return look.stroke();
+  }
+
   ShapeLook look() {
     return look;
   }
@@ -36,6 +42,15 @@ public final class ShapeInstance extends Instance {
   /** The lights whose scope it lies in, on or off. */
   public List<LightInstance> lights() {
     return lights;
+  }
+
+  /** The fog and planes whose scope it lies in. */
+  public Surroundings surroundings() {
+    return surroundings;
+  }
+
+  void surround(Surroundings with) {
+    surroundings = with;
   }
 
   void light(List<LightInstance> reaching) {

@@ -25,6 +25,7 @@ final class ShapeLook implements NodeObserver {
   private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
   private @Nullable Mesh mesh;
   private Surface surface = Surface.UNLIT_WHITE;
+  private Stroke stroke = Stroke.PLAIN;
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean disposed;
@@ -46,6 +47,10 @@ final class ShapeLook implements NodeObserver {
     return surface;
   }
 
+  Stroke stroke() {
+    return stroke;
+  }
+
   int polygons() {
     return mesh == null ? 0 : mesh.polygons();
   }
@@ -55,7 +60,8 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void read() {
-    mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
+    stroke = StrokeReader.read(shape.node("appearance"));
+    mesh = LineLengths.of(geometry == null ? null : assets.mesh(geometry).orElse(null), stroke);
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }
 
