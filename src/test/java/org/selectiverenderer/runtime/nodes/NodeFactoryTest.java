@@ -41,7 +41,7 @@ class NodeFactoryTest {
             Core: ProtoInstance
             CubeMapTexturing: all
             DIS: all
-            EnvironmentalEffects: Fog FogCoordinate LocalFog
+            EnvironmentalEffects: FogCoordinate
             Followers: all
             Geospatial: all
             HAnim: all
@@ -55,11 +55,10 @@ class NodeFactoryTest {
             ParticleSystems: all
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             PointingDeviceSensor: CylinderSensor PlaneSensor SphereSensor
-            Rendering: ClipPlane
             RigidBodyPhysics: all
             Scripting: all
             Shaders: all
-            Shape: AcousticProperties FillProperties LineProperties PointProperties
+            Shape: AcousticProperties
             Sound: all
             TextureProjection: all
             Texturing: MovieTexture MultiTextureCoordinate MultiTextureTransform \
