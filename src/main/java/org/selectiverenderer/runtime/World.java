@@ -55,6 +55,7 @@ public final class World {
   private ViewpointFollower follower;
   private LiveFiles files;
   private Pointing pointing;
+  private BackdropReader backdrops;
   private final MeshTrees meshes = new MeshTrees();
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
@@ -87,6 +88,7 @@ public final class World {
     files = live;
     instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
     instances.onMoved(node -> round.moved(node));
+    backdrops = new BackdropReader(live.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
     AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
@@ -167,7 +169,10 @@ public final class World {
 
   /** What is to be seen behind everything. */
   public Backdrop backdrop() {
-    return bindables.bound("X3DBackgroundNode").map(BackdropReader::read).orElse(Backdrop.BLACK);
+    return bindables
+        .bound("X3DBackgroundNode")
+        .map(node -> backdrops.read(node, placeOf(node)))
+        .orElse(Backdrop.BLACK);
   }
 
   /** The fog that the bound Fog makes. */

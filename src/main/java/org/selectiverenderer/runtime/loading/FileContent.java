@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
@@ -20,6 +21,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * @param path the real path; for text without a file, the folder it counts as being in
  * @param folder against which its urls are resolved
  * @param problems found in this file, kept apart so that they can be reported in document order
+ * @param pictures the textures that stand for those of Background nodes
  * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
 record FileContent(
@@ -29,6 +31,7 @@ record FileContent(
     FileProblems problems,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
+    Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
   /** What became of reading a file. */
@@ -50,6 +53,7 @@ record FileContent(
         folder,
         file,
         new FileProblems(),
+        new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>());

@@ -230,6 +230,13 @@ final class SceneBuilder {
       } else if (node.type().name().equals("ImageTexture")) {
         store.origin(node, origin);
       }
+      if (BackgroundPictures.names(node.type())) {
+        store.origin(node, origin);
+        content
+            .pictures()
+            .getOrDefault(parsed, Map.of())
+            .forEach((side, one) -> make(one).ifPresent(made -> store.picture(node, side, made)));
+      }
       if (store.firstKept(node.type())) {
         content.info(
             node.location(),

@@ -39,6 +39,11 @@ public final class X3dReader {
     this(catalogue, ReadLimits.standard());
   }
 
+  /** The node types that it knows. */
+  public NodeCatalogue catalogue() {
+    return catalogue;
+  }
+
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
     this.catalogue = catalogue;
     this.limits = limits;
