@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
+import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
@@ -59,6 +60,7 @@ public final class World {
   private Pointing pointing;
   private Scripts scripts;
   private final KeyDevice keys = new KeyDevice();
+  private BackdropReader backdrops;
   private final MeshTrees meshes = new MeshTrees();
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
@@ -91,6 +93,7 @@ public final class World {
     files = live;
     instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
     instances.onMoved(node -> round.moved(node));
+    backdrops = new BackdropReader(live.assets());
     bindables = new BindStacks(scene.root(), cascade);
     follower = new ViewpointFollower(instances, bindables, viewer);
     AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
@@ -212,7 +215,15 @@ public final class World {
 
   /** What is to be seen behind everything. */
   public Backdrop backdrop() {
-    return bindables.bound("X3DBackgroundNode").map(BackdropReader::read).orElse(Backdrop.BLACK);
+    return bindables
+        .bound("X3DBackgroundNode")
+        .map(node -> backdrops.read(node, placeOf(node)))
+        .orElse(Backdrop.BLACK);
+  }
+
+  /** The fog that the bound Fog makes. */
+  public Fog fog() {
+    return bindables.bound("Fog").map(node -> Fog.read(node, placeOf(node))).orElse(Fog.NONE);
   }
 
   /**

@@ -35,6 +35,9 @@ public final class RayCaster {
       Vector3dc normal,
       @Nullable Vector2d texCoord) {}
 
+  /** Surfaces cut off that a ray passes through at most. */
+  private static final int MOST_PASSED = 1000;
+
   private final InstanceTree tree;
   private final MeshTrees meshes;
   private PlacedIndex<PlacedMesh.OfShape> index;
@@ -75,9 +78,24 @@ public final class RayCaster {
   public Optional<Hit> cast(Vector3dc origin, Vector3dc direction, double maxDistance) {
     refresh();
     Vector3d unit = direction.normalize(new Vector3d());
-    return unit.isFinite()
-        ? index.ray(origin, unit, maxDistance, true).map(hit -> hit(origin, unit, hit))
-        : Optional.empty();
+    return unit.isFinite() ? cast(origin, unit, maxDistance, 0, 0) : Optional.empty();
+  }
+
+  /** Passes through what ClipPlanes have cut off. */
+  private Optional<Hit> cast(
+      Vector3dc origin, Vector3dc unit, double maxDistance, double from, int passed) {
+    Vector3d start = new Vector3d(origin).fma(from, unit);
+    Optional<Hit> nearest =
+        index.ray(start, unit, maxDistance - from, true).map(hit -> hit(start, unit, hit));
+    if (nearest.isEmpty()) {
+      return nearest;
+    }
+    Hit hit = nearest.get();
+    double distance = from + hit.distance();
+    if (passed < MOST_PASSED && hit.shape().surroundings().cutOff(hit.point())) {
+      return cast(origin, unit, maxDistance, distance + 1e-7 * (1 + distance), passed + 1);
+    }
+    return Optional.of(new Hit(hit.shape(), distance, hit.point(), hit.normal(), hit.texCoord()));
   }
 
   private Hit hit(

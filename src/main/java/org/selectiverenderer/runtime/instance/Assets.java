@@ -12,6 +12,15 @@ public interface Assets {
   /** The image of a texture node; empty when it has none or it could not be read. */
   Optional<Texture.Image> image(Node texture);
 
+  /**
+   * The texture that stands for a picture which a Background names; empty when it names none.
+   *
+   * @param background a Background node
+   */
+  default Optional<Node> picture(Node background, Backdrop.Side side) {
+    return Optional.empty();
+  }
+
   /** A geometry node (or a node in it) or a texture node has other values: forget its asset. */
   void changed(Node geometryOrTexture);
 }

@@ -1,28 +1,82 @@
 package org.selectiverenderer.runtime.instance;
 
 import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.WeakHashMap;
+import org.joml.Matrix4dc;
+import org.joml.Quaterniond;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
-/** Reads a Background or TextureBackground node (X3D 4.0, 24.2.1); its images are left out. */
+/**
+ * Reads Background and TextureBackground nodes (X3D 4.0, 24.4.1, 24.4.5), and follows the urls and
+ * pixels of their textures. Belongs to the thread that steps the world.
+ */
 public final class BackdropReader {
-  private BackdropReader() {}
+  private final Assets assets;
+
+  /** What a texture had when it was last looked at: a background is no observer of its textures. */
+  private final Map<Node, Object> seen = new WeakHashMap<>();
+
+  public BackdropReader(Assets assets) {
+    this.assets = assets;
+  }
 
   /**
-   * The gradients of a background. Angles without a colour and colours without an angle are left
-   * out.
+   * A background as it is seen. Angles without a colour and colours without an angle are left out;
+   * a picture that has not arrived is not there yet.
+   *
+   * @param place from the background's coordinates to the world; only its rotation matters
    */
-  public static Backdrop read(Node background) {
+  public Backdrop read(Node background, Matrix4dc place) {
     float[] sky = background.floats("skyColor");
     float[] ground = background.floats("groundColor");
     float[] skyAngle = background.floats("skyAngle");
     float[] groundAngle = background.floats("groundAngle");
     int skyBands = Math.min(sky.length / 3 - 1, skyAngle.length);
     int groundBands = Math.min(ground.length / 3 - 1, groundAngle.length);
+    Quaterniond turn = place.getUnnormalizedRotation(new Quaterniond()).normalize();
     return new Backdrop(
         skyBands < 0 ? Backdrop.BLACK.skyColor() : Arrays.copyOf(sky, 3 * (skyBands + 1)),
         Arrays.copyOf(skyAngle, Math.max(0, skyBands)),
         groundBands < 0 ? new float[0] : Arrays.copyOf(ground, 3 * (groundBands + 1)),
         Arrays.copyOf(groundAngle, Math.max(0, groundBands)),
-        background.number("transparency"));
+        background.number("transparency"),
+        pictures(background),
+        turn.isFinite() ? turn : new Quaterniond());
+  }
+
+  private Map<Backdrop.Side, Texture.Image> pictures(Node background) {
+    Map<Backdrop.Side, Texture.Image> pictures = new EnumMap<>(Backdrop.Side.class);
+    for (Backdrop.Side side : Backdrop.Side.values()) {
+      texture(background, side).flatMap(this::image).ifPresent(image -> pictures.put(side, image));
+    }
+    return pictures;
+  }
+
+  private Optional<Node> texture(Node background, Backdrop.Side side) {
+    if (!background.type().name().equals("TextureBackground")) {
+      return assets.picture(background, side);
+    }
+    Optional<Node> texture = Optional.ofNullable(background.node(side.textureField()));
+    return texture
+        .filter(node -> node.type().name().equals("MultiTexture"))
+        .map(node -> node.nodes("texture").stream().findFirst())
+        .orElse(texture);
+  }
+
+  private Optional<Texture.Image> image(Node texture) {
+    Optional<FieldDefinition> source =
+        texture.type().field("url").or(() -> texture.type().field("image"));
+    if (source.isPresent()) {
+      Object now = texture.value(source.get().index());
+      Object before = seen.put(texture, now);
+      if (before != null && before != now) {
+        assets.changed(texture);
+      }
+    }
+    return assets.image(texture);
   }
 }

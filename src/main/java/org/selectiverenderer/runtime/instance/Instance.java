@@ -7,7 +7,7 @@ import org.selectiverenderer.runtime.scene.Node;
 
 /** A node in one place of the scene: a node that is USEd twice has two instances. */
 public abstract sealed class Instance
-    permits GroupInstance, ShapeInstance, LightInstance, PlainInstance {
+    permits GroupInstance, ShapeInstance, LightInstance, EffectInstance, PlainInstance {
   static final Matrix4dc IDENTITY = new Matrix4d();
 
   private final Node node;

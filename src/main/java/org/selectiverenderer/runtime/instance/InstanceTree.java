@@ -230,6 +230,9 @@ public final class InstanceTree {
       node.addObserver(instance);
       return instance;
     }
+    if (EffectInstance.isEffect(node)) {
+      return new EffectInstance(node, parent);
+    }
     plainMoved(node); // It may have been in other places before.
     return new PlainInstance(node, parent);
   }
@@ -288,7 +291,7 @@ public final class InstanceTree {
       }
     } else if (instance instanceof LightInstance light) {
       light.node().removeObserver(light);
-    } else {
+    } else if (instance instanceof PlainInstance) {
       plainMoved(instance.node());
     }
   }
@@ -319,27 +322,35 @@ public final class InstanceTree {
       all.add(shape);
     } else if (instance instanceof LightInstance light) {
       lights.add(light);
-    } else if (first) {
+    } else if (first && instance instanceof PlainInstance) {
       otherNodes.add(instance.node());
     }
   }
 
-  /** Tells every shape which lights reach it, in document order; siblings share their list. */
+  /**
+   * Tells every shape which lights reach it, in document order, and what it is seen with; siblings
+   * share both.
+   */
   private void light() {
     Map<LightInstance, Integer> order = new IdentityHashMap<>();
     lights.forEach(light -> order.put(light, order.size()));
     List<LightInstance> global = lights.stream().filter(light -> light.light().global()).toList();
-    light(root, global, Comparator.comparing(order::get));
+    light(root, global, Surroundings.NONE, Comparator.comparing(order::get));
   }
 
   private static void light(
-      GroupInstance group, List<LightInstance> above, Comparator<LightInstance> order) {
+      GroupInstance group,
+      List<LightInstance> above,
+      Surroundings around,
+      Comparator<LightInstance> order) {
     List<LightInstance> reaching = group.lit(above, order);
+    Surroundings within = around.within(group.children);
     for (Instance child : group.children) {
       if (child instanceof GroupInstance below) {
-        light(below, reaching, order);
+        light(below, reaching, within, order);
       } else if (child instanceof ShapeInstance shape) {
         shape.light(reaching);
+        shape.surround(within);
       }
     }
   }

@@ -16,6 +16,7 @@ public final class ShapeInstance extends Instance {
   private double @Nullable [] bounds;
   private @Nullable Matrix4dc placed;
   private List<LightInstance> lights = List.of();
+  private Surroundings surroundings = Surroundings.NONE;
 
   ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
     super(node, parent);
@@ -47,6 +48,11 @@ public final class ShapeInstance extends Instance {
     return known;
   }
 
+  /** How its lines, points and areas are drawn; the same object until that changes. */
+  public Stroke stroke() {
+    return look.stroke();
+  }
+
   ShapeLook look() {
     return look;
   }
@@ -54,6 +60,15 @@ public final class ShapeInstance extends Instance {
   /** The lights whose scope it lies in, on or off. */
   public List<LightInstance> lights() {
     return lights;
+  }
+
+  /** The fog and planes whose scope it lies in. */
+  public Surroundings surroundings() {
+    return surroundings;
+  }
+
+  void surround(Surroundings with) {
+    surroundings = with;
   }
 
   void light(List<LightInstance> reaching) {

@@ -28,6 +28,7 @@ final class ShapeLook implements NodeObserver {
   private @Nullable Mesh mesh;
   private @Nullable Vector3dc anchor;
   private Surface surface = Surface.UNLIT_WHITE;
+  private Stroke stroke = Stroke.PLAIN;
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean disposed;
@@ -54,6 +55,10 @@ final class ShapeLook implements NodeObserver {
     return surface;
   }
 
+  Stroke stroke() {
+    return stroke;
+  }
+
   int polygons() {
     return mesh == null ? 0 : mesh.polygons();
   }
@@ -63,7 +68,8 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void read() {
-    mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
+    stroke = StrokeReader.read(shape.node("appearance"));
+    mesh = LineLengths.of(geometry == null ? null : assets.mesh(geometry).orElse(null), stroke);
     anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }

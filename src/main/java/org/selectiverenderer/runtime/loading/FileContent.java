@@ -8,6 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -22,6 +23,7 @@ import org.selectiverenderer.x3d.script.Program;
  * @param base where its relative urls start
  * @param problems found in this file, kept apart so that they can be reported in document order
  * @param programs those of Scripts, where they have one that can be used
+ * @param pictures the textures that stand for those of Background nodes
  * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
 record FileContent(
@@ -32,6 +34,7 @@ record FileContent(
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
     Map<ParsedNode, Program> programs,
+    Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
   /** What became of reading a file. */
@@ -53,6 +56,7 @@ record FileContent(
         base,
         file,
         new FileProblems(),
+        new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),

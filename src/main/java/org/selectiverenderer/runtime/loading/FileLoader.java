@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
@@ -117,6 +118,14 @@ final class FileLoader {
             assets.add(task(content, problems -> program(node, content, problems)));
           } else if (node.type().is("X3DTexture2DNode")) {
             assets.add(task(content, problems -> image(node, content, problems)));
+          } else if (BackgroundPictures.names(node.type())) {
+            Map<Backdrop.Side, ParsedNode> pictures =
+                BackgroundPictures.of(node, reader.catalogue());
+            content.pictures().put(node, pictures);
+            pictures
+                .values()
+                .forEach(
+                    one -> assets.add(task(content, problems -> image(one, content, problems))));
           }
         });
     // The largest first: begun last, it would keep everybody waiting.

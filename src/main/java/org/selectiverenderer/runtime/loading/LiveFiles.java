@@ -9,6 +9,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
@@ -157,6 +158,31 @@ public final class LiveFiles {
         loaded.loader().image(copy(texture), origin(texture)),
         image -> arrived.accept(Optional.of(image)),
         () -> arrived.accept(Optional.empty()));
+  }
+
+  /** The texture for a picture of a Background, with the url that the Background has now. */
+  Optional<Node> picture(Node background, Backdrop.Side side) {
+    SceneStore store = loaded.loader().store();
+    Optional<Node> known = store.picture(background, side);
+    String[] url = background.strings(side.urlField());
+    if (known.isEmpty() && url.length == 0) {
+      return known;
+    }
+    Node texture = known.orElseGet(() -> newPicture(background, side));
+    int field = texture.type().indexOf("url");
+    if (texture.value(field) != url) {
+      texture.init(field, url);
+    }
+    return Optional.of(texture);
+  }
+
+  private Node newPicture(Node background, Backdrop.Side side) {
+    SceneLoader loader = loaded.loader();
+    Node texture =
+        loader.factory().make(loader.catalogue().get("ImageTexture"), null, background.location());
+    loader.store().origin(texture, origin(background));
+    loader.store().picture(background, side, texture);
+    return texture;
   }
 
   /** Whether the node came with a file, and what it then named has been read. */

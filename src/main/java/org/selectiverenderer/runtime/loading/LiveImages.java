@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.WeakHashMap;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.scene.Node;
 
@@ -39,6 +40,11 @@ final class LiveImages implements Assets {
       }
     }
     return store.image(texture);
+  }
+
+  @Override
+  public Optional<Node> picture(Node background, Backdrop.Side side) {
+    return files.picture(background, side);
   }
 
   @Override

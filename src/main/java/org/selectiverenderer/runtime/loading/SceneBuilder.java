@@ -247,6 +247,13 @@ final class SceneBuilder {
       } else if (node.type().component().equals("Geospatial")) {
         geospatial(node);
       }
+      if (BackgroundPictures.names(node.type())) {
+        store.origin(node, origin);
+        content
+            .pictures()
+            .getOrDefault(parsed, Map.of())
+            .forEach((side, one) -> make(one).ifPresent(made -> store.picture(node, side, made)));
+      }
       if (store.firstKept(node.type())) {
         content.info(
             node.location(),

@@ -39,9 +39,6 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** Makes the node for a node type: the class with its behaviour where there is one. */
 public final class NodeFactory {
-  /** Takes part in binding, but nothing looks foggy yet. */
-  private static final String BOUND_ONLY = "Fog";
-
   private final Map<String, NodeMaker> makers = new HashMap<>(EventUtilities.MAKERS);
 
   public NodeFactory() {
@@ -109,7 +106,6 @@ public final class NodeFactory {
    * data that is read. Nodes of other types are kept with their fields, and that is all.
    */
   public boolean actsOn(NodeType type) {
-    return !type.name().equals(BOUND_ONLY)
-        && (makers.containsKey(type.name()) || PassiveNodes.isRead(type.name()));
+    return makers.containsKey(type.name()) || PassiveNodes.isRead(type.name());
   }
 }

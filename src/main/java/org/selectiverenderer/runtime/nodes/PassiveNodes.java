@@ -12,6 +12,9 @@ final class PassiveNodes {
           "UnlitMaterial",
           "PhysicalMaterial",
           "TwoSidedMaterial",
+          "LineProperties",
+          "PointProperties",
+          "FillProperties",
           "ImageTexture",
           "PixelTexture",
           "MultiTexture",
@@ -72,6 +75,8 @@ final class PassiveNodes {
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
+  private static final Set<String> EFFECTS = Set.of("LocalFog", "ClipPlane");
+
   private static final Set<String> DESCRIPTIONS =
       Set.of(
           "GeoMetadata",
@@ -90,6 +95,7 @@ final class PassiveNodes {
         || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
         || LIGHTS.contains(typeName)
+        || EFFECTS.contains(typeName)
         || DESCRIPTIONS.contains(typeName);
   }
 }

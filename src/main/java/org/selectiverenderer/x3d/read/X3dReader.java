@@ -48,6 +48,11 @@ public final class X3dReader {
     this(catalogue, ReadLimits.standard());
   }
 
+  /** The node types that it knows. */
+  public NodeCatalogue catalogue() {
+    return catalogue;
+  }
+
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
     this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")));
   }

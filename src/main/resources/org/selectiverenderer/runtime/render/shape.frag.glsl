@@ -30,6 +30,19 @@ uniform sampler2D image;
 in vec2 coordinate;
 #endif
 
+#if defined(LINES) || defined(HATCHED)
+uniform vec4 stroke[2];
+#endif
+#ifdef LINES
+#include line.glsl
+#endif
+#ifdef HATCHED
+#include hatch.glsl
+#endif
+#ifdef FOG
+#include fog.glsl
+#endif
+
 out vec4 pixel;
 
 #ifdef LIT
@@ -62,6 +75,11 @@ Light seenLight() {
 #endif
 
 void main() {
+#ifdef LINES
+  if (!onStroke()) {
+    discard;
+  }
+#endif
 #ifdef LIT
   vec4 base = material[0];
 #else
@@ -92,6 +110,20 @@ void main() {
 #endif
 #else
   pixel = base;
+#endif
+#ifdef HATCHED
+  bool hatch = onHatch(gl_FragCoord.xy);
+  pixel.rgb = hatch ? stroke[0].rgb : pixel.rgb;
+#ifdef HOLLOW
+  if (!hatch) {
+    discard;
+  }
+#endif
+#elif defined(HOLLOW)
+  discard;
+#endif
+#ifdef FOG
+  pixel.rgb = mix(fog.rgb, pixel.rgb, leftInFog());
 #endif
 #ifdef OPAQUE
   pixel.a = 1.0;

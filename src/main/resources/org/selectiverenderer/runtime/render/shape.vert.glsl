@@ -37,6 +37,18 @@ out vec4 vertexColor;
 #ifdef TEXTURE
 out vec2 coordinate;
 #endif
+#if defined(LINES) || defined(SIZED)
+uniform vec4 stroke[2];
+#endif
+#ifdef FOG
+out vec3 fogPlace;
+#endif
+#ifdef PLANES
+#include clip.glsl
+#endif
+#ifdef PATTERN
+out float along;
+#endif
 
 #ifdef LIT_BY_VERTEX
 // What the pixels need of the light: all of it together where the colour is the same everywhere.
@@ -55,6 +67,28 @@ void main() {
       object[0] * position.x + object[1] * position.y + object[2] * position.z + object[3];
 #ifdef POINTS
   gl_PointSize = pointSize;
+#endif
+#if defined(FOG) || defined(PLANES) || defined(ATTENUATED)
+  vec3 seenAt = vec3(dot(object[4], local), dot(object[5], local), dot(object[6], local));
+#endif
+#ifdef SIZED
+  gl_PointSize = stroke[0].x;
+#endif
+#ifdef ATTENUATED
+  float r = length(seenAt);
+  gl_PointSize = clamp(
+      stroke[0].x / max(1.0, stroke[1].x + stroke[1].y * r + stroke[1].z * r * r),
+      stroke[0].y,
+      stroke[0].z);
+#endif
+#ifdef FOG
+  fogPlace = seenAt;
+#endif
+#ifdef PLANES
+  cutOff(seenAt);
+#endif
+#ifdef PATTERN
+  along = texCoord.x;
 #endif
 #ifdef LIT
   vec3 across =

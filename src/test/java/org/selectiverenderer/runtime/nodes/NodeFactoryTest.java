@@ -41,7 +41,7 @@ class NodeFactoryTest {
             Core: ProtoInstance
             CubeMapTexturing: all
             DIS: all
-            EnvironmentalEffects: Fog FogCoordinate LocalFog
+            EnvironmentalEffects: FogCoordinate
             Geospatial: all
             HAnim: all
             Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
@@ -52,11 +52,10 @@ class NodeFactoryTest {
             Networking: LoadSensor
             ParticleSystems: all
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
-            Rendering: ClipPlane
             RigidBodyPhysics: all
             Scripting: all
             Shaders: all
-            Shape: AcousticProperties FillProperties LineProperties PointProperties
+            Shape: AcousticProperties
             Sound: all
             TextureProjection: all
             Texturing: MovieTexture MultiTextureCoordinate MultiTextureTransform \

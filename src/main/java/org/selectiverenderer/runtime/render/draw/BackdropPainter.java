@@ -4,18 +4,23 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.gpu.Program;
 
-/** Draws sky and ground behind what is drawn already (X3D 4.0, 24.4.1). */
+/** Draws sky, ground and pictures behind what is drawn already (X3D 4.0, 24.4.1). */
 final class BackdropPainter {
   private static final int MAX_STOPS = 32;
 
+  /** How much of the background one sees in a parallel view, from bottom to top. */
+  private static final double PARALLEL_ANGLE = Math.PI / 4;
+
   private @Nullable Program program;
   private int emptyArray;
+  private final SkyboxPainter skybox = new SkyboxPainter();
 
   /** Clears the viewport, which the caller has set as scissor box, to the backdrop's colour. */
   static void clear(GL3 gl, Backdrop backdrop) {
@@ -29,9 +34,22 @@ final class BackdropPainter {
 
   /** Fills what nothing was drawn on, unless clearing did that. */
   void paint(GL3 gl, Backdrop backdrop, Camera camera) {
-    if (backdrop.plain()) {
+    if (backdrop.plain() && backdrop.pictures().isEmpty() && skybox.isEmpty()) {
       return;
     }
+    gl.glDisable(GL.GL_CULL_FACE);
+    gl.glDepthFunc(GL.GL_LEQUAL);
+    gl.glDepthMask(false);
+    Matrix4d toClip = toClip(backdrop, camera);
+    if (!backdrop.plain()) {
+      gradient(gl, backdrop, toClip);
+    }
+    skybox.paint(gl, backdrop, toClip);
+    gl.glDepthMask(true);
+    gl.glDepthFunc(GL.GL_LESS);
+  }
+
+  private void gradient(GL3 gl, Backdrop backdrop, Matrix4d toClip) {
     if (program == null) {
       program = new Program(gl, "backdrop", List.of("MAX_STOPS " + MAX_STOPS));
       int[] array = new int[1];
@@ -39,23 +57,31 @@ final class BackdropPainter {
       emptyArray = array[0];
     }
     program.use(gl);
-    gl.glUniform3fv(program.uniform(gl, "unproject"), 3, unproject(camera), 0);
+    gl.glUniform3fv(program.uniform(gl, "unproject"), 3, unproject(toClip), 0);
     stops(gl, program, "sky", backdrop.skyColor(), backdrop.skyAngle());
     stops(gl, program, "ground", backdrop.groundColor(), backdrop.groundAngle());
     gl.glUniform1f(program.uniform(gl, "opacity"), 1 - backdrop.transparency());
     gl.glBindVertexArray(emptyArray);
-    gl.glDisable(GL.GL_CULL_FACE);
-    gl.glDepthFunc(GL.GL_LEQUAL);
-    gl.glDepthMask(false);
     gl.glDrawArrays(GL.GL_TRIANGLES, 0, 3);
-    gl.glDepthMask(true);
-    gl.glDepthFunc(GL.GL_LESS);
   }
 
-  /** The directions, in the world, of the centre and of one unit right and up at the far plane. */
-  private static float[] unproject(Camera camera) {
+  /** From the directions of the background to clip coordinates. */
+  private static Matrix4d toClip(Backdrop backdrop, Camera camera) {
     Matrix4d rotation = new Matrix4d(camera.view()).setTranslation(0, 0, 0);
-    Matrix4d inverse = camera.projection().mul(rotation, new Matrix4d()).invert();
+    // Seen in parallel, all of a picture would be one direction.
+    Matrix4dc projection =
+        camera.projection().m33() == 0
+            ? camera.projection()
+            : new Matrix4d()
+                .setPerspective(PARALLEL_ANGLE, camera.width() / (double) camera.height(), 0.1, 10);
+    return projection.mul(rotation, rotation).rotate(backdrop.turn());
+  }
+
+  /**
+   * The directions, in the background, of the centre and of one unit right and up at the far plane.
+   */
+  private static float[] unproject(Matrix4d toClip) {
+    Matrix4d inverse = toClip.invert(new Matrix4d());
     Vector4d centre = inverse.transform(new Vector4d(0, 0, 1, 1));
     Vector4d right = inverse.transform(new Vector4d(1, 0, 0, 0));
     Vector4d up = inverse.transform(new Vector4d(0, 1, 0, 0));
@@ -80,6 +106,7 @@ final class BackdropPainter {
   }
 
   void dispose(GL3 gl) {
+    skybox.dispose(gl);
     if (program != null) {
       program.dispose(gl);
       gl.glDeleteVertexArrays(1, new int[] {emptyArray}, 0);

@@ -7,7 +7,6 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.occlude.Occlusion;
@@ -25,7 +24,9 @@ final class Culler {
   /** Fewer clusters are not worth looking at. */
   private static final int FEWEST_CLUSTERS = 2;
 
-  /** How far points and lines reach beyond their box in the picture, at most. */
+  /**
+   * How far points and lines reach beyond their box in the picture, at most, unless they are wider.
+   */
   private static final double LOOSE_PIXELS = 4;
 
   private final Visible out;
@@ -125,7 +126,7 @@ final class Culler {
       return false;
     }
     occlusion.ask(item.place(), item.part().occluders());
-    double pixels = item.source().primitive() == Mesh.Primitive.TRIANGLES ? 0 : LOOSE_PIXELS;
+    double pixels = Strokes.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
     for (int eye = 0; eye < frusta.length; eye++) {
       if (!occlusion.hides(eye, item.shape().bounds(), pixels)) {
         return false;

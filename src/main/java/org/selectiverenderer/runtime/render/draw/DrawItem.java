@@ -6,11 +6,14 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.instance.Stroke;
 import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.runtime.instance.Surroundings;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
+import org.selectiverenderer.runtime.render.gpu.StrokeForm;
 import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 
@@ -24,6 +27,8 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
  * @param byVertex those that light it at its vertices
  * @param numbers the material as the light model wants it
  * @param blended whether it is drawn over what is behind, back to front
+ * @param form how its primitives become pixels
+ * @param around the fog and planes whose scope it is in
  * @param rank of its program and texture in the order of drawing
  */
 public record DrawItem(
@@ -38,6 +43,9 @@ public record DrawItem(
     float[] numbers,
     float[] textureTransform,
     boolean blended,
+    StrokeForm form,
+    Stroke stroke,
+    Surroundings around,
     int rank) {
 
   /** The buffers, which other items may share. */
@@ -47,7 +55,10 @@ public record DrawItem(
 
   /** Whether every pixel of it covers what is behind. */
   boolean opaque() {
-    return !blended && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE);
+    return !blended
+        && !stroke.hollow()
+        && around.planes().isEmpty()
+        && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE);
   }
 
   /** Which triangles of the buffers are its own. */
@@ -62,7 +73,10 @@ public record DrawItem(
 
   /** Whether the shape still has what this was made from. */
   boolean current() {
-    return shape.surface() == surface && shape.mesh().orElse(null) == source && part.holds(shape);
+    return shape.surface() == surface
+        && shape.mesh().orElse(null) == source
+        && shape.stroke() == stroke
+        && part.holds(shape);
   }
 
   /** The programs for where the shape is now. */

@@ -159,6 +159,7 @@ final class DrawList {
           before != null
                   && before.current()
                   && before.lighting().scope().equals(before.shape().lights())
+                  && before.around().equals(before.shape().surroundings())
               ? before
               : null;
       waiting.set(i, !all && before == null && !shapes.get(i).shown());

@@ -4,6 +4,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.Stroke;
+import org.selectiverenderer.runtime.instance.Surroundings;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
@@ -17,6 +19,7 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
  * @param reaching the lights that reach the shape
  * @param material as the light model wants it; twelve numbers
  * @param textureTransform nine numbers
+ * @param around the fog and planes whose scope it is in
  */
 record DrawLook(
     ShapePrograms.Family byPixel,
@@ -27,5 +30,7 @@ record DrawLook(
     Numbers textureTransform,
     boolean blended,
     VertexLayout layout,
+    Stroke stroke,
+    Surroundings around,
     Mesh.Primitive primitive,
     boolean solid) {}

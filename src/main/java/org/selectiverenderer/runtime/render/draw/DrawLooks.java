@@ -54,7 +54,9 @@ final class DrawLooks {
   DrawLook of(GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching) {
     Surface surface = shape.surface();
     GpuTexture texture =
-        surface.texture() == null || drawn.texCoords() == null
+        surface.texture() == null
+                || drawn.texCoords() == null
+                || drawn.primitive() == Mesh.Primitive.LINES // Theirs are lengths.
             ? null
             : textures.computeIfAbsent(
                 surface.texture(),
@@ -75,6 +77,8 @@ final class DrawLooks {
             new Numbers(transform == null ? NO_TRANSFORM : transform),
             blended,
             VertexLayout.of(drawn),
+            shape.stroke(),
+            shape.surroundings(),
             drawn.primitive(),
             drawn.solid());
     return known.computeIfAbsent(look, same -> same);

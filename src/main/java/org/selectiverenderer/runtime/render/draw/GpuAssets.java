@@ -174,6 +174,9 @@ final class GpuAssets {
         look.material().array(),
         look.textureTransform().array(),
         look.blended(),
+        Strokes.form(look.stroke(), look.primitive()),
+        shape.shape().stroke(),
+        shape.shape().surroundings(),
         looks.rank(look));
   }
 

@@ -17,6 +17,7 @@ final class ItemPainter {
   private final Visible visible;
   private final Camera camera;
   private final EyeLights lights;
+  private final EyeScenery scenery;
   private final float pointSize;
   private final Portions portions;
   private final Matrix4d toEye = new Matrix4d();
@@ -26,12 +27,14 @@ final class ItemPainter {
   private @Nullable ShapeProgram program;
   private @Nullable GpuTexture texture;
   private @Nullable GpuMesh mesh;
+  private int planes;
 
   ItemPainter(
       GL3 gl,
       Visible visible,
       Camera camera,
       EyeLights lights,
+      EyeScenery scenery,
       float pointSize,
       Portions portions) {
     this.pointSize = pointSize;
@@ -40,6 +43,7 @@ final class ItemPainter {
     this.visible = visible;
     this.camera = camera;
     this.lights = lights;
+    this.scenery = scenery;
   }
 
   /** Opaque items. */
@@ -50,7 +54,7 @@ final class ItemPainter {
         continue;
       }
       bind(item, visible.frontOnly(i));
-      cull(item.mesh().solid() ? GL.GL_BACK : 0);
+      cull(item.mesh().solid() && areas(item) ? GL.GL_BACK : 0);
       elements(i);
     }
   }
@@ -63,13 +67,18 @@ final class ItemPainter {
     for (int i = from; i < to; i++) {
       DrawItem item = visible.calls.get(i);
       bind(item, false);
-      if (!item.mesh().solid()) {
+      if (!item.mesh().solid() && areas(item)) {
         cull(GL.GL_FRONT);
         elements(i);
       }
-      cull(GL.GL_BACK);
+      cull(areas(item) ? GL.GL_BACK : 0);
       elements(i);
     }
+  }
+
+  /** Lines and points have no sides, also where they are drawn as rectangles. */
+  private static boolean areas(DrawItem item) {
+    return item.mesh().mode() == GL.GL_TRIANGLES;
   }
 
   private void cull(int side) {
@@ -84,10 +93,13 @@ final class ItemPainter {
   private void bind(DrawItem item, boolean frontOnly) {
     EyeLights.Packed packed = lights.of(item.reaching());
     ShapePrograms.Family programs = item.programs();
-    ShapeProgram needed = (frontOnly ? programs.front() : programs).get(gl, packed.counts());
+    EyeScenery.Packed around = scenery.of(item);
+    ShapeProgram needed =
+        (frontOnly ? programs.front() : programs).get(gl, packed.counts(), around.scenery());
     if (needed != program) {
       program = needed;
       needed.use(gl, pointSize);
+      planes(around.scenery().planes());
     }
     if (item.texture() != null && item.texture() != texture) {
       texture = item.texture();
@@ -99,9 +111,28 @@ final class ItemPainter {
     }
     needed.material(gl, item.numbers(), item.textureTransform());
     needed.lights(gl, packed.numbers());
+    around.send(gl, needed);
     place(item.place());
     needed.object(gl, object);
-    gl.glFrontFace(toEye.determinant3x3() < 0 ? GL.GL_CW : GL.GL_CCW);
+    boolean mirrored = areas(item) && toEye.determinant3x3() < 0;
+    gl.glFrontFace(mirrored ? GL.GL_CW : GL.GL_CCW);
+  }
+
+  /** Has as many planes cut as the program says. */
+  private void planes(int count) {
+    for (int i = Math.min(planes, count); i < Math.max(planes, count); i++) {
+      if (i < count) {
+        gl.glEnable(GL3.GL_CLIP_DISTANCE0 + i);
+      } else {
+        gl.glDisable(GL3.GL_CLIP_DISTANCE0 + i);
+      }
+    }
+    planes = count;
+  }
+
+  /** Leaves nothing behind that would cut what is drawn next. */
+  void end() {
+    planes(0);
   }
 
   /** Composes in double precision; the large translations cancel before they become floats. */

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlInfo;
@@ -89,6 +90,16 @@ public final class SceneRenderer {
 
   /** Clears the camera's viewport and draws into it. */
   public void draw(GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
+    draw(gl, seen, camera, backdrop, headlight, Fog.NONE);
+  }
+
+  /**
+   * Clears the camera's viewport and draws into it.
+   *
+   * @param fog where no LocalFog reaches
+   */
+  public void draw(
+      GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight, Fog fog) {
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glEnable(GL.GL_SCISSOR_TEST);
@@ -97,15 +108,24 @@ public final class SceneRenderer {
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
     ItemPainter painter =
-        new ItemPainter(gl, seen, camera, new EyeLights(camera, headlight), pointSize, portions);
+        new ItemPainter(
+            gl,
+            seen,
+            camera,
+            new EyeLights(camera, headlight),
+            new EyeScenery(camera, fog, pointSize),
+            pointSize,
+            portions);
     portions.begin(seen.count(0, seen.ranges));
     painter.paint(0, seen.opaque);
+    painter.end();
     backdropPainter.paint(gl, backdrop, camera);
     if (seen.opaque < seen.calls.size()) {
       gl.glEnable(GL.GL_BLEND);
       gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
       gl.glDepthMask(false);
       painter.blend(seen.opaque, seen.calls.size());
+      painter.end();
       gl.glDepthMask(true);
       gl.glDisable(GL.GL_BLEND);
     }

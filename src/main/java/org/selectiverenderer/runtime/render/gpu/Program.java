@@ -12,11 +12,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /** A linked shader program, GLSL 3.30. */
 public final class Program {
   private static final String FOLDER = "/org/selectiverenderer/runtime/render/";
   private static final Pattern INCLUDE = Pattern.compile("(?m)^#include (\\S+)$");
+
+  /** Names of what passes through a geometry shader, which no name may do unchanged. */
+  private static final String HANDED_ON =
+      Stream.of("eyeNormal", "eyePosition", "vertexColor", "fogPlace", "along")
+          .map(name -> "#define %s %s_\n".formatted(name, name))
+          .collect(Collectors.joining());
 
   private final int id;
   private final Map<String, Integer> uniforms = new HashMap<>();
@@ -28,13 +37,29 @@ public final class Program {
    * @throws GLException if the driver rejects the text; its log is in the message
    */
   public Program(GL3 gl, String name, List<String> defines) {
+    this(gl, name, defines, null);
+  }
+
+  /**
+   * Likewise.
+   *
+   * @param geometry names the resource {@code geometry.geom.glsl}, or null for none. What the
+   *     vertex shader hands on has an underscore after its name then
+   */
+  Program(GL3 gl, String name, List<String> defines, @Nullable String geometry) {
     StringBuilder head = new StringBuilder("#version 330 core\n");
     defines.forEach(define -> head.append("#define ").append(define).append('\n'));
-    int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, name + ".vert.glsl", head.toString());
+    String vertexHead = geometry == null ? head.toString() : head + HANDED_ON;
+    int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, name + ".vert.glsl", vertexHead);
     int fragment = compile(gl, GL2ES2.GL_FRAGMENT_SHADER, name + ".frag.glsl", head.toString());
     id = gl.glCreateProgram();
     gl.glAttachShader(id, vertex);
     gl.glAttachShader(id, fragment);
+    if (geometry != null) {
+      int middle = compile(gl, GL3.GL_GEOMETRY_SHADER, geometry + ".geom.glsl", head.toString());
+      gl.glAttachShader(id, middle);
+      gl.glDeleteShader(middle);
+    }
     gl.glLinkProgram(id);
     gl.glDeleteShader(vertex);
     gl.glDeleteShader(fragment);

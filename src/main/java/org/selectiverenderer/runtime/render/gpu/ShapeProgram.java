@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.render.gpu;
 
 import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** The program of shapes in one variant, with its uniforms, which it remembers between draws. */
@@ -14,17 +16,28 @@ public final class ShapeProgram {
   private final int textureTransform;
   private final int lights;
   private final int pointSize;
+  private final int stroke;
+  private final int fog;
+  private final int planes;
   private float @Nullable [] currentMaterial;
   private float @Nullable [] currentLights;
+  private float @Nullable [] currentStroke;
+  private float @Nullable [] currentFog;
+  private float @Nullable [] currentPlanes;
   private float currentPointSize;
 
-  ShapeProgram(GL3 gl, ShapeVariant variant, LightCounts counts) {
-    program = new Program(gl, "shape", variant.defines(counts));
+  ShapeProgram(GL3 gl, ShapeVariant variant, LightCounts counts, Scenery scenery) {
+    List<String> defines = new ArrayList<>(variant.defines(counts));
+    defines.addAll(scenery.defines());
+    program = new Program(gl, "shape", defines, scenery.stroke().geometry());
     object = program.uniform(gl, "object");
     material = program.uniform(gl, "material");
     textureTransform = program.uniform(gl, "texture_");
     lights = program.uniform(gl, "lights");
     pointSize = program.uniform(gl, "pointSize");
+    stroke = program.uniform(gl, "stroke");
+    fog = program.uniform(gl, "fog");
+    planes = program.uniform(gl, "planes");
     program.use(gl);
     gl.glUniform1i(program.uniform(gl, "image"), 0);
   }
@@ -68,6 +81,37 @@ public final class ShapeProgram {
     if (numbers.length > 0 && currentLights != numbers) {
       currentLights = numbers;
       gl.glUniform4fv(lights, numbers.length / 4, numbers, 0);
+    }
+  }
+
+  /**
+   * @param numbers eight, as the form of the stroke says; not written to afterwards
+   */
+  public void stroke(GL3 gl, float[] numbers) {
+    if (currentStroke != numbers) {
+      currentStroke = numbers;
+      gl.glUniform4fv(stroke, 2, numbers, 0);
+    }
+  }
+
+  /**
+   * @param numbers the fog's colour, and how far one sees in it; not written to afterwards
+   */
+  public void fog(GL3 gl, float[] numbers) {
+    if (currentFog != numbers) {
+      currentFog = numbers;
+      gl.glUniform4fv(fog, 1, numbers, 0);
+    }
+  }
+
+  /**
+   * @param numbers four for each plane that cuts, in the eye's coordinates; not written to
+   *     afterwards
+   */
+  public void planes(GL3 gl, float[] numbers) {
+    if (currentPlanes != numbers) {
+      currentPlanes = numbers;
+      gl.glUniform4fv(planes, numbers.length / 4, numbers, 0);
     }
   }
 

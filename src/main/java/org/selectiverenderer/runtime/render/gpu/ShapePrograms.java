@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.gpu;
 import com.jogamp.opengl.GL3;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** The shape programs made so far: one per variant and kinds of lights. */
@@ -14,6 +15,9 @@ public final class ShapePrograms {
     private final ShapeVariant variant;
     private final @Nullable Family front;
     private final Map<LightCounts, ShapeProgram> byLights = new HashMap<>();
+    private final Map<Scenic, ShapeProgram> scenic = new HashMap<>();
+
+    private record Scenic(LightCounts lights, Scenery scenery) {}
 
     private Family(ShapeVariant variant, @Nullable Family front) {
       this.variant = variant;
@@ -28,7 +32,23 @@ public final class ShapePrograms {
     /** The program for such lights, made when first asked for. */
     public ShapeProgram get(GL3 gl, LightCounts lights) {
       LightCounts counted = variant.lit() ? lights : LightCounts.NONE;
-      return byLights.computeIfAbsent(counted, counts -> new ShapeProgram(gl, variant, counts));
+      return byLights.computeIfAbsent(
+          counted, counts -> new ShapeProgram(gl, variant, counts, Scenery.NONE));
+    }
+
+    /** Likewise, with what the scenery takes. */
+    public ShapeProgram get(GL3 gl, LightCounts lights, Scenery scenery) {
+      if (scenery == Scenery.NONE) {
+        return get(gl, lights);
+      }
+      LightCounts counted = variant.lit() ? lights : LightCounts.NONE;
+      return scenic.computeIfAbsent(
+          new Scenic(counted, scenery),
+          key -> new ShapeProgram(gl, variant, key.lights(), key.scenery()));
+    }
+
+    private Stream<ShapeProgram> programs() {
+      return Stream.concat(byLights.values().stream(), scenic.values().stream());
     }
   }
 
@@ -43,9 +63,7 @@ public final class ShapePrograms {
   }
 
   public void dispose(GL3 gl) {
-    families.values().stream()
-        .flatMap(family -> family.byLights.values().stream())
-        .forEach(program -> program.dispose(gl));
+    families.values().stream().flatMap(Family::programs).forEach(program -> program.dispose(gl));
     families.clear();
   }
 }

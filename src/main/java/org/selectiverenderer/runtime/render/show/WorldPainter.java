@@ -63,7 +63,7 @@ final class WorldPainter {
       Camera camera = views.get(i).camera();
       direct(gl, views.get(i).channel());
       if (layout.showsWorld()) {
-        renderer.draw(gl, seen, camera, world.backdrop(), sight.headlight());
+        renderer.draw(gl, seen, camera, world.backdrop(), sight.headlight(), world.fog());
       }
       List<Mark> marks = layout.marks(i, camera.width(), camera.height());
       sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());

@@ -1,0 +1,70 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+/** Measures lines, so that the pattern of a dashed line goes on around its corners. */
+final class LineLengths {
+  private LineLengths() {}
+
+  /**
+   * The same lines; of each vertex the first texture coordinate says how far it is from the
+   * beginning of its line. Lines take no textures (X3D 4.0, 11.2.3), so that these are free.
+   *
+   * @param lines whose indices are the ends of stretches, those of one line in turn
+   */
+  static Mesh measure(Mesh lines) {
+    int[] ends = lines.indices();
+    int[] source = new int[ends.length];
+    float[] lengths = new float[2 * ends.length];
+    int[] indices = new int[ends.length];
+    int count = 0;
+    for (int i = 0; i + 1 < ends.length; i += 2) {
+      if (i == 0 || ends[i] != ends[i - 1]) {
+        source[count++] = ends[i];
+      }
+      source[count] = ends[i + 1];
+      lengths[2 * count] =
+          lengths[2 * (count - 1)] + distance(lines.positions(), ends[i], ends[i + 1]);
+      indices[i] = count - 1;
+      indices[i + 1] = count++;
+    }
+    return new Mesh(
+        lines.primitive(),
+        pick(lines.positions(), 3, source, count),
+        lines.normals() == null ? null : pick(lines.normals(), 3, source, count),
+        lines.colors() == null ? null : pick(lines.colors(), 4, source, count),
+        Arrays.copyOf(lengths, 2 * count),
+        indices,
+        lines.solid(),
+        lines.bounds());
+  }
+
+  private static float distance(float[] positions, int from, int to) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double d = positions[3 * to + axis] - positions[3 * from + axis];
+      sum += d * d;
+    }
+    return (float) Math.sqrt(sum);
+  }
+
+  private static float[] pick(float[] values, int size, int[] source, int count) {
+    float[] picked = new float[size * count];
+    for (int i = 0; i < count; i++) {
+      System.arraycopy(values, size * source[i], picked, size * i, size);
+    }
+    return picked;
+  }
+
+  /** The mesh of a shape, measured if its lines have a pattern. */
+  static @Nullable Mesh of(@Nullable Mesh mesh, Stroke stroke) {
+    return mesh != null
+            && mesh.primitive() == Mesh.Primitive.LINES
+            && stroke.line() != null
+            && stroke.line().type() != 1
+        ? measure(mesh)
+        : mesh;
+  }
+}

@@ -1,0 +1,65 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.scene.Node;
+
+/** Reads LineProperties, PointProperties and FillProperties of an Appearance (X3D 4.0, 12.4). */
+final class StrokeReader {
+  private StrokeReader() {}
+
+  static Stroke read(@Nullable Node appearance) {
+    if (appearance == null || !appearance.type().name().equals("Appearance")) {
+      return Stroke.PLAIN;
+    }
+    Stroke stroke =
+        new Stroke(
+            part(appearance, "lineProperties", "LineProperties")
+                .filter(node -> node.bool("applied"))
+                .map(StrokeReader::line)
+                .orElse(null),
+            part(appearance, "pointProperties", "PointProperties")
+                .map(StrokeReader::dot)
+                .orElse(null),
+            part(appearance, "fillProperties", "FillProperties")
+                .map(StrokeReader::fill)
+                .orElse(null));
+    return stroke.equals(Stroke.PLAIN) ? Stroke.PLAIN : stroke;
+  }
+
+  private static Optional<Node> part(Node appearance, String field, String type) {
+    return appearance.type().field(field).isEmpty()
+        ? Optional.empty()
+        : Optional.ofNullable(appearance.node(field))
+            .filter(node -> node.type().name().equals(type));
+  }
+
+  private static Stroke.Line line(Node node) {
+    return new Stroke.Line(
+        (Integer) node.value(node.type().indexOf("linetype")),
+        Math.max(1, node.number("linewidthScaleFactor")));
+  }
+
+  private static Stroke.Dot dot(Node node) {
+    float[] attenuation = node.floats("attenuation");
+    float least = node.number("pointSizeMinValue");
+    return new Stroke.Dot(
+        node.number("pointSizeScaleFactor"),
+        least,
+        Math.max(least, node.number("pointSizeMaxValue")),
+        attenuation[0],
+        attenuation[1],
+        attenuation[2]);
+  }
+
+  private static Stroke.Fill fill(Node node) {
+    float[] color = node.floats("hatchColor");
+    return new Stroke.Fill(
+        node.bool("filled"),
+        node.bool("hatched"),
+        (Integer) node.value(node.type().indexOf("hatchStyle")),
+        color[0],
+        color[1],
+        color[2]);
+  }
+}

@@ -1,0 +1,35 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.EnumMap;
+import java.util.Map;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * The pictures that a Background names (X3D 4.0, 24.4.1), as textures: from then on they are read,
+ * kept and exchanged as those of shapes are.
+ */
+final class BackgroundPictures {
+  private BackgroundPictures() {}
+
+  static boolean names(NodeType type) {
+    return type.name().equals("Background");
+  }
+
+  /** A texture for each side that has a url. */
+  static Map<Backdrop.Side, ParsedNode> of(ParsedNode background, NodeCatalogue catalogue) {
+    Map<Backdrop.Side, ParsedNode> pictures = new EnumMap<>(Backdrop.Side.class);
+    NodeType type = catalogue.get("ImageTexture");
+    for (Backdrop.Side side : Backdrop.Side.values()) {
+      String[] url = background.strings(side.urlField());
+      if (url.length > 0) {
+        ParsedNode texture = new ParsedNode(type, null, background.location());
+        texture.put(type.indexOf("url"), url);
+        pictures.put(side, texture);
+      }
+    }
+    return pictures;
+  }
+}

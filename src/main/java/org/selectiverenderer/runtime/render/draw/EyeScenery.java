@@ -1,0 +1,141 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Matrix4d;
+import org.joml.Vector4d;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.EffectInstance;
+import org.selectiverenderer.runtime.instance.Fog;
+import org.selectiverenderer.runtime.instance.Stroke;
+import org.selectiverenderer.runtime.instance.Surroundings;
+import org.selectiverenderer.runtime.render.gpu.Scenery;
+import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
+import org.selectiverenderer.runtime.render.gpu.StrokeForm;
+
+/** Fog, planes that cut, lines and hatches as one eye's frame wants them. */
+final class EyeScenery {
+  private static final float[] NOTHING = {};
+  private static final Packed PLAIN = new Packed(Scenery.NONE, NOTHING, NOTHING, NOTHING);
+
+  private final Camera camera;
+  private final Fog fog;
+  private final float pointSize;
+  private final Map<Key, Packed> packed = new HashMap<>();
+
+  /**
+   * What a shape's program takes for it.
+   *
+   * @param stroke eight numbers, unless the stroke is plain
+   * @param fog four numbers, unless the air is clear
+   * @param planes four numbers for each
+   */
+  record Packed(Scenery scenery, float[] stroke, float[] fog, float[] planes) {
+    void send(GL3 gl, ShapeProgram program) {
+      if (stroke.length > 0) {
+        program.stroke(gl, stroke);
+      }
+      if (fog.length > 0) {
+        program.fog(gl, fog);
+      }
+      if (planes.length > 0) {
+        program.planes(gl, planes);
+      }
+    }
+  }
+
+  private record Key(StrokeForm form, Stroke stroke, Surroundings around) {}
+
+  /**
+   * @param fog where no LocalFog reaches
+   * @param pointSize side of a point of the usual size in pixels
+   */
+  EyeScenery(Camera camera, Fog fog, float pointSize) {
+    this.camera = camera;
+    this.fog = fog;
+    this.pointSize = pointSize;
+  }
+
+  Packed of(DrawItem item) {
+    if (item.form() == StrokeForm.PLAIN && item.around() == Surroundings.NONE && fog.isClear()) {
+      return PLAIN;
+    }
+    return packed.computeIfAbsent(
+        new Key(item.form(), item.shape().stroke(), item.around()), this::pack);
+  }
+
+  private Packed pack(Key key) {
+    Fog here = key.around().fog().orElse(fog);
+    float[] planes = planes(key.around());
+    Scenery scenery = new Scenery(key.form(), mist(here), planes.length / 4);
+    return scenery.equals(Scenery.NONE)
+        ? PLAIN
+        : new Packed(scenery, stroke(key), here.isClear() ? NOTHING : numbers(here), planes);
+  }
+
+  private static Scenery.Mist mist(Fog fog) {
+    if (fog.isClear()) {
+      return Scenery.Mist.CLEAR;
+    }
+    return fog.exponential() ? Scenery.Mist.EXPONENTIAL : Scenery.Mist.LINEAR;
+  }
+
+  private static float[] numbers(Fog fog) {
+    return new float[] {fog.red(), fog.green(), fog.blue(), (float) fog.range()};
+  }
+
+  private float[] planes(Surroundings around) {
+    List<Vector4d> found = new ArrayList<>();
+    Matrix4d toEye = camera.view().invertAffine(new Matrix4d()).transpose();
+    for (EffectInstance effect : around.planes()) {
+      effect.planeNow().map(toEye::transform).ifPresent(found::add);
+    }
+    int count = Math.min(Scenery.MAX_PLANES, found.size());
+    float[] numbers = new float[4 * count];
+    for (int i = 0; i < count; i++) {
+      Vector4d plane = found.get(i);
+      numbers[4 * i] = (float) plane.x;
+      numbers[4 * i + 1] = (float) plane.y;
+      numbers[4 * i + 2] = (float) plane.z;
+      numbers[4 * i + 3] = (float) plane.w;
+    }
+    return numbers;
+  }
+
+  private float[] stroke(Key key) {
+    Stroke.Line line = key.stroke().line();
+    Stroke.Dot dot = key.stroke().dot();
+    Stroke.Fill fill = key.stroke().fill();
+    return switch (key.form()) {
+      case WIDE, PATTERN ->
+          line == null
+              ? NOTHING
+              : new float[] {
+                line.width(), camera.width(), camera.height(), Strokes.pattern(line), 0, 0, 0, 0
+              };
+      case SIZED, ATTENUATED ->
+          dot == null
+              ? NOTHING
+              : new float[] {
+                dot.scale() * pointSize,
+                dot.least() * pointSize,
+                dot.most() * pointSize,
+                0,
+                dot.a(),
+                dot.b(),
+                dot.c(),
+                0
+              };
+      case HATCHED, HATCH_ONLY ->
+          fill == null
+              ? NOTHING
+              : new float[] {
+                fill.red(), fill.green(), fill.blue(), Strokes.hatch(fill), 0, 0, 0, 0
+              };
+      case PLAIN, HOLLOW -> NOTHING;
+    };
+  }
+}

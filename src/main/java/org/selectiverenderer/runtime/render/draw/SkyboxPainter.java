@@ -1,0 +1,106 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.Program;
+
+/** Draws the pictures of a background behind what is drawn already (X3D 4.0, 24.2.1). */
+final class SkyboxPainter {
+  private final Map<Texture.Image, GpuTexture> textures = new IdentityHashMap<>();
+  private @Nullable Program program;
+  private int emptyArray;
+
+  /**
+   * Paints the sides that have a picture; the caller has set the depth test.
+   *
+   * @param toClip from the background's directions to clip coordinates
+   */
+  void paint(GL3 gl, Backdrop backdrop, Matrix4dc toClip) {
+    forget(gl, backdrop);
+    if (backdrop.pictures().isEmpty()) {
+      return;
+    }
+    Program used = program;
+    if (used == null) {
+      used = new Program(gl, "skybox", List.of());
+      program = used;
+      int[] array = new int[1];
+      gl.glGenVertexArrays(1, array, 0);
+      emptyArray = array[0];
+    }
+    used.use(gl);
+    gl.glUniformMatrix4fv(
+        used.uniform(gl, "toClip"), 1, false, new Matrix4d(toClip).get(new float[16]), 0);
+    gl.glUniform1f(used.uniform(gl, "opacity"), 1 - backdrop.transparency());
+    gl.glUniform1i(used.uniform(gl, "image"), 0);
+    gl.glBindVertexArray(emptyArray);
+    gl.glEnable(GL.GL_BLEND);
+    gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
+    for (Map.Entry<Backdrop.Side, Texture.Image> side : backdrop.pictures().entrySet()) {
+      textures
+          .computeIfAbsent(
+              side.getValue(), image -> new GpuTexture(gl, new Texture(image, false, false)))
+          .bind(gl);
+      gl.glUniform3fv(used.uniform(gl, "side"), 3, side(side.getKey()), 0);
+      gl.glDrawArrays(GL.GL_TRIANGLE_STRIP, 0, 4);
+    }
+    gl.glDisable(GL.GL_BLEND);
+  }
+
+  /**
+   * The middle of a side and what points to its picture's right and upper edge. One sees the
+   * picture upright who looks along the side's axis with +Y up; at the top with +Z, at the bottom
+   * with -Z up.
+   */
+  private static float[] side(Backdrop.Side side) {
+    return switch (side) {
+      case FRONT -> new float[] {0, 0, -1, 1, 0, 0, 0, 1, 0};
+      case BACK -> new float[] {0, 0, 1, -1, 0, 0, 0, 1, 0};
+      case LEFT -> new float[] {-1, 0, 0, 0, 0, -1, 0, 1, 0};
+      case RIGHT -> new float[] {1, 0, 0, 0, 0, 1, 0, 1, 0};
+      case TOP -> new float[] {0, 1, 0, 1, 0, 0, 0, 0, 1};
+      case BOTTOM -> new float[] {0, -1, 0, 1, 0, 0, 0, 0, -1};
+    };
+  }
+
+  /** Whether it keeps no pictures. */
+  boolean isEmpty() {
+    return textures.isEmpty();
+  }
+
+  /** Frees pictures that are no longer shown. */
+  private void forget(GL3 gl, Backdrop backdrop) {
+    if (!textures.isEmpty()) {
+      textures
+          .entrySet()
+          .removeIf(
+              known -> {
+                boolean gone =
+                    backdrop.pictures().values().stream()
+                        .noneMatch(shown -> shown == known.getKey());
+                if (gone) {
+                  known.getValue().dispose(gl);
+                }
+                return gone;
+              });
+    }
+  }
+
+  void dispose(GL3 gl) {
+    forget(gl, Backdrop.BLACK);
+    if (program != null) {
+      program.dispose(gl);
+      gl.glDeleteVertexArrays(1, new int[] {emptyArray}, 0);
+      program = null;
+    }
+  }
+}

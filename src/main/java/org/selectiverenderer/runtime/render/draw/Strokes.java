@@ -1,0 +1,87 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.Stroke;
+import org.selectiverenderer.runtime.render.gpu.StrokeForm;
+
+/** What the standard's line types and hatches look like (X3D 4.0, 12.4.3 and 12.4.5). */
+final class Strokes {
+  /** Hatches of two directions and one, which the standard asks for; others look like the third. */
+  private static final int HATCHES = 6;
+
+  private static final int SLANTED = 3;
+  private static final int ALL = 0xffff;
+
+  private Strokes() {}
+
+  /** How the primitives of a mesh with that stroke become pixels. */
+  static StrokeForm form(Stroke stroke, Mesh.Primitive primitive) {
+    return switch (primitive) {
+      case LINES -> form(stroke.line());
+      case POINTS -> form(stroke.dot());
+      case TRIANGLES -> form(stroke.fill());
+    };
+  }
+
+  private static StrokeForm form(Stroke.@Nullable Line line) {
+    if (line == null) {
+      return StrokeForm.PLAIN;
+    }
+    if (bits(line.type()) != ALL) {
+      return StrokeForm.PATTERN;
+    }
+    return line.width() > 1 ? StrokeForm.WIDE : StrokeForm.PLAIN;
+  }
+
+  private static StrokeForm form(Stroke.@Nullable Dot dot) {
+    if (dot == null) {
+      return StrokeForm.PLAIN;
+    }
+    return dot.attenuated() ? StrokeForm.ATTENUATED : StrokeForm.SIZED;
+  }
+
+  private static StrokeForm form(Stroke.@Nullable Fill fill) {
+    if (fill == null || fill.filled() && !fill.hatched()) {
+      return StrokeForm.PLAIN;
+    }
+    if (!fill.hatched()) {
+      return StrokeForm.HOLLOW;
+    }
+    return fill.filled() ? StrokeForm.HATCHED : StrokeForm.HATCH_ONLY;
+  }
+
+  /** The pattern of a line: a bit for each of sixteen stretches, the first the lowest. */
+  static int pattern(Stroke.Line line) {
+    return bits(line.type());
+  }
+
+  private static int bits(int type) {
+    return switch (type) {
+      case 2 -> 0x00ff; // dashed
+      case 3 -> 0x3333; // dotted
+      case 4 -> 0x18ff; // dash and dot
+      case 5 -> 0x333f; // dash and two dots
+      case 10 -> 0x0c3f; // chain
+      case 11 -> 0x39ff; // centre
+      case 12 -> 0x0f0f; // hidden
+      case 13 -> 0x36ff; // phantom
+      default -> ALL;
+    };
+  }
+
+  static int hatch(Stroke.Fill fill) {
+    return fill.style() >= 1 && fill.style() <= HATCHES ? fill.style() : SLANTED;
+  }
+
+  /** How far a shape may reach beyond its box in the picture, in pixels. */
+  static double reach(Stroke stroke, Mesh.Primitive primitive, double least) {
+    Stroke.Line line = stroke.line();
+    Stroke.Dot dot = stroke.dot();
+    return switch (primitive) {
+      case TRIANGLES -> 0;
+      case LINES -> line == null ? least : Math.max(least, line.width());
+      case POINTS -> dot == null ? least : Math.max(least, least * dot.scale());
+    };
+  }
+}

@@ -1,0 +1,39 @@
+package org.selectiverenderer.runtime.render.gpu;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a program does beside colour and light: lines and hatches, fog, planes that cut. Programs of
+ * scenes without them know nothing of it.
+ *
+ * @param planes that cut, at most {@link #MAX_PLANES}
+ */
+public record Scenery(StrokeForm stroke, Mist mist, int planes) {
+  /** Planes that can cut one shape, as many as every OpenGL 3.3 has; those beyond do not cut. */
+  public static final int MAX_PLANES = 8;
+
+  /** Nothing of all that. */
+  public static final Scenery NONE = new Scenery(StrokeForm.PLAIN, Mist.CLEAR, 0);
+
+  /** How fog thickens with distance. */
+  public enum Mist {
+    CLEAR,
+    LINEAR,
+    EXPONENTIAL
+  }
+
+  List<String> defines() {
+    List<String> defines = new ArrayList<>(stroke.defines());
+    if (mist != Mist.CLEAR) {
+      defines.add("FOG");
+    }
+    if (mist == Mist.EXPONENTIAL) {
+      defines.add("EXPONENTIAL");
+    }
+    if (planes > 0) {
+      defines.add("PLANES " + planes);
+    }
+    return defines;
+  }
+}

@@ -1,0 +1,100 @@
+// Lines that are wide or have a pattern: each becomes a rectangle in the picture. What comes from
+// the vertices has an underscore after its name, which shape.vert.glsl is compiled with here.
+layout(lines) in;
+layout(triangle_strip, max_vertices = 4) out;
+
+// Width of the line, width and height of the picture in pixels, the pattern's sixteen bits.
+uniform vec4 stroke[2];
+
+#ifdef LIT
+in vec3 eyeNormal_[];
+out vec3 eyeNormal;
+#ifdef EYE_POSITION
+in vec3 eyePosition_[];
+out vec3 eyePosition;
+#endif
+#endif
+#ifdef COLORS
+in vec4 vertexColor_[];
+out vec4 vertexColor;
+#endif
+#ifdef FOG
+in vec3 fogPlace_[];
+out vec3 fogPlace;
+#endif
+#ifdef PATTERN
+in float along_[];
+noperspective out float pattern;
+#else
+// From the beginning along and across the line in pixels, and how long it is.
+noperspective out vec2 onLine;
+flat out float lineLength;
+#endif
+
+// A corner of the rectangle at that part of the line, so many pixels beside it.
+void corner(float part, vec4 place, vec2 beside) {
+  gl_Position = place;
+  gl_Position.xy += 2.0 * beside / stroke[0].yz * place.w;
+#ifdef LIT
+  eyeNormal = mix(eyeNormal_[0], eyeNormal_[1], part);
+#ifdef EYE_POSITION
+  eyePosition = mix(eyePosition_[0], eyePosition_[1], part);
+#endif
+#endif
+#ifdef COLORS
+  vertexColor = mix(vertexColor_[0], vertexColor_[1], part);
+#endif
+#ifdef FOG
+  fogPlace = mix(fogPlace_[0], fogPlace_[1], part);
+#endif
+#ifdef PLANES
+  for (int i = 0; i < PLANES; i++) {
+    gl_ClipDistance[i] =
+        mix(gl_in[0].gl_ClipDistance[i], gl_in[1].gl_ClipDistance[i], part);
+  }
+#endif
+}
+
+void main() {
+  vec4 a = gl_in[0].gl_Position;
+  vec4 b = gl_in[1].gl_Position;
+  // What lies before the near plane has no place in the picture.
+  float fromNear = a.z + a.w;
+  float toNear = b.z + b.w;
+  if (fromNear <= 0.0 && toNear <= 0.0) {
+    return;
+  }
+  float cut = fromNear / (fromNear - toNear);
+  float from = fromNear < 0.0 ? cut : 0.0;
+  float to = toNear < 0.0 ? cut : 1.0;
+  vec4 p = mix(a, b, from);
+  vec4 q = mix(a, b, to);
+  vec2 line = (q.xy / q.w - p.xy / p.w) * 0.5 * stroke[0].yz;
+  float size = length(line);
+  vec2 ahead = size > 1e-6 ? line / size : vec2(1.0, 0.0);
+  vec2 side = vec2(-ahead.y, ahead.x) * 0.5 * stroke[0].x;
+#ifdef PATTERN
+  // Units of the pattern per length along the line: a power of two, the same for all stretches of a
+  // line that are seen at about the same size, so that the pattern goes on around corners.
+  float start = mix(along_[0], along_[1], from);
+  float end = mix(along_[0], along_[1], to);
+  float unit = max(1.0, 0.5 * stroke[0].x);
+  float scale = exp2(round(log2(max(size, 1e-6) / unit / max(end - start, 1e-12))));
+  vec2 cap = vec2(0.0);
+#else
+  vec2 cap = ahead * 0.5 * stroke[0].x;
+#endif
+  for (int i = 0; i < 4; i++) {
+    bool far = (i & 1) == 1;
+    float across = (i & 2) == 0 ? -1.0 : 1.0;
+#ifdef PATTERN
+    pattern = (far ? end : start) * scale;
+#else
+    onLine = vec2(far ? size + 0.5 * stroke[0].x : -0.5 * stroke[0].x, across * 0.5 * stroke[0].x);
+    lineLength = size;
+#endif
+    corner(far ? to : from, far ? q : p, across * side + (far ? cap : -cap));
+    EmitVertex();
+  }
+  EndPrimitive();
+}
