@@ -56,7 +56,7 @@ final class ShapeLook implements NodeObserver {
 
   private void read() {
     mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
-    surface = SurfaceReader.read(shape.node("appearance"), assets);
+    surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
   }
 
   private void observe() {

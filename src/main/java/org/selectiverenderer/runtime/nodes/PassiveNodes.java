@@ -14,8 +14,18 @@ final class PassiveNodes {
           "TwoSidedMaterial",
           "ImageTexture",
           "PixelTexture",
-          "MultiTexture",
           "TextureTransform");
+
+  private static final Set<String> TEXTURES =
+      Set.of(
+          "ComposedCubeMapTexture",
+          "ComposedTexture3D",
+          "MultiTexture",
+          "MultiTextureTransform",
+          "PixelTexture3D",
+          "TextureProperties",
+          "TextureTransform3D",
+          "TextureTransformMatrix3D");
 
   private static final Set<String> GEOMETRY =
       Set.of(
@@ -55,7 +65,11 @@ final class PassiveNodes {
           "CoordinateDouble",
           "FontStyle",
           "Normal",
-          "TextureCoordinate");
+          "MultiTextureCoordinate",
+          "TextureCoordinate",
+          "TextureCoordinate3D",
+          "TextureCoordinate4D",
+          "TextureCoordinateGenerator");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
@@ -73,6 +87,7 @@ final class PassiveNodes {
 
   static boolean isRead(String typeName) {
     return SHAPES.contains(typeName)
+        || TEXTURES.contains(typeName)
         || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
         || LIGHTS.contains(typeName)

@@ -37,6 +37,9 @@ out vec4 vertexColor;
 #ifdef TEXTURE
 out vec2 coordinate;
 #endif
+#ifdef DETAIL
+#include coordinate.glsl
+#endif
 
 #ifdef LIT_BY_VERTEX
 // What the pixels need of the light: all of it together where the colour is the same everywhere.
@@ -89,5 +92,8 @@ void main() {
 #endif
 #ifdef TEXTURE
   coordinate = (texture_[0] * texCoord.x + texture_[1] * texCoord.y + texture_[2]).xy;
+#endif
+#ifdef DETAIL
+  passCoordinates();
 #endif
 }

@@ -7,6 +7,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.runtime.render.gpu.DetailTextures;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
@@ -25,6 +26,7 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
  * @param numbers the material as the light model wants it
  * @param blended whether it is drawn over what is behind, back to front
  * @param rank of its program and texture in the order of drawing
+ * @param detail of a surface that has more than a material and an image, else null
  */
 public record DrawItem(
     ShapeInstance shape,
@@ -38,7 +40,8 @@ public record DrawItem(
     float[] numbers,
     float[] textureTransform,
     boolean blended,
-    int rank) {
+    int rank,
+    @Nullable DetailTextures detail) {
 
   /** The buffers, which other items may share. */
   public GpuMesh mesh() {
@@ -47,7 +50,9 @@ public record DrawItem(
 
   /** Whether every pixel of it covers what is behind. */
   boolean opaque() {
-    return !blended && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE);
+    return !blended
+        && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE)
+        && (detail == null || !detail.holes());
   }
 
   /** Which triangles of the buffers are its own. */

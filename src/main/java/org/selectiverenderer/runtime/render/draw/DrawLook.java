@@ -4,6 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.render.gpu.DetailTextures;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
@@ -17,6 +18,7 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
  * @param reaching the lights that reach the shape
  * @param material as the light model wants it; twelve numbers
  * @param textureTransform nine numbers
+ * @param detail of a surface that has more than that, else null
  */
 record DrawLook(
     ShapePrograms.Family byPixel,
@@ -28,4 +30,5 @@ record DrawLook(
     boolean blended,
     VertexLayout layout,
     Mesh.Primitive primitive,
-    boolean solid) {}
+    boolean solid,
+    @Nullable DetailTextures detail) {}

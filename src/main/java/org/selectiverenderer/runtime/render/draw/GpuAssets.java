@@ -174,7 +174,8 @@ final class GpuAssets {
         look.material().array(),
         look.textureTransform().array(),
         look.blended(),
-        looks.rank(look));
+        looks.rank(look),
+        look.detail());
   }
 
   /** Frees what none of the items uses. */

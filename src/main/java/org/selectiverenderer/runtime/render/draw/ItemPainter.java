@@ -98,6 +98,10 @@ final class ItemPainter {
       item.mesh().bind(gl);
     }
     needed.material(gl, item.numbers(), item.textureTransform());
+    if (item.detail() != null) {
+      needed.detail(gl, item.detail(), camera.view());
+      texture = null;
+    }
     needed.lights(gl, packed.numbers());
     place(item.place());
     needed.object(gl, object);
