@@ -30,7 +30,9 @@ public record TexCoordSource(NodeView node, String mapping, int set, String mode
           "COORD",
           "COORD-EYE",
           "SPHERE-REFLECT",
-          "SPHERE-REFLECT-LOCAL");
+          // Not in the standard, but in its cube maps' scenes.
+          "WORLDSPACENORMAL",
+          "WORLDSPACEREFLECTIONVECTOR");
 
   /** All of a geometry, in their order; none for one that has its own. */
   public static List<TexCoordSource> of(NodeView geometry) {

@@ -40,10 +40,13 @@ final class SamplingReader {
     };
   }
 
-  /** The fastest filter is the one that reads one pixel (18.4.9, table 18.7). */
+  /**
+   * FASTEST, which is every filter's default, leaves the choice to the program, as DEFAULT and
+   * NICEST do (18.4.9): whoever only gives boundary modes wants no coarse pixels.
+   */
   private static Minify minify(String filter) {
     return switch (filter) {
-      case "FASTEST", "NEAREST_PIXEL" -> Minify.NEAREST;
+      case "NEAREST_PIXEL" -> Minify.NEAREST;
       case "AVG_PIXEL" -> Minify.LINEAR;
       case "NEAREST_PIXEL_NEAREST_MIPMAP" -> Minify.NEAREST_NEAREST;
       case "NEAREST_PIXEL_AVG_MIPMAP" -> Minify.NEAREST_LINEAR;
@@ -53,6 +56,6 @@ final class SamplingReader {
   }
 
   private static boolean linear(String filter) {
-    return !filter.equals("FASTEST") && !filter.equals("NEAREST_PIXEL");
+    return !filter.equals("NEAREST_PIXEL");
   }
 }

@@ -25,6 +25,11 @@ final class TextureTransforms {
         : new TextureTransforms(List.of(node), false);
   }
 
+  /** That of a MultiTexture's channel; without a MultiTextureTransform there is none (18.4.3). */
+  @Nullable Matrix4f ofChannel(int channel) {
+    return several ? matrix("", channel) : null;
+  }
+
   /**
    * The matrix of a texture.
    *
@@ -70,7 +75,10 @@ final class TextureTransforms {
         .translate(translation[0], translation[1], 0);
   }
 
-  /** Likewise in space (33.4.5). */
+  /**
+   * In space a scale, a rotation and a translation as in a Transform (33.4.5). The clause tells no
+   * other order; other browsers have this one.
+   */
   private static Matrix4f space(Node node) {
     float[] center = node.floats("center");
     float[] scale = node.floats("scale");
@@ -78,8 +86,8 @@ final class TextureTransforms {
     float[] rotation = node.floats("rotation");
     Matrix4f matrix =
         new Matrix4f()
-            .translate(-center[0], -center[1], -center[2])
-            .scale(scale[0], scale[1], scale[2]);
+            .translate(translation[0], translation[1], translation[2])
+            .translate(center[0], center[1], center[2]);
     double length =
         Math.sqrt(
             rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
@@ -91,7 +99,7 @@ final class TextureTransforms {
           (float) (rotation[2] / length));
     }
     return matrix
-        .translate(center[0], center[1], center[2])
-        .translate(translation[0], translation[1], translation[2]);
+        .scale(scale[0], scale[1], scale[2])
+        .translate(-center[0], -center[1], -center[2]);
   }
 }

@@ -18,6 +18,7 @@ final class TextureUnits {
   private final List<TextureStage> stages = new ArrayList<>(0);
   private boolean ownMain;
   private boolean uncommon;
+  private boolean mainTints;
 
   private TextureUnits(Node appearance, @Nullable Node geometry, Assets assets) {
     this.assets = assets;
@@ -58,7 +59,7 @@ final class TextureUnits {
   /** Whether that image multiplies what is there. */
   boolean plainTints() {
     TextureUnit unit = main();
-    return unit != null && (unit.role() == Role.DIFFUSE || unit.source().components() <= 2);
+    return unit != null && (unit.role() == Role.DIFFUSE || mainTints);
   }
 
   /** Its transform as a 3 x 3 matrix, column by column, or null. */
@@ -124,7 +125,9 @@ final class TextureUnits {
 
   private void ofAppearance(@Nullable Node texture) {
     if (texture == null || !texture.type().name().equals("MultiTexture")) {
-      add(Role.MAIN, texture, "", 0);
+      if (texture != null && add(Role.MAIN, texture, "", 0)) {
+        mainTints = units.get(units.size() - 1).source().components() <= 2 || assets.multiplies(texture);
+      }
       return;
     }
     uncommon = true;
@@ -166,7 +169,8 @@ final class TextureUnits {
       mode = chosen.unknown() ? "" : chosen.mode();
       set = !chosen.unknown() ? TextureUnit.GENERATED : plane ? 0 : TextureUnit.BOUNDS;
     }
-    Matrix4f matrix = transforms.matrix(mapping, channel);
+    Matrix4f matrix =
+        role == Role.STAGE ? transforms.ofChannel(channel) : transforms.matrix(mapping, 0);
     boolean flat = matrix == null || (matrix.properties() & Matrix4f.PROPERTY_AFFINE) != 0;
     uncommon |= set != 0 || !plane || !flat || (role != Role.MAIN && role != Role.DIFFUSE);
     units.add(

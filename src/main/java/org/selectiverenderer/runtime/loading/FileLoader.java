@@ -98,7 +98,7 @@ final class FileLoader {
             find(node, content, inlined::add);
           } else if (tessellator.handles(node.type())) {
             assets.add(task(content, problems -> mesh(node, content, problems)));
-          } else if (node.type().is("X3DTexture2DNode")) {
+          } else if (node.type().is("X3DTextureNode")) {
             assets.add(task(content, problems -> image(node, content, problems)));
           }
         });

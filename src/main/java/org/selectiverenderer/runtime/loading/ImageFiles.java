@@ -7,7 +7,9 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
@@ -41,8 +43,8 @@ final class ImageFiles {
    */
   Optional<Texture.Image> read(NodeView texture, Path folder, Problems problems) {
     return switch (texture.type().name()) {
-      case "PixelTexture" -> pixels(texture, problems);
-      case "ImageTexture" -> {
+      case "PixelTexture", "PixelTexture3D" -> pixels(texture, problems);
+      case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D" -> {
         UrlChoice choice = UrlChoice.of(texture, root, folder, CONSEQUENCE);
         if (choice instanceof UrlChoice.File file) {
           yield file(texture, file.path(), problems);
@@ -54,14 +56,24 @@ final class ImageFiles {
     };
   }
 
-  /** The image in a PixelTexture. */
+  /** Whether a texture's image comes from a file that it names. */
+  static boolean named(NodeType texture) {
+    return texture.is("X3DTextureNode") && texture.field("url").isPresent();
+  }
+
+  /** The image in a PixelTexture or PixelTexture3D; of other textures none. */
   static Optional<Texture.Image> pixels(NodeView texture, Problems problems) {
+    String type = texture.type().name();
     try {
-      return Optional.of(ImageDecoder.pixels(texture.ints("image")));
+      return switch (type) {
+        case "PixelTexture" -> Optional.of(ImageDecoder.pixels(texture.ints("image")));
+        case "PixelTexture3D" -> Optional.of(ImageDecoder.volume(texture.ints("image")));
+        default -> Optional.empty();
+      };
     } catch (IOException e) {
       problems.error(
           texture.location(),
-          "the image of the PixelTexture %s; %s".formatted(e.getMessage(), CONSEQUENCE));
+          "the image of the %s %s; %s".formatted(type, e.getMessage(), CONSEQUENCE));
       return Optional.empty();
     }
   }
@@ -72,8 +84,18 @@ final class ImageFiles {
       problems.error(
           texture.location(),
           "%s %s; %s".formatted(root.display(file), decoded.fault, CONSEQUENCE));
+    } else if (isNoCube(texture, decoded.image)) {
+      problems.error(
+          texture.location(),
+          "%s holds no cube: an ImageCubeMapTexture takes a DDS image with six faces; %s"
+              .formatted(root.display(file), CONSEQUENCE));
     }
     return decoded.image;
+  }
+
+  private static boolean isNoCube(NodeView texture, Optional<Texture.Image> image) {
+    return texture.type().name().equals("ImageCubeMapTexture")
+        && image.filter(found -> found.layers() == CubeTexture.FACES).isEmpty();
   }
 
   private Decoded decode(Path file) {

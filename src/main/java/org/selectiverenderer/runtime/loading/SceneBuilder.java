@@ -81,12 +81,14 @@ final class SceneBuilder {
   private final class FileBuilder {
     private final FileContent content;
     private final UrlBase origin;
+    private final boolean modern;
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
 
     FileBuilder(FileContent content, List<Path> above) {
       this.content = content;
       X3dFile file = content.file();
+      modern = file.version().startsWith("4");
       // Nearly no growing: a node with a name has some without in it.
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<Path> including = new ArrayList<>(above);
@@ -227,8 +229,11 @@ final class SceneBuilder {
         store.origin(inline, origin);
         Optional.ofNullable(content.inlines().get(parsed))
             .ifPresent(outcome -> fill(inline, outcome.join()));
-      } else if (node.type().name().equals("ImageTexture")) {
+      } else if (ImageFiles.named(node.type())) {
         store.origin(node, origin);
+      }
+      if (modern && node.type().is("X3DTextureNode")) {
+        store.assets().multiply(node);
       }
       if (store.firstKept(node.type())) {
         content.info(

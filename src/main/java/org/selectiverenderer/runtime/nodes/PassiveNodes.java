@@ -20,6 +20,8 @@ final class PassiveNodes {
       Set.of(
           "ComposedCubeMapTexture",
           "ComposedTexture3D",
+          "ImageCubeMapTexture",
+          "ImageTexture3D",
           "MultiTexture",
           "MultiTextureTransform",
           "PixelTexture3D",

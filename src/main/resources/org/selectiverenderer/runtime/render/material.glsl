@@ -98,6 +98,10 @@ vec4 detailed() {
 #endif
   baseHere *= diffuse_;
 #endif
+#ifdef STAGES
+  vec4 plain = baseHere;
+  STAGES
+#endif
 #ifdef EMISSIVE_TEXEL
   vec3 glow_ = EMISSIVE_TEXEL.rgb;
 #ifdef PHYSICAL
@@ -142,12 +146,6 @@ vec4 detailed() {
 #endif
 #ifdef PHYSICAL
   color.rgb = encoded(color.rgb);
-#endif
-#ifdef STAGES
-  vec4 lit = clamp(color, 0.0, 1.0);
-  color = lit;
-  STAGES
-  cover = color.a;
 #endif
 #ifdef CUT_OUT
   if (cover < 0.5) {

@@ -1,10 +1,8 @@
 // Light on a physical material: the metallic-roughness model of glTF 2.0 (appendix B), which X3D
 // 4.0, 17.2.2.6 shares: microfacets after GGX (Trowbridge and Reitz), their shadows after Smith, and
-// Fresnel's law after Schlick. Lights give out pi times what their fields say, so that an intensity
-// of 1 lights a white diffuse surface whole, as it does in the other model.
+// Fresnel's law after Schlick. Lights have no ambient part in it.
 void arrive(inout Light sum, vec4 color, float intensity, float factor, vec3 l, vec3 n, vec3 v) {
   vec3 arriving = factor * color.rgb;
-  sum.diffuse += arriving * color.a;
   vec3 h = normalize(l + v);
   float nl = max(dot(n, l), 0.0);
   float nv = max(abs(dot(n, v)), 1e-3);
@@ -20,5 +18,5 @@ void arrive(inout Light sum, vec4 color, float intensity, float factor, vec3 l, 
   vec3 fresnel = least + (1.0 - least) * pow(1.0 - vh, 5.0);
   vec3 scattered = (1.0 - fresnel) * (1.0 - metalHere) * baseHere.rgb;
   float thrown = shadow > 0.0 ? 0.5 * spread / shadow : 0.0;
-  sum.highlight += arriving * (intensity * nl) * (scattered + fresnel * thrown);
+  sum.highlight += arriving * (intensity * nl / 3.14159265) * (scattered + fresnel * thrown);
 }

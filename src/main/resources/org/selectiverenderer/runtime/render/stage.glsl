@@ -1,5 +1,6 @@
 // How a MultiTexture's textures are blended (X3D 4.0, 18.4.3, table 18.2): a is the texture's
-// colour, b what is there, d the lit colour of the surface, f the factor.
+// colour, b what is there, d the surface's own colour, f the factor. As a single texture does, they
+// make the diffuse colour, which is then lit.
 vec4 REPLACE(vec4 a, vec4 b, vec4 d, vec4 f) { return a; }
 vec4 SELECTARG1(vec4 a, vec4 b, vec4 d, vec4 f) { return a; }
 vec4 SELECTARG2(vec4 a, vec4 b, vec4 d, vec4 f) { return b; }
@@ -24,4 +25,8 @@ vec4 DOTPRODUCT3(vec4 a, vec4 b, vec4 d, vec4 f) {
 
 vec4 staged(vec4 color, vec4 alpha) {
   return clamp(vec4(color.rgb, alpha.a), 0.0, 1.0);
+}
+
+vec4 complement(vec4 color) {
+  return vec4(1.0 - color.rgb, color.a);
 }

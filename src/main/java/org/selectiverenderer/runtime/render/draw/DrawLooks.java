@@ -104,7 +104,7 @@ final class DrawLooks {
             surface,
             null,
             blended,
-            DetailDefines.of(detail, VertexLayout.of(drawn).more(), cutOut));
+            DetailDefines.of(detail, surface.tints(), VertexLayout.of(drawn).more(), cutOut));
     Surface back = detail.back();
     DetailTextures textured =
         new DetailTextures(

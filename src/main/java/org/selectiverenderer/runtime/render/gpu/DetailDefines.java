@@ -41,13 +41,18 @@ public final class DetailDefines {
   private DetailDefines() {}
 
   /**
+   * @param tints whether the Appearance's image multiplies the colour, else replaces it
    * @param sizes floats in each of the mesh's further texture coordinates
    * @param cutOut whether pixels of its images are there or not
    */
-  public static List<String> of(SurfaceDetail detail, List<Integer> sizes, boolean cutOut) {
+  public static List<String> of(
+      SurfaceDetail detail, boolean tints, List<Integer> sizes, boolean cutOut) {
     List<String> defines = new ArrayList<>();
     defines.add("DETAIL");
     defines.add("UNITS " + detail.units().size());
+    if (tints) {
+      defines.add("TINT");
+    }
     if (detail.physical()) {
       defines.add("PHYSICAL");
     }
@@ -77,9 +82,6 @@ public final class DetailDefines {
         stages.append(statement(detail.stages().get(stage++), texel));
       } else {
         String name = unit.role().name();
-        if (unit.role() == TextureUnit.Role.MAIN && unit.source().components() <= 2) {
-          defines.add("TINT");
-        }
         defines.add(name + "_TEXEL " + texel);
         if (unit.role() == TextureUnit.Role.NORMAL) {
           defines.add("NORMAL_PLACE " + place);
@@ -130,7 +132,8 @@ public final class DetailDefines {
   }
 
   private static boolean turned(TextureUnit unit) {
-    return unit.source() instanceof CubeTexture && unit.mode().startsWith("CAMERASPACE");
+    return unit.mode().startsWith("WORLDSPACE")
+        || (unit.source() instanceof CubeTexture && unit.mode().startsWith("CAMERASPACE"));
   }
 
   private static String coordinates(TextureUnit unit) {
@@ -142,9 +145,10 @@ public final class DetailDefines {
     }
     String direction =
         switch (unit.mode()) {
-          case "CAMERASPACENORMAL" -> "normalize(seenNormal)";
+          case "CAMERASPACENORMAL", "WORLDSPACENORMAL" -> "normalize(seenNormal)";
           case "CAMERASPACEPOSITION", "COORD-EYE" -> "seenAt";
-          case "CAMERASPACEREFLECTIONVECTOR", "SPHERE-REFLECT" -> "mirrored()";
+          case "CAMERASPACEREFLECTIONVECTOR", "SPHERE-REFLECT", "WORLDSPACEREFLECTIONVECTOR" ->
+              "mirrored()";
           case "SPHERE-LOCAL" -> "sphereOf(normalize(localNormal))";
           case "COORD" -> "localAt";
           default -> "sphereOf(normalize(seenNormal))";
@@ -158,21 +162,21 @@ public final class DetailDefines {
   private static String statement(TextureStage stage, String texel) {
     String source =
         switch (stage.source()) {
-          case "DIFFUSE" -> "lit";
-          case "SPECULAR" -> "vec4(shineHere.rgb, lit.a)";
+          case "DIFFUSE" -> "plain";
+          case "SPECULAR" -> "vec4(shineHere.rgb, plain.a)";
           case "FACTOR" -> "detail[1]";
-          default -> "color";
+          default -> "baseHere";
         };
-    String call = "%s(" + texel + ", " + source + ", lit, detail[1])";
+    String call = "%s(" + texel + ", " + source + ", plain, detail[1])";
     String result =
         "staged("
             + call.formatted(mode(stage.mode()))
             + ", "
             + call.formatted(mode(stage.alphaMode()))
             + ")";
-    return "color = "
+    return "baseHere = "
         + switch (stage.function()) {
-          case "COMPLEMENT" -> "1.0 - " + result;
+          case "COMPLEMENT" -> "complement(" + result + ")";
           case "ALPHAREPLICATE" -> result + ".aaaa";
           default -> result;
         }
