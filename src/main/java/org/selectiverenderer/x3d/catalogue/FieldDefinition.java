@@ -28,6 +28,16 @@ public record FieldDefinition(
     List<String> nodeTypes,
     @Nullable Object defaultValue) {
 
+  /**
+   * A field that a node's author declares: without bounds, and nodes of any type fit.
+   *
+   * @param index among the fields of the node's own type
+   */
+  public static FieldDefinition own(int index, String name, FieldType type, FieldAccess access) {
+    return new FieldDefinition(
+        index, name, type, access, "", "", "", List.of(), List.of(), type.zero());
+  }
+
   @Override
   public String toString() {
     return access.spelling() + " " + type + " " + name;

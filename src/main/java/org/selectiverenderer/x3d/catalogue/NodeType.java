@@ -1,12 +1,17 @@
 package org.selectiverenderer.x3d.catalogue;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** A concrete node type of the catalogue. Immutable; compare by identity. */
+/**
+ * A concrete node type of the catalogue, or one with fields of a single node's own besides (see
+ * {@link #with}). Immutable. Those of the catalogue may be compared by identity, all by {@link
+ * #name()} and {@link #is}.
+ */
 public final class NodeType {
   private final String name;
   private final String component;
@@ -33,6 +38,20 @@ public final class NodeType {
     for (FieldDefinition field : fields) {
       fieldsByName.put(field.name(), field);
     }
+  }
+
+  /**
+   * The type of a node with fields of its own, as the author of a Script or a shader declares them
+   * (X3D 4.0, 29.2.2): name, component and ancestors are this type's, and its fields keep their
+   * indices.
+   *
+   * @param own the further fields, whose indices go on where this type's end
+   */
+  public NodeType with(List<FieldDefinition> own) {
+    List<FieldDefinition> all = new ArrayList<>(fields.size() + own.size());
+    all.addAll(fields);
+    all.addAll(own);
+    return new NodeType(name, component, level, containerField, ancestors, all);
   }
 
   public String name() {

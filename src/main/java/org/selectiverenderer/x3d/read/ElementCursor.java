@@ -39,8 +39,8 @@ interface ElementCursor {
   /** An attribute as a value; what is wrong with it is reported. Null when nothing can be used. */
   @Nullable Object attributeValue(int index, FieldType type);
 
-  /** Gathers the text directly within the current element. */
-  void collectText(StringBuilder into);
+  /** Gathers the text directly within the current element, and where it begins. */
+  void collectText(GatheredText into);
 
   /** The current element with all within it, for walking through it again; leaves the element. */
   DocumentElement record();

@@ -38,11 +38,10 @@ final class IsReader {
                 .or(() -> node.type().input(name))
                 .or(() -> node.type().output(name))
                 .orElse(null);
-        boolean own = field == null && node.type().field("field").isPresent();
         if (field != null && field.type() == connection.field().type()) {
           instance.connect(connection.field().name(), new ProtoInstance.Connection(named, name));
           give(node, field, instance.value(connection.field()), children, in.location());
-        } else if (!own) {
+        } else {
           mismatch(in.location(), node.type().name(), connection);
         }
       }
@@ -66,7 +65,7 @@ final class IsReader {
     List<?> given = value instanceof List<?> list ? list : List.of(value);
     for (Object child : given) {
       ParsedNode childNode = (ParsedNode) child;
-      if (Containment.accepts(field, childNode.type())) {
+      if (field.nodeTypes().isEmpty() || Containment.accepts(field, childNode.type())) {
         children.put(field, childNode, location);
       } else {
         reading.error(

@@ -22,7 +22,7 @@ final class NameScope {
   private final @Nullable NameScope enclosing;
   private final @Nullable ProtoInstance instance;
   private final Map<String, Named> names = new LinkedHashMap<>();
-  private final Set<ParsedNode> open = Collections.newSetFromMap(new IdentityHashMap<>());
+  private Set<ParsedNode> open = Collections.newSetFromMap(new IdentityHashMap<>());
   private final Map<String, ProtoDeclaration> prototypes = new HashMap<>();
   private final Set<String> external = new HashSet<>();
   private final Set<String> imported = new HashSet<>();
@@ -58,6 +58,22 @@ final class NameScope {
 
   void close(ParsedNode node) {
     open.remove(node);
+  }
+
+  /**
+   * From here on no node is open: a Script's field may hold a node that the Script stands in, since
+   * what the field holds is no part of the scene.
+   *
+   * @return what {@link #reopen} takes
+   */
+  Set<ParsedNode> closeAll() {
+    Set<ParsedNode> before = open;
+    open = Collections.newSetFromMap(new IdentityHashMap<>());
+    return before;
+  }
+
+  void reopen(Set<ParsedNode> before) {
+    open = before;
   }
 
   boolean isOpen(ParsedNode node) {

@@ -1,9 +1,12 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.ElementLocation;
 
 /** Turns elements into nodes, and gives the statements between them to who reads those. */
@@ -24,6 +27,9 @@ final class NodeReader {
     /** Reads the attributes of the current element. */
     void link(ElementCursor in);
   }
+
+  /** The schemes of programs that stand in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
+  private static final Pattern PROGRAM = Pattern.compile("(?i)\\b(ecmascript|javascript|vrmlscript):\\s*");
 
   private final ReadState reading;
   private final RouteReader routes;
@@ -197,24 +203,38 @@ final class NodeReader {
         if (value != null) {
           node.put(field.index(), value);
         }
+        if (name.equals("url") && type.is("X3DScriptNode")) {
+          program(in, i, node);
+        }
       }
+    }
+  }
+
+  /** Notes where a program begins that stands in a {@code url} itself. */
+  private void program(ElementCursor in, int attribute, ParsedNode node) {
+    Matcher scheme = PROGRAM.matcher(in.attributeText(attribute));
+    if (scheme.find()) {
+      int leading = Tokens.leading(in.attributeText(attribute));
+      node.textLocation(in.place().inAttribute(attribute, scheme.end() - leading));
     }
   }
 
   private void content(ElementCursor in, NameScope scope, NameScope.Named named) {
     ParsedNode node = named.node();
     FieldDefinition source = node.type().field("sourceCode").orElse(null);
-    StringBuilder text = null;
+    GatheredText text = new GatheredText();
     if (source != null) {
-      text = new StringBuilder();
       in.collectText(text);
     }
+    OwnFields own = node.type().field("field").isPresent() ? new OwnFields(node, reading) : null;
     Children children = new Children(node, reading);
     while (in.next()) {
-      if (in.name().equals("IS")) {
+      if (in.name().equals("field") && own != null) {
+        own.read(in, scope, this);
+      } else if (in.name().equals("IS") && own != null) {
+        own.connectLater(in);
+      } else if (in.name().equals("IS")) {
         connecting.connect(in, scope, named, children);
-      } else if (in.name().equals("field") && node.type().field("field").isPresent()) {
-        scriptField(in, scope);
       } else {
         Child child = read(in, scope);
         if (child != null) {
@@ -222,20 +242,17 @@ final class NodeReader {
         }
       }
     }
-    children.finish();
-    if (text != null && source != null && !text.toString().isBlank()) {
-      node.put(source.index(), text.toString().strip());
+    if (own != null) {
+      own.declare();
+      own.connections()
+          .forEach(
+              is -> connecting.connect(TreeCursor.at(is, reading), scope, named, children));
     }
-  }
-
-  /** A script's own field is of no use without the script; but nodes in it may have names. */
-  private void scriptField(ElementCursor in, NameScope scope) {
-    while (in.next()) {
-      if (in.name().equals("IS")) {
-        in.skip();
-      } else {
-        read(in, scope);
-      }
+    children.finish();
+    Location start = text.start();
+    if (source != null && start != null) {
+      node.put(source.index(), text.text().strip());
+      node.textLocation(start);
     }
   }
 }

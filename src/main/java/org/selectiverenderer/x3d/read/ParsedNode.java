@@ -1,7 +1,10 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.Arrays;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -12,10 +15,11 @@ import org.selectiverenderer.x3d.field.FieldType;
  * else treats it as immutable.
  */
 public final class ParsedNode implements NodeView {
-  private final NodeType type;
   private final @Nullable String name;
   private final Location location;
-  private final @Nullable Object[] values;
+  private NodeType type;
+  private @Nullable Object[] values;
+  private @Nullable Location textLocation;
 
   /** A node with all fields at their defaults. */
   public ParsedNode(NodeType type, @Nullable String name, Location location) {
@@ -54,6 +58,25 @@ public final class ParsedNode implements NodeView {
   /** Gives a field its value, as {@link FieldType} represents it. For readers. */
   public void put(int field, Object value) {
     values[field] = value;
+  }
+
+  /** Gives the node fields of its own. For readers, before anybody else has the node. */
+  void declare(List<FieldDefinition> own) {
+    type = type.with(own);
+    values = Arrays.copyOf(values, type.fields().size());
+  }
+
+  /**
+   * Where the text of its program begins, if it has one: the characters between its tags, or those
+   * in its {@code url}. Else where the node was read.
+   */
+  public Location textLocation() {
+    return textLocation != null ? textLocation : location;
+  }
+
+  /** Notes where the text of its program begins. For readers. */
+  public void textLocation(Location place) {
+    textLocation = place;
   }
 
   @Override

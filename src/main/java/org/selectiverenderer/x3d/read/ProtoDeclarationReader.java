@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -55,18 +54,8 @@ final class ProtoDeclarationReader {
 
   private ProtoDeclaration.@Nullable Field field(ElementCursor in) {
     Location location = in.location();
-    String name = in.attribute("name");
-    String typeName = in.attribute("type");
-    String accessName = in.attribute("accessType");
-    FieldType type = null;
-    for (FieldType candidate : FieldType.values()) {
-      type = candidate.name().equals(typeName) ? candidate : type;
-    }
-    FieldAccess access = null;
-    for (FieldAccess candidate : FieldAccess.values()) {
-      access = candidate.spelling().equals(accessName) ? candidate : access;
-    }
-    if (!in.name().equals("field") || name == null || type == null || access == null) {
+    FieldElement declared = FieldElement.of(in);
+    if (declared == null) {
       reading.error(
           location,
           "a ProtoInterface may contain only field elements with name, type and "
@@ -77,10 +66,11 @@ final class ProtoDeclarationReader {
       return null;
     }
     int value = in.indexOf("value");
+    FieldType type = declared.type();
     Object parsed = value >= 0 && !type.isNode() ? in.attributeValue(value, type) : null;
     List<DocumentElement> children = in.record().children();
     return new ProtoDeclaration.Field(
-        name, type, access, parsed, type.isNode() ? children : List.of());
+        declared.name(), type, declared.access(), parsed, type.isNode() ? children : List.of());
   }
 
   /** Reads an ExternProtoDeclare, which is told and left out with its instances. */

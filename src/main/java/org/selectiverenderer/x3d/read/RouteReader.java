@@ -103,19 +103,6 @@ final class RouteReader {
     if (resolve(named, end.field(), input, found)) {
       return found;
     }
-    ParsedNode node = named.node();
-    if (named.instance() == null
-        && (node.type().field("sourceCode").isPresent() || node.type().field("field").isPresent())
-        && node.type().field(end.field()).isEmpty()) {
-      reading.info(
-          route.location(),
-          "scripts and shaders are not run; the route "
-              + route.from()
-              + " to "
-              + route.to()
-              + " is left out");
-      return null;
-    }
     leaveOut(route, why(named, end, input));
     return null;
   }

@@ -114,8 +114,11 @@ final class TreeCursor implements ElementCursor {
   }
 
   @Override
-  public void collectText(StringBuilder into) {
-    into.append(element().text());
+  public void collectText(GatheredText into) {
+    DocumentElement from = element();
+    if (!from.text().isBlank()) {
+      into.add(from.text(), from.textLocation(), from.textStart());
+    }
   }
 
   @Override

@@ -21,7 +21,7 @@ final class XmlCursor implements ElementCursor {
   private final XmlEvents xml;
   private final ReadState reading;
   private final boolean cut;
-  private final List<@Nullable StringBuilder> gathered = new ArrayList<>();
+  private final List<@Nullable GatheredText> gathered = new ArrayList<>();
   private Flaws flaws = new Flaws();
   private @Nullable ElementLocation place;
   private boolean broken;
@@ -57,9 +57,11 @@ final class XmlCursor implements ElementCursor {
           return false;
         }
         case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
-          StringBuilder into = gathered.get(gathered.size() - 1);
+          GatheredText into = gathered.get(gathered.size() - 1);
           if (into != null) {
-            into.append(xml.text());
+            String text = xml.text();
+            int start = into.begun() || text.isBlank() ? 0 : xml.textStart();
+            into.add(text, start == 0 ? null : xml.source().location(start), start);
           }
         }
         case XMLStreamConstants.ENTITY_REFERENCE ->
@@ -134,7 +136,7 @@ final class XmlCursor implements ElementCursor {
   }
 
   @Override
-  public void collectText(StringBuilder into) {
+  public void collectText(GatheredText into) {
     gathered.set(gathered.size() - 1, into);
   }
 
@@ -155,7 +157,7 @@ final class XmlCursor implements ElementCursor {
       attributes.add(new DocumentAttribute(recorded, i, attributeName(i), attributeText(i)));
     }
     recorded.attributes(attributes);
-    StringBuilder text = new StringBuilder(0);
+    GatheredText text = new GatheredText();
     collectText(text);
     while (next()) {
       if (reading.spend(location()) && reading.enter(location())) {
@@ -165,8 +167,8 @@ final class XmlCursor implements ElementCursor {
         skip();
       }
     }
-    if (!text.toString().isBlank()) {
-      recorded.addText(text.toString(), recorded.tagEnd());
+    if (text.begun()) {
+      recorded.addText(text.text(), text.offset());
     }
     return recorded;
   }

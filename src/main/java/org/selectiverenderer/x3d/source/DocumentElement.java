@@ -168,6 +168,11 @@ public final class DocumentElement {
         : source.location(content.textStart);
   }
 
+  /** The offset of where that text begins; of the element if there is none. */
+  public int textStart() {
+    return content == null || content.text == null ? start : content.textStart;
+  }
+
   /** The text's revision in which it or something in it changed last. */
   public long changed() {
     return changed;

@@ -92,7 +92,7 @@ public final class DocumentParser extends ElementParser {
     switch (event) {
       case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
         if (in != null && !xml.blank()) {
-          in.addText(xml.text(), xml.start());
+          in.addText(xml.text(), xml.textStart());
         }
       }
       case XMLStreamConstants.COMMENT ->

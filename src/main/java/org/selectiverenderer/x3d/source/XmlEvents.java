@@ -21,6 +21,7 @@ public final class XmlEvents {
   public static final int NONE = -1;
 
   private static final char[] EMPTY = {};
+  private static final String CDATA = "<![CDATA[";
 
   private final TextSource source;
   private final SourceText text;
@@ -103,6 +104,19 @@ public final class XmlEvents {
       breakOff(e);
       return "";
     }
+  }
+
+  /** The offset of the first character of the text that came which is no white space. */
+  public int textStart() {
+    CharSequence characters = source.characters();
+    int at = start();
+    if (CDATA.contentEquals(characters.subSequence(at, Math.min(at + CDATA.length(), characters.length())))) {
+      at += CDATA.length();
+    }
+    while (at < characters.length() && characters.charAt(at) <= ' ') {
+      at++;
+    }
+    return at;
   }
 
   /** Whether the text that came is white space. */

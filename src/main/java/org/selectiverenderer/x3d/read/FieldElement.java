@@ -1,0 +1,26 @@
+package org.selectiverenderer.x3d.read;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/** What a {@code field} element declares, in the interface of a prototype or of a Script. */
+record FieldElement(String name, FieldType type, FieldAccess access) {
+  /** Reads the current element's attributes; null when it is none, or one of them is wrong. */
+  static @Nullable FieldElement of(ElementCursor in) {
+    String name = in.attribute("name");
+    String typeName = in.attribute("type");
+    String accessName = in.attribute("accessType");
+    FieldType type = null;
+    for (FieldType candidate : FieldType.values()) {
+      type = candidate.name().equals(typeName) ? candidate : type;
+    }
+    FieldAccess access = null;
+    for (FieldAccess candidate : FieldAccess.values()) {
+      access = candidate.spelling().equals(accessName) ? candidate : access;
+    }
+    return !in.name().equals("field") || name == null || type == null || access == null
+        ? null
+        : new FieldElement(name, type, access);
+  }
+}

@@ -1,0 +1,145 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * The {@code field} elements of one Script or shader, which become fields of its own (X3D 4.0,
+ * 29.2.2 and 31.2.2.3). All become known when the node ends, and with them what IS connects.
+ */
+final class OwnFields {
+  private final ParsedNode node;
+  private final ReadState reading;
+  private final List<FieldDefinition> fields = new ArrayList<>();
+  private final List<@Nullable Object> values = new ArrayList<>();
+  private final List<DocumentElement> connections = new ArrayList<>();
+  private final Set<String> names = new HashSet<>();
+
+  OwnFields(ParsedNode node, ReadState reading) {
+    this.node = node;
+    this.reading = reading;
+    node.type().fields().forEach(field -> names.add(field.name()));
+  }
+
+  /** Reads the current element, a {@code field}, to its end. */
+  void read(ElementCursor in, NameScope scope, NodeReader nodes) {
+    Location location = in.location();
+    FieldElement declared = FieldElement.of(in);
+    if (declared == null) {
+      reading.error(
+          location,
+          "a field of a "
+              + node.type()
+              + " needs a name, a type such as SFFloat, and one of the accessTypes "
+              + "initializeOnly, inputOnly, outputOnly and inputOutput; this one is left out");
+    } else if (!names.add(declared.name())) {
+      reading.error(
+          location,
+          "the "
+              + node.type()
+              + " has a field "
+              + declared.name()
+              + " already; this one is left out; give it another name");
+      declared = null;
+    }
+    Object value = value(in, declared);
+    List<ParsedNode> inner = new ArrayList<>();
+    Set<ParsedNode> open = scope.closeAll();
+    while (in.next()) {
+      if (in.name().equals("IS")) {
+        in.skip(); // A field is connected by the IS of its node (ISO/IEC 19776-1, 4.3.11).
+      } else {
+        NodeReader.Child child = nodes.read(in, scope);
+        if (child != null) {
+          inner.add(child.node());
+        }
+      }
+    }
+    scope.reopen(open);
+    if (declared != null && reading.spend(location)) {
+      if (declared.type().isNode() && declared.access().initialisable()) {
+        value = nodes(declared, inner, location);
+      }
+      fields.add(
+          FieldDefinition.own(
+              node.type().fields().size() + fields.size(),
+              declared.name(),
+              declared.type(),
+              declared.access()));
+      values.add(value);
+    }
+  }
+
+  private @Nullable Object value(ElementCursor in, @Nullable FieldElement declared) {
+    int attribute = in.indexOf("value");
+    if (declared == null || attribute < 0) {
+      return null;
+    }
+    FieldAccess access = declared.access();
+    if (!access.initialisable()) {
+      if (!in.attributeText(attribute).isBlank()) {
+        reading.warning(
+            reading.at(in.place(), attribute),
+            declared.name()
+                + " is "
+                + access.spelling()
+                + " and cannot have a value in a file; it is left out");
+      }
+      return null;
+    }
+    if (declared.type().isNode()) {
+      if (!in.attributeText(attribute).isBlank() && !in.attributeText(attribute).equals("NULL")) {
+        reading.warning(
+            reading.at(in.place(), attribute),
+            "the value of " + declared.name() + " must be a child element; it is left out");
+      }
+      return null;
+    }
+    return in.attributeValue(attribute, declared.type());
+  }
+
+  private @Nullable Object nodes(
+      FieldElement declared, List<ParsedNode> inner, Location location) {
+    if (declared.type() == FieldType.MFNode) {
+      return List.copyOf(inner);
+    }
+    if (inner.size() > 1) {
+      reading.error(
+          location,
+          declared.name() + " can hold only one node; those behind the first are left out");
+    }
+    return inner.isEmpty() ? null : inner.get(0);
+  }
+
+  /** Keeps the current element, an IS, until all fields are known. */
+  void connectLater(ElementCursor in) {
+    connections.add(in.record());
+  }
+
+  /** The IS elements kept. */
+  List<DocumentElement> connections() {
+    return connections;
+  }
+
+  /** Gives the node its fields and their values. */
+  void declare() {
+    if (fields.isEmpty()) {
+      return;
+    }
+    node.declare(fields);
+    for (int i = 0; i < fields.size(); i++) {
+      Object value = values.get(i);
+      if (value != null) {
+        node.put(fields.get(i).index(), value);
+      }
+    }
+  }
+}
