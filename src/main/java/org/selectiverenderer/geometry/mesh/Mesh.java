@@ -1,5 +1,6 @@
 package org.selectiverenderer.geometry.mesh;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,6 +13,8 @@ import org.jspecify.annotations.Nullable;
  *     are drawn unlit
  * @param colors r, g, b, a per vertex, or null: they replace the material's diffuse colour
  * @param texCoords s, t per vertex, or null when the geometry has none
+ * @param moreTexCoords what else a MultiTextureCoordinate, a TextureCoordinate3D or 4D gives; what
+ *     refines, merges or simplifies a mesh leaves them out
  * @param indices into the vertices; triangles are wound counter-clockwise seen from their front
  * @param solid whether only the front is seen
  * @param bounds min x, y, z, max x, y, z of the positions used; empty geometry has min above max
@@ -22,9 +25,31 @@ public record Mesh(
     float @Nullable [] normals,
     float @Nullable [] colors,
     float @Nullable [] texCoords,
+    List<TexCoords> moreTexCoords,
     int[] indices,
     boolean solid,
     float[] bounds) {
+
+  /**
+   * Texture coordinates of any size.
+   *
+   * @param components 2, 3 or 4 numbers per vertex: s, t, r, q
+   * @param values of all vertices one after the other
+   */
+  public record TexCoords(int components, float[] values) {}
+
+  /** A mesh with one set of texture coordinates at most. */
+  public Mesh(
+      Primitive primitive,
+      float[] positions,
+      float @Nullable [] normals,
+      float @Nullable [] colors,
+      float @Nullable [] texCoords,
+      int[] indices,
+      boolean solid,
+      float[] bounds) {
+    this(primitive, positions, normals, colors, texCoords, List.of(), indices, solid, bounds);
+  }
 
   /** What the indices make. */
   public enum Primitive {

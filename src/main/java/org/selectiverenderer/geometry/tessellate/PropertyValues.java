@@ -1,5 +1,7 @@
 package org.selectiverenderer.geometry.tessellate;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
@@ -79,33 +81,46 @@ final class PropertyValues {
   }
 
   /**
-   * The points of {@code texCoord}, of its first child when it is a MultiTextureCoordinate; null
-   * when there are none, so that the geometry's own coordinates are used.
+   * The points of the first TextureCoordinate of {@code texCoord}; null when there is none, so that
+   * the geometry's own coordinates are used.
    */
   static float @Nullable [] texCoords(TessellationJob job) {
-    NodeView texCoord = job.node().node("texCoord");
-    if (texCoord != null && texCoord.type().name().equals("MultiTextureCoordinate")) {
-      var children = texCoord.nodes("texCoord");
-      texCoord = children.isEmpty() ? null : children.get(0);
-    }
-    if (texCoord == null) {
-      return null;
-    }
-    if (!texCoord.type().name().equals("TextureCoordinate")) {
-      job.problem(
-          "has a "
-              + texCoord.type().name()
-              + ", which is not supported; default texture coordinates are used");
-      return null;
-    }
-    float[] given = texCoord.floats("point");
-    for (float value : given) {
-      if (!(Math.abs(value) < Float.POSITIVE_INFINITY)) {
+    for (TexCoordSource source : TexCoordSource.of(job.node())) {
+      if (source.set() == 0) {
+        float[] given = source.node().floats("point");
+        return finite(given, job, "default texture coordinates are used") ? given : null;
+      }
+      if (source.unknown()) {
         job.problem(
-            "has texture coordinates that are not finite; default texture coordinates are used");
-        return null;
+            "has a %s that is not supported; default texture coordinates are used"
+                .formatted(source.words()));
       }
     }
-    return given;
+    return null;
+  }
+
+  /** The points of the other nodes of {@code texCoord} that hold some, in their order. */
+  static List<VertexAttribute> moreTexCoords(TessellationJob job) {
+    List<VertexAttribute> more = new ArrayList<>();
+    for (TexCoordSource source : TexCoordSource.of(job.node())) {
+      if (source.set() > 0) {
+        float[] given = source.node().floats("point");
+        boolean usable = finite(given, job, "they are all 0");
+        more.add(
+            new VertexAttribute(
+                usable ? given : new float[given.length], source.components(), null));
+      }
+    }
+    return more;
+  }
+
+  private static boolean finite(float[] given, TessellationJob job, String otherwise) {
+    for (float value : given) {
+      if (!(Math.abs(value) < Float.POSITIVE_INFINITY)) {
+        job.problem("has texture coordinates that are not finite; " + otherwise);
+        return false;
+      }
+    }
+    return true;
   }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.geometry.tessellate;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
@@ -64,7 +66,27 @@ final class SurfaceMesher {
             true,
             "generated");
     VertexAttribute normals = given == null ? null : complete(given);
-    return mesh(colors, normals, texCoords == null ? ownTexCoords : texCoords, creaseAngle);
+    return mesh(
+        colors,
+        normals,
+        texCoords == null ? ownTexCoords : texCoords,
+        more(indices.texCoord()),
+        creaseAngle);
+  }
+
+  /** Texture coordinates beside the first; their places in the list stay, whatever they hold. */
+  private List<VertexAttribute> more(int[] index) {
+    List<VertexAttribute> more = new ArrayList<>();
+    for (VertexAttribute given : PropertyValues.moreTexCoords(job)) {
+      int size = given.components();
+      VertexAttribute usable =
+          attribute("texture coordinates", given.values(), size, index, true, "all 0");
+      more.add(
+          usable != null
+              ? usable
+              : new VertexAttribute(new float[size], size, new int[corners.length]));
+    }
+    return more;
   }
 
   /** The mesh with given properties; normals that are null are generated. */
@@ -73,11 +95,20 @@ final class SurfaceMesher {
       @Nullable VertexAttribute normals,
       @Nullable VertexAttribute texCoords,
       double creaseAngle) {
+    return mesh(colors, normals, texCoords, List.of(), creaseAngle);
+  }
+
+  private Mesh mesh(
+      @Nullable VertexAttribute colors,
+      @Nullable VertexAttribute normals,
+      @Nullable VertexAttribute texCoords,
+      List<VertexAttribute> moreTexCoords,
+      double creaseAngle) {
     VertexAttribute shaded =
         normals != null
             ? normals
             : GeneratedNormals.of(points.xyz(), corners, triangles.faces(), faceCount, creaseAngle);
-    return new Welder(points.xyz(), corners, shaded, colors, texCoords)
+    return new Welder(points.xyz(), corners, shaded, colors, texCoords, moreTexCoords)
         .mesh(Mesh.Primitive.TRIANGLES, job.node().bool("solid"), true);
   }
 

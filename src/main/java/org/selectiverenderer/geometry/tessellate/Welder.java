@@ -1,6 +1,8 @@
 package org.selectiverenderer.geometry.tessellate;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.ValueWelder;
@@ -16,6 +18,7 @@ final class Welder {
   private final @Nullable VertexAttribute normals;
   private final @Nullable VertexAttribute colors;
   private final @Nullable VertexAttribute texCoords;
+  private final List<VertexAttribute> more;
 
   // Of each vertex: its point, and a corner that it stands for.
   private int[] vertexPoint = {};
@@ -32,11 +35,25 @@ final class Welder {
       @Nullable VertexAttribute normals,
       @Nullable VertexAttribute colors,
       @Nullable VertexAttribute texCoords) {
+    this(points, corners, normals, colors, texCoords, List.of());
+  }
+
+  /**
+   * @param more texture coordinates beside the first
+   */
+  Welder(
+      float[] points,
+      int[] corners,
+      @Nullable VertexAttribute normals,
+      @Nullable VertexAttribute colors,
+      @Nullable VertexAttribute texCoords,
+      List<VertexAttribute> more) {
     this.points = points;
     this.corners = corners;
     this.normals = normals;
     this.colors = colors;
     this.texCoords = texCoords;
+    this.more = more;
   }
 
   /**
@@ -51,8 +68,8 @@ final class Welder {
     float[] color = gather(colors);
     float[] texCoord = gather(texCoords);
     ValueWelder byValue = new ValueWelder(vertexCount, positions, normal, color, texCoord);
-    int unique = byValue.weld();
-    if (unique < vertexCount) {
+    // Few meshes have more coordinates, and hardly one of these equal tuples of other numbers.
+    if (more.isEmpty() && byValue.weld() < vertexCount) {
       byValue.rename(indices);
       positions = byValue.compact(positions, 3);
       normal = normal == null ? null : byValue.compact(normal, 3);
@@ -63,11 +80,19 @@ final class Welder {
     if (texCoord == null && defaultTexCoords) {
       texCoord = DefaultTextureCoordinates.of(positions, bounds);
     }
-    return new Mesh(primitive, positions, normal, color, texCoord, indices, solid, bounds);
+    List<Mesh.TexCoords> others = new ArrayList<>(more.size());
+    for (VertexAttribute other : more) {
+      float[] values = gather(other.values(), other.components(), other.ids());
+      others.add(new Mesh.TexCoords(other.components(), values));
+    }
+    return new Mesh(primitive, positions, normal, color, texCoord, others, indices, solid, bounds);
   }
 
   private boolean byPoint() {
-    return byPoint(normals) && byPoint(colors) && byPoint(texCoords);
+    return byPoint(normals)
+        && byPoint(colors)
+        && byPoint(texCoords)
+        && more.stream().allMatch(Welder::byPoint);
   }
 
   private static boolean byPoint(@Nullable VertexAttribute attribute) {
@@ -158,6 +183,9 @@ final class Welder {
     h = h * 31 + id(normals, corner);
     h = h * 31 + id(colors, corner);
     h = h * 31 + id(texCoords, corner);
+    for (VertexAttribute other : more) {
+      h = h * 31 + id(other, corner);
+    }
     h *= 0x9E3779B1;
     return h ^ h >>> 15;
   }
@@ -166,7 +194,17 @@ final class Welder {
     return corners[a] == corners[b]
         && id(normals, a) == id(normals, b)
         && id(colors, a) == id(colors, b)
-        && id(texCoords, a) == id(texCoords, b);
+        && id(texCoords, a) == id(texCoords, b)
+        && sameMore(a, b);
+  }
+
+  private boolean sameMore(int a, int b) {
+    for (VertexAttribute other : more) {
+      if (id(other, a) != id(other, b)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static int id(@Nullable VertexAttribute attribute, int corner) {

@@ -51,7 +51,7 @@ final class Reflectance {
       }
       float[] linear = Photometry.linear(rgb);
       if (texture != null) {
-        paint(linear, texture, surface.textureTransform(), mesh, i);
+        paint(linear, texture, surface.tints(), surface.textureTransform(), mesh, i);
       }
       System.arraycopy(limited(linear, opaque), 0, all, i, 3);
     }
@@ -65,9 +65,9 @@ final class Reflectance {
     return rgb;
   }
 
-  /** A grey image tints, a coloured one replaces (X3D 4.0, 18.2.1). */
+  /** An image tints or replaces the colour (X3D 4.0, 18.2.1). */
   private static void paint(
-      float[] rgb, Texture texture, float[] transform, Mesh mesh, int firstIndex) {
+      float[] rgb, Texture texture, boolean tints, float[] transform, Mesh mesh, int firstIndex) {
     double[] sum = new double[3];
     for (double[] place : PLACES) {
       double s = 0;
@@ -91,7 +91,6 @@ final class Reflectance {
         sum[c] += Photometry.linear((image.rgba()[at + c] & 0xff) / 255.0);
       }
     }
-    boolean tints = texture.image().components() <= 2;
     for (int c = 0; c < 3; c++) {
       double mean = sum[c] / PLACES.length;
       rgb[c] = (float) (tints ? rgb[c] * mean : mean);

@@ -21,6 +21,12 @@ public interface Assets {
     return Optional.empty();
   }
 
+  /**
+   * Whether the colours of an Appearance's texture multiply the material's, as they do since X3D
+   * 4.0 (17.2.2); those of three or four components replaced it before (3.3, 17.2.2.4).
+   */
+  boolean multiplies(Node texture);
+
   /** A geometry node (or a node in it) or a texture node has other values: forget its asset. */
   void changed(Node geometryOrTexture);
 }

@@ -71,7 +71,7 @@ final class ShapeLook implements NodeObserver {
     stroke = StrokeReader.read(shape.node("appearance"));
     mesh = LineLengths.of(geometry == null ? null : assets.mesh(geometry).orElse(null), stroke);
     anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
-    surface = SurfaceReader.read(shape.node("appearance"), assets);
+    surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
   }
 
   private void observe() {

@@ -12,7 +12,10 @@ import org.jspecify.annotations.Nullable;
  * @param shininess 0..1; the specular exponent is shininess * 128
  * @param transparency 0 opaque .. 1 invisible
  * @param texture the image that modulates the diffuse colour, or null
+ * @param tints whether the image's colour multiplies the diffuse colour, else replaces it
  * @param textureTransform the texture coordinates' 3x3 matrix, column by column, or null for none
+ * @param detail what goes beyond that, or null; the texture is then one of its units, for those who
+ *     look at no other
  */
 public record Surface(
     boolean lit,
@@ -23,7 +26,9 @@ public record Surface(
     float shininess,
     float transparency,
     @Nullable Texture texture,
-    float @Nullable [] textureTransform) {
+    boolean tints,
+    float @Nullable [] textureTransform,
+    @Nullable SurfaceDetail detail) {
 
   /** The look of a shape without an Appearance: unlit white (X3D 4.0, 12.4.5). */
   public static final Surface UNLIT_WHITE =
@@ -36,5 +41,23 @@ public record Surface(
           0,
           0,
           null,
+          false,
+          null,
           null);
+
+  /** The same with what goes beyond the others. */
+  Surface with(@Nullable SurfaceDetail more) {
+    return new Surface(
+        lit,
+        diffuse,
+        specular,
+        emissive,
+        ambientIntensity,
+        shininess,
+        transparency,
+        texture,
+        tints,
+        textureTransform,
+        more);
+  }
 }

@@ -1,7 +1,5 @@
 package org.selectiverenderer.runtime.instance;
 
-import java.util.Optional;
-import org.joml.Matrix3f;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
@@ -11,105 +9,106 @@ final class SurfaceReader {
 
   private SurfaceReader() {}
 
-  static Surface read(@Nullable Node appearance, Assets assets) {
+  /**
+   * @param geometry whose texture coordinates and colours the appearance meets
+   */
+  static Surface read(@Nullable Node appearance, @Nullable Node geometry, Assets assets) {
     if (appearance == null || !appearance.type().name().equals("Appearance")) {
       return Surface.UNLIT_WHITE;
     }
     Node material = appearance.node("material");
-    Texture texture = texture(appearance.node("texture"), assets).orElse(null);
-    float[] transform = transform(appearance.node("textureTransform"));
-    if (material == null) {
-      return unlit(Surface.UNLIT_WHITE.emissive(), 0, texture, transform);
+    TextureUnits units = TextureUnits.of(appearance, geometry, assets);
+    Surface plain = material(material, units, colorsHaveOpacity(geometry));
+    return plain.with(DetailReader.read(appearance, material, units));
+  }
+
+  /** The opacity of a ColorRGBA replaces the material's (X3D 4.0, 11.4.3). */
+  private static boolean colorsHaveOpacity(@Nullable Node geometry) {
+    if (geometry == null || geometry.type().field("color").isEmpty()) {
+      return false;
     }
-    return switch (material.type().name()) {
-      case "Material", "TwoSidedMaterial" ->
-          new Surface(
-              true,
-              material.floats("diffuseColor"),
-              material.floats("specularColor"),
-              material.floats("emissiveColor"),
-              material.number("ambientIntensity"),
-              material.number("shininess"),
-              material.number("transparency"),
-              texture != null ? texture : own(material, "diffuseTexture", assets),
-              transform);
-      case "UnlitMaterial" ->
-          unlit(
-              material.floats("emissiveColor"),
-              material.number("transparency"),
-              texture != null ? texture : own(material, "emissiveTexture", assets),
-              transform);
-      case "PhysicalMaterial" -> physical(material, texture, transform, assets);
-      default -> unlit(Surface.UNLIT_WHITE.emissive(), 0, texture, transform);
-    };
+    Node color = geometry.node("color");
+    return color != null && color.type().name().equals("ColorRGBA");
   }
 
-  private static Surface unlit(
-      float[] colour, float transparency, @Nullable Texture texture, float @Nullable [] transform) {
-    return new Surface(false, colour, BLACK, colour, 0, 0, transparency, texture, transform);
-  }
-
-  /**
-   * A physical material through the lighting model of Material: the base colour diffuse as far as
-   * it is no metal, a highlight that sharpens as roughness falls. An approximation that keeps the
-   * scene recognisable.
-   */
-  private static Surface physical(
-      Node material, @Nullable Texture texture, float @Nullable [] transform, Assets assets) {
-    float[] base = material.floats("baseColor");
-    float metallic = material.number("metallic");
-    float roughness = material.number("roughness");
-    float[] specular = new float[3];
-    for (int i = 0; i < 3; i++) {
-      specular[i] = (1 - roughness) * (0.04f + metallic * (base[i] - 0.04f));
+  private static Surface material(@Nullable Node node, TextureUnits units, boolean opaque) {
+    String name = node == null ? "" : node.type().name();
+    if (node == null || !MaterialFields.known(name)) {
+      float[] white = Surface.UNLIT_WHITE.emissive();
+      return new MaterialFields(false, white, BLACK, white, 0, 0, 0).surface(units);
     }
-    return new Surface(
-        true,
-        base,
-        specular,
-        material.floats("emissiveColor"),
-        0.2f,
-        Math.max(0.01f, 1 - roughness),
-        material.number("transparency"),
-        texture != null ? texture : own(material, "baseTexture", assets),
-        transform);
+    return MaterialFields.of(node, "", opaque).surface(units);
   }
 
-  private static @Nullable Texture own(Node material, String field, Assets assets) {
-    return material.type().field(field).isEmpty()
-        ? null
-        : texture(material.node(field), assets).orElse(null);
-  }
+  /** The colours of a material. */
+  record MaterialFields(
+      boolean lit,
+      float[] diffuse,
+      float[] specular,
+      float[] emissive,
+      float ambient,
+      float shininess,
+      float transparency) {
 
-  private static Optional<Texture> texture(@Nullable Node node, Assets assets) {
-    if (node == null) {
-      return Optional.empty();
+    static boolean known(String type) {
+      return switch (type) {
+        case "Material", "TwoSidedMaterial", "UnlitMaterial", "PhysicalMaterial" -> true;
+        default -> false;
+      };
     }
-    if (node.type().name().equals("MultiTexture")) {
-      return node.nodes("texture").stream().findFirst().flatMap(first -> texture(first, assets));
-    }
-    return assets
-        .image(node)
-        .map(image -> new Texture(image, node.bool("repeatS"), node.bool("repeatT")));
-  }
 
-  /** Tc' = -C S R C T Tc (X3D 4.0, 18.4.8). */
-  private static float @Nullable [] transform(@Nullable Node node) {
-    if (node == null || !node.type().name().equals("TextureTransform")) {
-      return null;
+    /**
+     * @param side "" for the front, "back" for a TwoSidedMaterial's back
+     * @param opaque whether the material's transparency does not count
+     */
+    static MaterialFields of(Node node, String side, boolean opaque) {
+      float transparency = opaque ? 0 : node.number(field(side, "transparency"));
+      return switch (node.type().name()) {
+        case "UnlitMaterial" -> {
+          float[] colour = node.floats("emissiveColor");
+          yield new MaterialFields(false, colour, BLACK, colour, 0, 0, transparency);
+        }
+        case "PhysicalMaterial" ->
+            // Its shader takes the colours; roughness and metal are numbers of the detail.
+            new MaterialFields(
+                true,
+                node.floats("baseColor"),
+                BLACK,
+                node.floats("emissiveColor"),
+                1,
+                0,
+                transparency);
+        default ->
+            new MaterialFields(
+                true,
+                node.floats(field(side, "diffuseColor")),
+                node.floats(field(side, "specularColor")),
+                node.floats(field(side, "emissiveColor")),
+                node.number(field(side, "ambientIntensity")),
+                node.number(field(side, "shininess")),
+                transparency);
+      };
     }
-    float[] center = node.floats("center");
-    float[] scale = node.floats("scale");
-    float[] translation = node.floats("translation");
-    return move(-center[0], -center[1])
-        .mul(new Matrix3f().scale(scale[0], scale[1], 1))
-        .mul(new Matrix3f().rotationZ(node.number("rotation")))
-        .mul(move(center[0], center[1]))
-        .mul(move(translation[0], translation[1]))
-        .get(new float[9]);
-  }
 
-  private static Matrix3f move(float s, float t) {
-    return new Matrix3f().m20(s).m21(t);
+    private static String field(String side, String name) {
+      return side.isEmpty()
+          ? name
+          : side + Character.toUpperCase(name.charAt(0)) + name.substring(1);
+    }
+
+    Surface surface(TextureUnits units) {
+      return new Surface(
+          lit,
+          diffuse,
+          specular,
+          emissive,
+          ambient,
+          shininess,
+          transparency,
+          units.plainTexture(),
+          units.plainTints(),
+          units.plainTransform(),
+          null);
+    }
   }
 }

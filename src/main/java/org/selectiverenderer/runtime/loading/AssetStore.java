@@ -1,7 +1,9 @@
 package org.selectiverenderer.runtime.loading;
 
+import java.util.Collections;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.function.Function;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -20,10 +22,22 @@ final class AssetStore implements Assets {
   private final Function<Node, Optional<Mesh>> tessellate;
   private final Function<Node, Optional<Texture.Image>> decode;
 
+  private final Set<Node> multiplying = Collections.newSetFromMap(new WeakHashMap<>());
+
   AssetStore(
       Function<Node, Optional<Mesh>> tessellate, Function<Node, Optional<Texture.Image>> decode) {
     this.tessellate = tessellate;
     this.decode = decode;
+  }
+
+  /** Keeps that a texture's colour multiplies the material's, as X3D 4.0 has it. */
+  synchronized void multiply(Node texture) {
+    multiplying.add(texture);
+  }
+
+  @Override
+  public synchronized boolean multiplies(Node texture) {
+    return multiplying.contains(texture);
   }
 
   synchronized void put(Node geometry, Optional<Mesh> mesh) {

@@ -116,7 +116,7 @@ final class FileLoader {
             assets.add(task(content, problems -> mesh(node, content, problems)));
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
-          } else if (node.type().is("X3DTexture2DNode")) {
+          } else if (node.type().is("X3DTextureNode")) {
             assets.add(task(content, problems -> image(node, content, problems)));
           } else if (BackgroundPictures.names(node.type())) {
             Map<Backdrop.Side, ParsedNode> pictures =

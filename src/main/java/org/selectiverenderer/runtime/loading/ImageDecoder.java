@@ -14,7 +14,10 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.Content;
 
-/** Reads image files (PNG, JPEG, GIF, BMP) and SFImage values. Needs no display. */
+/**
+ * Reads image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels that texture nodes hold. Needs no
+ * display.
+ */
 final class ImageDecoder {
   /** Pixels above which an image is refused, before memory is spent on it: 8192 x 8192. */
   static final long MAX_PIXELS = 1L << 26;
@@ -32,11 +35,18 @@ final class ImageDecoder {
    * @throws IOException when it is no image that can be read; {@link Failure#clause} says why
    */
   static Texture.Image read(Content file, AtomicLong budget) throws IOException {
+    if (TgaImage.is(file.name())) {
+      return TgaImage.read(whole(file), budget);
+    }
+    if (DdsImage.is(beginning(file))) {
+      return DdsImage.read(whole(file), budget);
+    }
     try (InputStream in = file.open();
         ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
       if (!readers.hasNext()) {
-        throw new IOException("is not an image of a known format (PNG, JPEG, GIF or BMP)");
+        throw new IOException(
+            "is not an image of a known format (PNG, JPEG, GIF, BMP, TGA or DDS)");
       }
       ImageReader reader = readers.next();
       try {
@@ -52,7 +62,17 @@ final class ImageDecoder {
     }
   }
 
-  private static void spend(long pixels, AtomicLong budget) throws IOException {
+  private static byte[] beginning(Content file) throws IOException {
+    try (InputStream in = file.open()) {
+      return in.readNBytes(DdsImage.HEADER);
+    }
+  }
+
+  private static byte[] whole(Content file) throws IOException {
+    return file.bytes((int) (4 * MAX_PIXELS));
+  }
+
+  static void spend(long pixels, AtomicLong budget) throws IOException {
     if (pixels > MAX_PIXELS) {
       throw new IOException(
           "has %s pixels, more than the limit of %s".formatted(pixels, MAX_PIXELS));
@@ -79,6 +99,7 @@ final class ImageDecoder {
         rgba[at++] = (byte) (argb >> 24);
       }
     }
+    // Grey images have one sample per pixel, or two with an opacity.
     boolean grey = image.getRaster().getNumDataElements() <= 2 && isGrey(rgba);
     int components = (grey ? 1 : 3) + (image.getColorModel().hasAlpha() ? 1 : 0);
     return new Texture.Image(width, height, components, rgba);
@@ -106,14 +127,36 @@ final class ImageDecoder {
     if (width < 1 || height < 1 || components < 1 || components > 4) {
       throw new IOException("contains no image: it needs width, height and 1 to 4 components");
     }
-    long pixels = (long) width * height;
-    if (pixels > MAX_PIXELS || image.length - 3 < pixels) {
+    return pixels(image, 3, width, height, 1, components);
+  }
+
+  /**
+   * The pixels of a PixelTexture3D: components, width, height, depth, then a number per pixel from
+   * the lowest row of the first slice on (X3D 4.0, 33.4.3).
+   *
+   * @throws IOException when there are too few or too many pixels
+   */
+  static Texture.Image volume(int[] image) throws IOException {
+    boolean whole = image.length >= 4;
+    if (!whole || image[0] < 1 || image[0] > 4 || image[1] < 1 || image[2] < 1 || image[3] < 1) {
       throw new IOException(
-          "announces %s x %s pixels but contains %s".formatted(width, height, image.length - 3));
+          "contains no image: it needs 1 to 4 components, width, height and depth");
+    }
+    return pixels(image, 4, image[1], image[2], image[3], image[0]);
+  }
+
+  private static Texture.Image pixels(
+      int[] image, int from, int width, int height, int layers, int components)
+      throws IOException {
+    double pixels = (double) width * height * layers;
+    if (pixels > MAX_PIXELS || image.length - from < pixels) {
+      throw new IOException(
+          "announces %s x %s%s pixels but contains %s"
+              .formatted(width, height, layers == 1 ? "" : " x " + layers, image.length - from));
     }
     byte[] rgba = new byte[(int) pixels * 4];
     for (int i = 0; i < pixels; i++) {
-      int value = image[i + 3];
+      int value = image[i + from];
       boolean colour = components > 2;
       boolean alpha = components == 2 || components == 4;
       int rgb = alpha ? value >>> 8 : value;
@@ -122,6 +165,6 @@ final class ImageDecoder {
       rgba[4 * i + 2] = (byte) rgb;
       rgba[4 * i + 3] = (byte) (alpha ? value : 255);
     }
-    return new Texture.Image(width, height, components, rgba);
+    return new Texture.Image(width, height, layers, components, rgba);
   }
 }

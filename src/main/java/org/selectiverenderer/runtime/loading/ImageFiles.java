@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
@@ -42,8 +44,8 @@ final class ImageFiles {
    */
   Optional<Texture.Image> read(NodeView texture, ContentBase base, Problems problems) {
     return switch (texture.type().name()) {
-      case "PixelTexture" -> pixels(texture, problems);
-      case "ImageTexture" -> {
+      case "PixelTexture", "PixelTexture3D" -> pixels(texture, problems);
+      case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D" -> {
         UrlChoice choice = UrlChoice.of(texture, root, base, CONSEQUENCE);
         if (choice instanceof UrlChoice.Found found) {
           yield file(texture, found.content(), problems);
@@ -55,14 +57,24 @@ final class ImageFiles {
     };
   }
 
-  /** The image in a PixelTexture. */
+  /** Whether a texture's image comes from a file that it names. */
+  static boolean named(NodeType texture) {
+    return texture.is("X3DTextureNode") && texture.field("url").isPresent();
+  }
+
+  /** The image in a PixelTexture or PixelTexture3D; of other textures none. */
   static Optional<Texture.Image> pixels(NodeView texture, Problems problems) {
+    String type = texture.type().name();
     try {
-      return Optional.of(ImageDecoder.pixels(texture.ints("image")));
+      return switch (type) {
+        case "PixelTexture" -> Optional.of(ImageDecoder.pixels(texture.ints("image")));
+        case "PixelTexture3D" -> Optional.of(ImageDecoder.volume(texture.ints("image")));
+        default -> Optional.empty();
+      };
     } catch (IOException e) {
       problems.error(
           texture.location(),
-          "the image of the PixelTexture %s; %s".formatted(e.getMessage(), CONSEQUENCE));
+          "the image of the %s %s; %s".formatted(type, e.getMessage(), CONSEQUENCE));
       return Optional.empty();
     }
   }
@@ -72,8 +84,18 @@ final class ImageFiles {
     if (!decoded.fault.isEmpty()) {
       problems.error(
           texture.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
+    } else if (isNoCube(texture, decoded.image)) {
+      problems.error(
+          texture.location(),
+          "%s holds no cube: an ImageCubeMapTexture takes a DDS image with six faces; %s"
+              .formatted(file.name(), CONSEQUENCE));
     }
     return decoded.image;
+  }
+
+  private static boolean isNoCube(NodeView texture, Optional<Texture.Image> image) {
+    return texture.type().name().equals("ImageCubeMapTexture")
+        && image.filter(found -> found.layers() == CubeTexture.FACES).isEmpty();
   }
 
   private Decoded decode(Content file) {

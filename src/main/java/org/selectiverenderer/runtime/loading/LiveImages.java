@@ -48,6 +48,11 @@ final class LiveImages implements Assets {
   }
 
   @Override
+  public boolean multiplies(Node texture) {
+    return store.multiplies(texture);
+  }
+
+  @Override
   public void changed(Node geometryOrTexture) {
     if (!fromFile(geometryOrTexture)) {
       store.changed(geometryOrTexture);
@@ -57,7 +62,7 @@ final class LiveImages implements Assets {
   }
 
   private static boolean fromFile(Node node) {
-    return node.type().name().equals("ImageTexture");
+    return ImageFiles.named(node.type());
   }
 
   private void request(Node texture) {

@@ -91,12 +91,14 @@ final class SceneBuilder {
   private final class FileBuilder {
     private final FileContent content;
     private final UrlBase origin;
+    private final boolean modern;
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
 
     FileBuilder(FileContent content, List<String> above) {
       this.content = content;
       X3dFile file = content.file();
+      modern = file.version().startsWith("4");
       // Nearly no growing: a node with a name has some without in it.
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<String> including = new ArrayList<>(above);
@@ -253,6 +255,9 @@ final class SceneBuilder {
             .pictures()
             .getOrDefault(parsed, Map.of())
             .forEach((side, one) -> make(one).ifPresent(made -> store.picture(node, side, made)));
+      }
+      if (modern && node.type().is("X3DTextureNode")) {
+        store.assets().multiply(node);
       }
       if (store.firstKept(node.type())) {
         content.info(

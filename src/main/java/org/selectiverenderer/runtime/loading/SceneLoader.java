@@ -78,10 +78,7 @@ public final class SceneLoader implements AutoCloseable {
     AssetStore assets =
         new AssetStore(
             node -> tessellator.tessellate(node, problems),
-            node ->
-                node.type().name().equals("PixelTexture")
-                    ? ImageFiles.pixels(node, problems)
-                    : Optional.empty());
+            node -> ImageFiles.pixels(node, problems));
     store = new SceneStore(assets, factory::actsOn);
     threads = threads();
     threads.execute(SceneLoader::loadMatrices);

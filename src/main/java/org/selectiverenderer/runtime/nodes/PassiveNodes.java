@@ -17,8 +17,20 @@ final class PassiveNodes {
           "FillProperties",
           "ImageTexture",
           "PixelTexture",
-          "MultiTexture",
           "TextureTransform");
+
+  private static final Set<String> TEXTURES =
+      Set.of(
+          "ComposedCubeMapTexture",
+          "ComposedTexture3D",
+          "ImageCubeMapTexture",
+          "ImageTexture3D",
+          "MultiTexture",
+          "MultiTextureTransform",
+          "PixelTexture3D",
+          "TextureProperties",
+          "TextureTransform3D",
+          "TextureTransformMatrix3D");
 
   private static final Set<String> GEOMETRY =
       Set.of(
@@ -69,9 +81,13 @@ final class PassiveNodes {
           "Contour2D",
           "ContourPolyline2D",
           "Normal",
+          "MultiTextureCoordinate",
           "NurbsCurve2D",
           "NurbsTextureCoordinate",
-          "TextureCoordinate");
+          "TextureCoordinate",
+          "TextureCoordinate3D",
+          "TextureCoordinate4D",
+          "TextureCoordinateGenerator");
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
@@ -92,6 +108,7 @@ final class PassiveNodes {
 
   static boolean isRead(String typeName) {
     return SHAPES.contains(typeName)
+        || TEXTURES.contains(typeName)
         || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
         || LIGHTS.contains(typeName)

@@ -2,7 +2,12 @@
 // text for both shaders: light by vertex and light by pixel cannot differ but by interpolation.
 
 // 0 diffuse, opacity; 1 emissive, ambient intensity; 2 specular, exponent.
+#ifndef DETAIL
 uniform vec4 material[3];
+#define AMBIENT_HERE material[1].a
+#define SPECULAR_HERE material[2].rgb
+#define EXPONENT_HERE material[2].a
+#endif
 // Five per light. 0 position, or direction towards the light; 1 colour, ambient intensity;
 // 2 attenuation, radius; 3 beam's axis, intensity; 4 cut-off angle, 1 / (beam width - cut-off).
 #if LIGHTS > 0
@@ -15,16 +20,23 @@ struct Light {
   vec3 highlight;
 };
 
+#ifdef PHYSICAL
+#include physical.glsl
+#else
 // Adds light that arrives from the direction l; l, n and v are unit vectors.
 void arrive(inout Light sum, vec4 color, float intensity, float factor, vec3 l, vec3 n, vec3 v) {
   vec3 arriving = factor * color.rgb;
-  sum.diffuse += arriving * (color.a * material[1].a + intensity * max(dot(n, l), 0.0));
+#ifdef AMBIENT_TEXEL
+  sum.diffuse += arriving * color.a * AMBIENT_HERE * (ambientTint - 1.0);
+#endif
+  sum.diffuse += arriving * (color.a * AMBIENT_HERE + intensity * max(dot(n, l), 0.0));
 #ifdef SPECULAR
   // The standard's dot product is 0 where it would be negative; 0 to the power 0 is avoided.
-  float shine = pow(max(dot(n, normalize(l + v)), 1e-6), material[2].a);
+  float shine = pow(max(dot(n, normalize(l + v)), 1e-6), EXPONENT_HERE);
   sum.highlight += arriving * (intensity * shine);
 #endif
 }
+#endif
 
 // What attenuation and radius leave at a distance.
 float fall(vec4 reach, float distance) {
@@ -57,7 +69,7 @@ void positional(inout Light sum, int i, bool spot, vec3 place, vec3 n, vec3 v) {
 // The light at a place whose unit normal is n.
 Light lightAt(vec3 place, vec3 n) {
   Light sum = Light(vec3(0.0), vec3(0.0));
-#ifdef SPECULAR
+#if defined(SPECULAR) || defined(PHYSICAL)
   vec3 v = normalize(-place);
 #else
   vec3 v = vec3(0.0);
@@ -70,7 +82,7 @@ Light lightAt(vec3 place, vec3 n) {
 #define SPOT(i) positional(sum, 5 * i, true, place, n, v);
   EACH_LIGHT
 #ifdef SPECULAR
-  sum.highlight *= material[2].rgb;
+  sum.highlight *= SPECULAR_HERE;
 #endif
   return sum;
 }

@@ -1,7 +1,9 @@
 // Shapes: their colour, texture and light, which arrives computed where the vertex shader did that.
 
 #ifdef LIT
+#ifndef DETAIL
 #include light.glsl
+#endif
 #ifdef LIT_BY_VERTEX
 in vec3 frontDiffuse;
 #ifdef HIGHLIGHT_APART
@@ -19,7 +21,7 @@ in vec3 eyeNormal;
 in vec3 eyePosition;
 #endif
 #endif
-#else
+#elif !defined(DETAIL)
 uniform vec4 material[3];
 #endif
 #ifdef COLORS
@@ -45,7 +47,10 @@ uniform vec4 stroke[2];
 
 out vec4 pixel;
 
-#ifdef LIT
+#ifdef DETAIL
+#include texture.glsl
+#include material.glsl
+#elif defined(LIT)
 // The light on the side that is seen.
 Light seenLight() {
 #ifdef LIT_BY_VERTEX
@@ -80,13 +85,17 @@ void main() {
     discard;
   }
 #endif
+#ifdef DETAIL
+  pixel = detailed();
+#else
 #ifdef LIT
   vec4 base = material[0];
 #else
   vec4 base = vec4(material[1].rgb, material[0].a);
 #endif
 #ifdef COLORS
-  base = vertexColor;
+  // A Color leaves the material's opacity, a ColorRGBA has its own (X3D 4.0, 11.4.2, 11.4.3).
+  base = vec4(vertexColor.rgb, vertexColor.a * base.a);
 #endif
 #ifdef TEXTURE
   vec4 texel = texture(image, coordinate);
@@ -110,6 +119,7 @@ void main() {
 #endif
 #else
   pixel = base;
+#endif
 #endif
 #ifdef HATCHED
   bool hatch = onHatch(gl_FragCoord.xy);

@@ -37,6 +37,9 @@ out vec4 vertexColor;
 #ifdef TEXTURE
 out vec2 coordinate;
 #endif
+#ifdef DETAIL
+#include coordinate.glsl
+#endif
 #if defined(LINES) || defined(SIZED)
 uniform vec4 stroke[2];
 #endif
@@ -123,5 +126,8 @@ void main() {
 #endif
 #ifdef TEXTURE
   coordinate = (texture_[0] * texCoord.x + texture_[1] * texCoord.y + texture_[2]).xy;
+#endif
+#ifdef DETAIL
+  passCoordinates();
 #endif
 }

@@ -104,6 +104,11 @@ public final class TestWorld implements Assets {
   }
 
   @Override
+  public boolean multiplies(Node texture) {
+    return false;
+  }
+
+  @Override
   public void changed(Node node) {
     // Meshes made by hand do not change.
   }

@@ -38,6 +38,11 @@ final class CountingAssets implements Assets {
   }
 
   @Override
+  public boolean multiplies(Node texture) {
+    return false;
+  }
+
+  @Override
   public void changed(Node node) {
     kept.remove(node);
   }

@@ -9,6 +9,7 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Stroke;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.Surroundings;
+import org.selectiverenderer.runtime.render.gpu.DetailTextures;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
@@ -30,6 +31,7 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
  * @param form how its primitives become pixels
  * @param around the fog and planes whose scope it is in
  * @param rank of its program and texture in the order of drawing
+ * @param detail of a surface that has more than a material and an image, else null
  */
 public record DrawItem(
     ShapeInstance shape,
@@ -46,7 +48,8 @@ public record DrawItem(
     StrokeForm form,
     Stroke stroke,
     Surroundings around,
-    int rank) {
+    int rank,
+    @Nullable DetailTextures detail) {
 
   /** The buffers, which other items may share. */
   public GpuMesh mesh() {
@@ -58,7 +61,8 @@ public record DrawItem(
     return !blended
         && !stroke.hollow()
         && around.planes().isEmpty()
-        && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE);
+        && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE)
+        && (detail == null || !detail.holes());
   }
 
   /** Which triangles of the buffers are its own. */

@@ -6,6 +6,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.Stroke;
 import org.selectiverenderer.runtime.instance.Surroundings;
+import org.selectiverenderer.runtime.render.gpu.DetailTextures;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
@@ -20,6 +21,7 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
  * @param material as the light model wants it; twelve numbers
  * @param textureTransform nine numbers
  * @param around the fog and planes whose scope it is in
+ * @param detail of a surface that has more than that, else null
  */
 record DrawLook(
     ShapePrograms.Family byPixel,
@@ -33,4 +35,5 @@ record DrawLook(
     Stroke stroke,
     Surroundings around,
     Mesh.Primitive primitive,
-    boolean solid) {}
+    boolean solid,
+    @Nullable DetailTextures detail) {}

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -13,7 +14,10 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
-import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.instance.TextureSource;
+import org.selectiverenderer.runtime.render.gpu.DetailDefines;
+import org.selectiverenderer.runtime.render.gpu.DetailTextures;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
@@ -24,7 +28,7 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 final class DrawLooks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-  private final Map<Texture, GpuTexture> textures = new HashMap<>();
+  private final Map<TextureSource, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
   private final Map<State, Integer> ranks = new HashMap<>();
   private final Map<List<LightInstance>, List<LightInstance>> lists = new HashMap<>();
@@ -53,19 +57,17 @@ final class DrawLooks {
    */
   DrawLook of(GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching) {
     Surface surface = shape.surface();
+    if (surface.detail() != null && drawn.primitive() == Mesh.Primitive.TRIANGLES) {
+      return detailed(gl, shape, surface.detail(), drawn, reaching);
+    }
     GpuTexture texture =
         surface.texture() == null
                 || drawn.texCoords() == null
                 || drawn.primitive() == Mesh.Primitive.LINES // Theirs are lengths.
             ? null
-            : textures.computeIfAbsent(
-                surface.texture(),
-                image -> {
-                  uploads++;
-                  return new GpuTexture(gl, image);
-                });
+            : texture(gl, surface.texture());
     boolean blended = blended(surface, drawn, texture);
-    ShapeVariant variant = variant(drawn, surface, texture, blended);
+    ShapeVariant variant = variant(drawn, surface, texture, blended, List.of());
     float[] transform = surface.textureTransform();
     DrawLook look =
         new DrawLook(
@@ -80,8 +82,64 @@ final class DrawLooks {
             shape.stroke(),
             shape.surroundings(),
             drawn.primitive(),
-            drawn.solid());
+            drawn.solid(),
+            null);
     return known.computeIfAbsent(look, same -> same);
+  }
+
+  private GpuTexture texture(GL3 gl, TextureSource source) {
+    return textures.computeIfAbsent(
+        source,
+        image -> {
+          uploads++;
+          return new GpuTexture(gl, image);
+        });
+  }
+
+  private DrawLook detailed(
+      GL3 gl,
+      ShapeInstance shape,
+      SurfaceDetail detail,
+      Mesh drawn,
+      List<LightInstance> reaching) {
+    Surface surface = shape.surface();
+    List<GpuTexture> images = new ArrayList<>();
+    detail.units().forEach(unit -> images.add(texture(gl, unit.source())));
+    boolean blended = DetailAlpha.blended(surface, detail, images, MeshPacker.translucent(drawn));
+    boolean cutOut = DetailAlpha.cutOut(detail, images);
+    ShapeVariant variant =
+        variant(
+            drawn,
+            surface,
+            null,
+            blended,
+            DetailDefines.of(detail, surface.tints(), VertexLayout.of(drawn).more(), cutOut));
+    Surface back = detail.back();
+    DetailTextures textured =
+        new DetailTextures(
+            List.copyOf(images),
+            DetailMatrices.of(detail.units(), drawn.bounds()),
+            detail.numbers(),
+            back == null ? null : numbers(back),
+            cutOut || detail.alphaMode() == SurfaceDetail.AlphaMode.MASK);
+    ShapePrograms.Family family = programs.get(variant);
+    DrawLook look =
+        new DrawLook(
+            family,
+            family,
+            null,
+            reaching,
+            new Numbers(numbers(surface)),
+            new Numbers(NO_TRANSFORM),
+            blended,
+            VertexLayout.of(drawn),
+            shape.stroke(),
+            shape.surroundings(),
+            drawn.primitive(),
+            drawn.solid(),
+            textured);
+    known.put(look, look);
+    return look;
   }
 
   /** Its place in the order of drawing. */
@@ -96,21 +154,30 @@ final class DrawLooks {
   }
 
   private static ShapeVariant variant(
-      Mesh mesh, Surface surface, @Nullable GpuTexture texture, boolean blended) {
-    boolean shiny =
-        surface.specular()[0] > 0 || surface.specular()[1] > 0 || surface.specular()[2] > 0;
-    Texture image = surface.texture();
+      Mesh mesh,
+      Surface surface,
+      @Nullable GpuTexture texture,
+      boolean blended,
+      List<String> detail) {
+    Surface back = surface.detail() == null ? null : surface.detail().back();
+    boolean shiny = shiny(surface) || (back != null && shiny(back));
     return new ShapeVariant(
         surface.lit() && mesh.normals() != null,
         shiny,
         false,
         mesh.colors() != null,
         texture != null,
-        image != null && image.image().components() <= 2,
+        surface.tints(),
         texture != null && texture.alpha() == GpuTexture.Alpha.CUT_OUT,
         !mesh.solid(),
         mesh.primitive() == Mesh.Primitive.POINTS,
-        blended);
+        blended,
+        detail);
+  }
+
+  private static boolean shiny(Surface surface) {
+    float[] specular = surface.specular();
+    return specular[0] > 0 || specular[1] > 0 || specular[2] > 0;
   }
 
   private static float[] numbers(Surface surface) {
@@ -141,6 +208,9 @@ final class DrawLooks {
     Set<float[]> usedNumbers = Collections.newSetFromMap(new IdentityHashMap<>());
     for (DrawItem item : items) {
       used.add(item.texture());
+      if (item.detail() != null) {
+        used.addAll(item.detail().textures());
+      }
       usedLists.add(item.lighting().reaching());
       usedNumbers.add(item.numbers());
     }

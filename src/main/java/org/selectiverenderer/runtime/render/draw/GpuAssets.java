@@ -177,7 +177,8 @@ final class GpuAssets {
         Strokes.form(look.stroke(), look.primitive()),
         shape.shape().stroke(),
         shape.shape().surroundings(),
-        looks.rank(look));
+        looks.rank(look),
+        look.detail());
   }
 
   /** Frees what none of the items uses. */

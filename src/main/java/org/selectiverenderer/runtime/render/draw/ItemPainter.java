@@ -110,6 +110,10 @@ final class ItemPainter {
       item.mesh().bind(gl);
     }
     needed.material(gl, item.numbers(), item.textureTransform());
+    if (item.detail() != null) {
+      needed.detail(gl, item.detail(), camera.view());
+      texture = null;
+    }
     needed.lights(gl, packed.numbers());
     around.send(gl, needed);
     place(item.place());

@@ -49,6 +49,12 @@ public final class GpuMesh {
     attribute(gl, 1, 3, GL.GL_SHORT, layout.stride(), layout.normal());
     attribute(gl, 2, 4, GL.GL_UNSIGNED_BYTE, layout.stride(), layout.color());
     attribute(gl, 3, 2, GL.GL_FLOAT, layout.stride(), layout.texCoord());
+    int at = layout.stride();
+    for (int i = layout.more().size() - 1; i >= 0; i--) {
+      int size = layout.more().get(i);
+      at -= 4 * size;
+      attribute(gl, 4 + i, size, GL.GL_FLOAT, layout.stride(), at);
+    }
   }
 
   private static void attribute(GL3 gl, int at, int size, int type, int stride, int offset) {

@@ -1,16 +1,16 @@
 package org.selectiverenderer.runtime.render.gpu;
 
-import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;
-import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
+import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.instance.TextureSource;
+import org.selectiverenderer.runtime.instance.VolumeTexture;
 
-/** An image on the graphics card with mipmaps, sampled trilinearly and a little anisotropically. */
+/** A texture on the graphics card, of two dimensions, of three, or a cube. */
 public final class GpuTexture {
-  private static final float ANISOTROPY = 4;
-
   private final int id;
+  private final int target;
   private final Alpha alpha;
 
   /** What the alpha channel of an image is for. */
@@ -23,39 +23,28 @@ public final class GpuTexture {
     BLENDED
   }
 
-  public GpuTexture(GL3 gl, Texture texture) {
-    Texture.Image image = texture.image();
-    alpha = alphaOf(image);
+  public GpuTexture(GL3 gl, TextureSource source) {
     int[] name = new int[1];
     gl.glGenTextures(1, name, 0);
     id = name[0];
-    bind(gl);
-    gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
-    gl.glTexImage2D(
-        GL.GL_TEXTURE_2D,
-        0,
-        GL.GL_RGBA8,
-        image.width(),
-        image.height(),
-        0,
-        GL.GL_RGBA,
-        GL.GL_UNSIGNED_BYTE,
-        Buffers.newDirectByteBuffer(image.rgba()));
-    gl.glGenerateMipmap(GL.GL_TEXTURE_2D);
-    parameter(gl, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR_MIPMAP_LINEAR);
-    parameter(gl, GL.GL_TEXTURE_MAG_FILTER, GL.GL_LINEAR);
-    parameter(gl, GL.GL_TEXTURE_WRAP_S, texture.repeatS() ? GL.GL_REPEAT : GL.GL_CLAMP_TO_EDGE);
-    parameter(gl, GL.GL_TEXTURE_WRAP_T, texture.repeatT() ? GL.GL_REPEAT : GL.GL_CLAMP_TO_EDGE);
-    if (gl.isExtensionAvailable("GL_EXT_texture_filter_anisotropic")) {
-      float[] most = new float[1];
-      gl.glGetFloatv(GL2ES2.GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, most, 0);
-      gl.glTexParameterf(
-          GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAX_ANISOTROPY_EXT, Math.min(ANISOTROPY, most[0]));
+    if (source instanceof Texture texture) {
+      target = GL.GL_TEXTURE_2D;
+      alpha = alphaOf(texture.image());
+      bind(gl);
+      TextureUpload.plane(gl, texture.image());
+    } else if (source instanceof VolumeTexture volume) {
+      target = GL3.GL_TEXTURE_3D;
+      alpha = alphaOf(volume.image());
+      bind(gl);
+      TextureUpload.volume(gl, volume.image());
+    } else {
+      CubeTexture cube = (CubeTexture) source;
+      target = GL.GL_TEXTURE_CUBE_MAP;
+      alpha = alphaOf(cube.faces().get(0).image());
+      bind(gl);
+      TextureUpload.cube(gl, cube);
     }
-  }
-
-  private static void parameter(GL3 gl, int name, int value) {
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, name, value);
+    TextureFilters.set(gl, target, source);
   }
 
   public Alpha alpha() {
@@ -86,8 +75,13 @@ public final class GpuTexture {
   }
 
   public void bind(GL3 gl) {
-    gl.glActiveTexture(GL.GL_TEXTURE0);
-    gl.glBindTexture(GL.GL_TEXTURE_2D, id);
+    bind(gl, 0);
+  }
+
+  /** Makes it current on one of the card's texture units. */
+  public void bind(GL3 gl, int unit) {
+    gl.glActiveTexture(GL.GL_TEXTURE0 + unit);
+    gl.glBindTexture(target, id);
   }
 
   public void dispose(GL3 gl) {

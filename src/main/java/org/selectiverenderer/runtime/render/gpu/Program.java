@@ -95,7 +95,7 @@ public final class Program {
   private static String text(String resource) {
     return INCLUDE
         .matcher(read(resource))
-        .replaceAll(line -> Matcher.quoteReplacement(read(line.group(1))));
+        .replaceAll(line -> Matcher.quoteReplacement(text(line.group(1))));
   }
 
   private static String read(String resource) {

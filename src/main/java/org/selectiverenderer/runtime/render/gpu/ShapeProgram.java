@@ -3,7 +3,10 @@ package org.selectiverenderer.runtime.render.gpu;
 import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.List;
+import org.joml.Matrix3d;
+import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.SurfaceDetail;
 
 /** The program of shapes in one variant, with its uniforms, which it remembers between draws. */
 public final class ShapeProgram {
@@ -19,6 +22,7 @@ public final class ShapeProgram {
   private final int stroke;
   private final int fog;
   private final int planes;
+  private final Details details;
   private float @Nullable [] currentMaterial;
   private float @Nullable [] currentLights;
   private float @Nullable [] currentStroke;
@@ -40,6 +44,57 @@ public final class ShapeProgram {
     planes = program.uniform(gl, "planes");
     program.use(gl);
     gl.glUniform1i(program.uniform(gl, "image"), 0);
+    details = new Details(gl, program);
+  }
+
+  /** What only detailed surfaces have. */
+  private static final class Details {
+    private final int unit;
+    private final int detail;
+    private final int back;
+    private final int toWorld;
+    private @Nullable DetailTextures current;
+
+    Details(GL3 gl, Program program) {
+      unit = program.uniform(gl, "unit");
+      detail = program.uniform(gl, "detail");
+      back = program.uniform(gl, "backMaterial");
+      toWorld = program.uniform(gl, "toWorld");
+      for (int i = 0; i <= SurfaceDetail.MOST_UNITS; i++) {
+        int sampler = program.uniform(gl, "image" + i);
+        if (sampler >= 0) {
+          gl.glUniform1i(sampler, i);
+        }
+      }
+    }
+
+    void set(GL3 gl, DetailTextures detailed, Matrix4dc view) {
+      if (current != detailed) {
+        current = detailed;
+        int units = detailed.matrices().length / 16;
+        if (units > 0) {
+          gl.glUniformMatrix4fv(unit, units, false, detailed.matrices(), 0);
+        }
+        gl.glUniform4fv(detail, detailed.numbers().length / 4, detailed.numbers(), 0);
+        if (detailed.back() != null) {
+          gl.glUniform4fv(back, 3, detailed.back(), 0);
+        }
+      }
+      if (toWorld >= 0) {
+        float[] turned = view.get3x3(new Matrix3d()).transpose().get(new float[9]);
+        gl.glUniformMatrix3fv(toWorld, 1, false, turned, 0);
+      }
+      detailed.bind(gl);
+    }
+  }
+
+  /**
+   * Sets what a detailed surface has beside its material, and makes its textures current.
+   *
+   * @param view from the world to the eye
+   */
+  public void detail(GL3 gl, DetailTextures detailed, Matrix4dc view) {
+    details.set(gl, detailed, view);
   }
 
   /**

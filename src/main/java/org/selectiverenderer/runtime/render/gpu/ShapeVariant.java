@@ -17,6 +17,7 @@ import java.util.List;
  * @param twoSided whether the back is seen
  * @param points whether points are drawn
  * @param blended whether it is blended over what is behind
+ * @param detail what {@link DetailDefines} says of a surface that has more; else empty
  */
 public record ShapeVariant(
     boolean lit,
@@ -28,7 +29,8 @@ public record ShapeVariant(
     boolean alphaTest,
     boolean twoSided,
     boolean points,
-    boolean blended) {
+    boolean blended,
+    List<String> detail) {
 
   List<String> defines(LightCounts lights) {
     List<String> defines = new ArrayList<>(lights.defines());
@@ -46,6 +48,7 @@ public record ShapeVariant(
     add(defines, twoSided, "TWO_SIDED");
     add(defines, points, "POINTS");
     add(defines, !blended, "OPAQUE");
+    defines.addAll(detail);
     return defines;
   }
 
@@ -54,14 +57,15 @@ public record ShapeVariant(
     return new ShapeVariant(
         lit,
         specular,
-        atVertices && lit,
+        atVertices && lit && detail.isEmpty(),
         colors,
         texture,
         tint,
         alphaTest,
         twoSided,
         points,
-        blended);
+        blended,
+        detail);
   }
 
   /** The same for where nothing but front sides is seen; differs only in its light. */
@@ -76,7 +80,8 @@ public record ShapeVariant(
         alphaTest,
         twoSided && !lit,
         points,
-        blended);
+        blended,
+        detail);
   }
 
   private static void add(List<String> defines, boolean wanted, String name) {

@@ -84,7 +84,9 @@ public final class LightPlanner {
     }
     List<LightInstance> reaching = request.steady() ? reach.of(request.scope()) : request.scope();
     float[] normals = mesh.normals();
-    if (!byVertex || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+    // What its textures do with light is seen between the vertices.
+    boolean detailed = shape.surface().detail() != null;
+    if (!byVertex || detailed || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
       return new Plan(request, plain, null, false, reaching);
     }
     double scale = Fineness.scale(shape.world());

@@ -107,6 +107,11 @@ public final class MeshPacker {
         words[at++] = Float.floatToRawIntBits(texCoords[2 * vertex]);
         words[at++] = Float.floatToRawIntBits(texCoords[2 * vertex + 1]);
       }
+      for (Mesh.TexCoords more : mesh.moreTexCoords()) {
+        for (int i = 0; i < more.components(); i++) {
+          words[at++] = Float.floatToRawIntBits(more.values()[more.components() * vertex + i]);
+        }
+      }
     }
     out.asIntBuffer().put(words);
     return out;

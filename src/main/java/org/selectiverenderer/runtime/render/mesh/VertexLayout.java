@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.render.mesh;
 
+import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
@@ -10,8 +11,9 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  * @param normal four signed normalised shorts, the last unused: ten bits would show in highlights
  * @param color four unsigned normalised bytes r, g, b, a
  * @param texCoord two floats
+ * @param more how many floats each of the further texture coordinates has, the last of the vertex
  */
-public record VertexLayout(int stride, int normal, int color, int texCoord) {
+public record VertexLayout(int stride, int normal, int color, int texCoord, List<Integer> more) {
   private static final int POSITION_BYTES = 12;
 
   /** The layout of a mesh's attributes. */
@@ -32,6 +34,13 @@ public record VertexLayout(int stride, int normal, int color, int texCoord) {
       texCoord = stride;
       stride += 8;
     }
-    return new VertexLayout(stride, normal, color, texCoord);
+    List<Integer> more =
+        mesh.moreTexCoords().isEmpty()
+            ? List.of()
+            : mesh.moreTexCoords().stream().map(Mesh.TexCoords::components).toList();
+    for (int size : more) {
+      stride += 4 * size;
+    }
+    return new VertexLayout(stride, normal, color, texCoord, more);
   }
 }

@@ -1,0 +1,67 @@
+package org.selectiverenderer.runtime.instance;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.SurfaceDetail.AlphaMode;
+import org.selectiverenderer.runtime.instance.SurfaceReader.MaterialFields;
+import org.selectiverenderer.runtime.scene.Node;
+
+/** Reads what most surfaces have not. */
+final class DetailReader {
+  private DetailReader() {}
+
+  /** Null for a surface of one material and at most one image. */
+  static @Nullable SurfaceDetail read(
+      Node appearance, @Nullable Node material, TextureUnits units) {
+    boolean physical = material != null && material.type().name().equals("PhysicalMaterial");
+    Surface back = back(appearance, material, units);
+    AlphaMode alpha = alphaMode(appearance.string("alphaMode"));
+    if (!physical && back == null && alpha == AlphaMode.AUTO && units.plain()) {
+      return null;
+    }
+    float[] numbers = new float[SurfaceDetail.NUMBERS];
+    numbers[0] = number(material, "metallic", 0);
+    numbers[1] = number(material, "roughness", 1);
+    numbers[2] = number(material, "normalScale", 1);
+    numbers[3] = number(material, "occlusionStrength", 1);
+    factor(appearance.node("texture"), numbers);
+    numbers[8] = appearance.number("alphaCutoff");
+    return new SurfaceDetail(physical, units.units(), units.stages(), numbers, back, alpha);
+  }
+
+  private static AlphaMode alphaMode(String mode) {
+    return switch (mode) {
+      case "OPAQUE" -> AlphaMode.OPAQUE;
+      case "MASK" -> AlphaMode.MASK;
+      case "BLEND" -> AlphaMode.BLEND;
+      default -> AlphaMode.AUTO;
+    };
+  }
+
+  private static float number(@Nullable Node node, String field, float otherwise) {
+    return node == null || node.type().field(field).isEmpty() ? otherwise : node.number(field);
+  }
+
+  private static void factor(@Nullable Node texture, float[] numbers) {
+    if (texture != null && texture.type().name().equals("MultiTexture")) {
+      System.arraycopy(texture.floats("color"), 0, numbers, 4, 3);
+      numbers[7] = texture.number("alpha");
+    }
+  }
+
+  /** The back of a TwoSidedMaterial, or Appearance's {@code backMaterial} (12.4.2, 12.4.11). */
+  private static @Nullable Surface back(
+      Node appearance, @Nullable Node material, TextureUnits units) {
+    if (material == null) {
+      return null;
+    }
+    if (material.type().name().equals("TwoSidedMaterial")) {
+      return material.bool("separateBackColor")
+          ? MaterialFields.of(material, "back", false).surface(units)
+          : null;
+    }
+    Node other = appearance.node("backMaterial");
+    return other != null && other.type().equals(material.type())
+        ? MaterialFields.of(other, "", false).surface(units)
+        : null;
+  }
+}

@@ -1,0 +1,198 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.joml.Matrix4f;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.tessellate.TexCoordSource;
+import org.selectiverenderer.runtime.instance.TextureUnit.Role;
+import org.selectiverenderer.runtime.scene.Node;
+
+/** The textures of an Appearance and its material, each with its coordinates. */
+final class TextureUnits {
+  private final Assets assets;
+  private final TextureTransforms transforms;
+  private final List<TexCoordSource> coordinates;
+  private final List<TextureUnit> units = new ArrayList<>(1);
+  private final List<TextureStage> stages = new ArrayList<>(0);
+  private boolean ownMain;
+  private boolean uncommon;
+  private boolean mainTints;
+
+  private TextureUnits(Node appearance, @Nullable Node geometry, Assets assets) {
+    this.assets = assets;
+    transforms = TextureTransforms.of(appearance);
+    coordinates = geometry == null ? List.of() : TexCoordSource.of(geometry);
+  }
+
+  static TextureUnits of(Node appearance, @Nullable Node geometry, Assets assets) {
+    TextureUnits all = new TextureUnits(appearance, geometry, assets);
+    Node material = appearance.node("material");
+    all.ofMaterial(material);
+    // The material's own goes before the Appearance's (X3D 4.0, 12.4.5).
+    if (!all.ownMain) {
+      all.ofAppearance(appearance.node("texture"));
+    }
+    return all;
+  }
+
+  List<TextureUnit> units() {
+    return List.copyOf(units);
+  }
+
+  List<TextureStage> stages() {
+    return List.copyOf(stages);
+  }
+
+  /** Whether no more than a plain image lies on the surface, by the mesh's first coordinates. */
+  boolean plain() {
+    return !uncommon && units.size() <= 1;
+  }
+
+  /** The image that gives the surface its colour, or null. */
+  @Nullable Texture plainTexture() {
+    TextureUnit unit = main();
+    return unit != null && unit.source() instanceof Texture texture ? texture : null;
+  }
+
+  /** Whether that image multiplies what is there. */
+  boolean plainTints() {
+    TextureUnit unit = main();
+    return unit != null && (unit.role() == Role.DIFFUSE || mainTints);
+  }
+
+  /** Its transform as a 3 x 3 matrix, column by column, or null. */
+  float @Nullable [] plainTransform() {
+    TextureUnit unit = main();
+    if (unit == null || isIdentity(unit.matrix())) {
+      return null;
+    }
+    float[] m = unit.matrix();
+    return new float[] {m[0], m[1], 0, m[4], m[5], 0, m[12], m[13], 1};
+  }
+
+  private static boolean isIdentity(float[] matrix) {
+    return java.util.Arrays.equals(matrix, new Matrix4f().get(new float[16]));
+  }
+
+  private @Nullable TextureUnit main() {
+    for (TextureUnit unit : units) {
+      switch (unit.role()) {
+        case MAIN, STAGE, DIFFUSE -> {
+          return unit;
+        }
+        default -> {}
+      }
+    }
+    return null;
+  }
+
+  private void ofMaterial(@Nullable Node material) {
+    switch (material == null ? "" : material.type().name()) {
+      case "Material" -> {
+        ownMain = add(Role.DIFFUSE, material, "diffuseTexture");
+        add(Role.AMBIENT, material, "ambientTexture");
+        add(Role.SPECULAR, material, "specularTexture");
+        add(Role.SHININESS, material, "shininessTexture");
+        add(Role.EMISSIVE, material, "emissiveTexture");
+        add(Role.NORMAL, material, "normalTexture");
+        add(Role.OCCLUSION, material, "occlusionTexture");
+      }
+      // Nothing bends light that does not fall: its normalTexture has no effect (12.4.12).
+      case "UnlitMaterial" -> ownMain = add(Role.DIFFUSE, material, "emissiveTexture");
+      case "PhysicalMaterial" -> {
+        ownMain = add(Role.DIFFUSE, material, "baseTexture");
+        add(Role.METALLIC_ROUGHNESS, material, "metallicRoughnessTexture");
+        add(Role.EMISSIVE, material, "emissiveTexture");
+        add(Role.NORMAL, material, "normalTexture");
+        add(Role.OCCLUSION, material, "occlusionTexture");
+      }
+      default -> {}
+    }
+  }
+
+  private boolean add(Role role, Node material, String field) {
+    if (material.type().field(field).isEmpty()) {
+      return false;
+    }
+    boolean given = material.node(field) != null;
+    if (given) {
+      add(role, material.node(field), material.string(field + "Mapping"), 0);
+    }
+    return given;
+  }
+
+  private void ofAppearance(@Nullable Node texture) {
+    if (texture == null || !texture.type().name().equals("MultiTexture")) {
+      if (texture != null && add(Role.MAIN, texture, "", 0)) {
+        mainTints = units.get(units.size() - 1).source().components() <= 2 || assets.multiplies(texture);
+      }
+      return;
+    }
+    uncommon = true;
+    List<? extends Node> textures = texture.nodes("texture");
+    for (int i = 0; i < textures.size(); i++) {
+      String[] modes = at(texture.strings("mode"), i).split("[,/]", 2);
+      String mode = name(modes[0]).isEmpty() ? "MODULATE" : name(modes[0]);
+      if (!mode.equals("OFF") && add(Role.STAGE, textures.get(i), "", i)) {
+        String alpha = modes.length < 2 || name(modes[1]).isEmpty() ? mode : name(modes[1]);
+        stages.add(
+            new TextureStage(
+                mode,
+                alpha,
+                name(at(texture.strings("source"), i)),
+                name(at(texture.strings("function"), i))));
+      }
+    }
+  }
+
+  private static String at(String[] values, int i) {
+    return i < values.length ? values[i] : "";
+  }
+
+  private static String name(String word) {
+    return word.strip().toUpperCase(Locale.ROOT);
+  }
+
+  private boolean add(Role role, @Nullable Node texture, String mapping, int channel) {
+    TextureSource source = TextureReader.read(texture, assets).orElse(null);
+    if (source == null || units.size() == SurfaceDetail.MOST_UNITS) {
+      return false;
+    }
+    TexCoordSource chosen = coordinates(mapping, channel);
+    boolean plane = source instanceof Texture;
+    int set = chosen == null ? plane ? 0 : TextureUnit.BOUNDS : chosen.set();
+    String mode = "";
+    if (set < 0 && chosen != null) {
+      // An unknown one has been said where the mesh was made.
+      mode = chosen.unknown() ? "" : chosen.mode();
+      set = !chosen.unknown() ? TextureUnit.GENERATED : plane ? 0 : TextureUnit.BOUNDS;
+    }
+    Matrix4f matrix =
+        role == Role.STAGE ? transforms.ofChannel(channel) : transforms.matrix(mapping, 0);
+    boolean flat = matrix == null || (matrix.properties() & Matrix4f.PROPERTY_AFFINE) != 0;
+    uncommon |= set != 0 || !plane || !flat || (role != Role.MAIN && role != Role.DIFFUSE);
+    units.add(
+        new TextureUnit(
+            role,
+            source,
+            set,
+            mode,
+            (matrix == null ? new Matrix4f() : matrix).get(new float[16])));
+    return true;
+  }
+
+  private @Nullable TexCoordSource coordinates(String mapping, int channel) {
+    if (!mapping.isEmpty()) {
+      for (TexCoordSource source : coordinates) {
+        if (source.mapping().equals(mapping)) {
+          return source;
+        }
+      }
+    }
+    return coordinates.isEmpty()
+        ? null
+        : coordinates.get(Math.min(channel, coordinates.size() - 1));
+  }
+}

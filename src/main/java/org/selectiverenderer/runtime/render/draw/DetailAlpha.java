@@ -1,0 +1,52 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import java.util.List;
+import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.instance.TextureStage;
+import org.selectiverenderer.runtime.instance.TextureUnit;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+
+/** What the opacity of a detailed surface is for (X3D 4.0, 12.4.2: {@code alphaMode}). */
+final class DetailAlpha {
+  private DetailAlpha() {}
+
+  /** Whether it is blended over what is behind. */
+  static boolean blended(
+      Surface surface, SurfaceDetail detail, List<GpuTexture> images, boolean translucentColors) {
+    return switch (detail.alphaMode()) {
+      case BLEND -> true;
+      case OPAQUE, MASK -> false;
+      case AUTO ->
+          surface.transparency() > 0
+              || translucentColors
+              || (detail.back() != null && detail.back().transparency() > 0)
+              || any(detail, images, GpuTexture.Alpha.BLENDED)
+              || (detail.numbers()[7] < 1
+                  && detail.stages().stream().map(TextureStage::source).anyMatch("FACTOR"::equals));
+    };
+  }
+
+  /** Whether pixels are left out where an image has none. */
+  static boolean cutOut(SurfaceDetail detail, List<GpuTexture> images) {
+    return detail.alphaMode() == SurfaceDetail.AlphaMode.AUTO
+        && any(detail, images, GpuTexture.Alpha.CUT_OUT)
+        && !any(detail, images, GpuTexture.Alpha.BLENDED);
+  }
+
+  /** Whether an image that says what is there has such an alpha channel. */
+  private static boolean any(
+      SurfaceDetail detail, List<GpuTexture> images, GpuTexture.Alpha alpha) {
+    for (int i = 0; i < images.size(); i++) {
+      TextureUnit.Role role = detail.units().get(i).role();
+      boolean covers =
+          role == TextureUnit.Role.MAIN
+              || role == TextureUnit.Role.DIFFUSE
+              || role == TextureUnit.Role.STAGE;
+      if (covers && images.get(i).alpha() == alpha) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

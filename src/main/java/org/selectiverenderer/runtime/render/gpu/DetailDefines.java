@@ -1,0 +1,190 @@
+package org.selectiverenderer.runtime.render.gpu;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+import org.selectiverenderer.runtime.instance.CubeTexture;
+import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.instance.TextureStage;
+import org.selectiverenderer.runtime.instance.TextureUnit;
+import org.selectiverenderer.runtime.instance.VolumeTexture;
+
+/**
+ * What the shader of a detailed surface is compiled with: its textures as GLSL, so that it looks up
+ * each by what it is for, and computes nothing else.
+ */
+public final class DetailDefines {
+  private static final Set<String> MODES =
+      Set.of(
+          "REPLACE",
+          "SELECTARG1",
+          "SELECTARG2",
+          "MODULATE",
+          "MODULATE2X",
+          "MODULATE4X",
+          "ADD",
+          "ADDSIGNED",
+          "ADDSIGNED2X",
+          "SUBTRACT",
+          "ADDSMOOTH",
+          "BLENDDIFFUSEALPHA",
+          "BLENDTEXTUREALPHA",
+          "BLENDFACTORALPHA",
+          "BLENDCURRENTALPHA",
+          "MODULATEALPHA_ADDCOLOR",
+          "MODULATEINVALPHA_ADDCOLOR",
+          "MODULATEINVCOLOR_ADDALPHA",
+          "DOTPRODUCT3");
+
+  private DetailDefines() {}
+
+  /**
+   * @param tints whether the Appearance's image multiplies the colour, else replaces it
+   * @param sizes floats in each of the mesh's further texture coordinates
+   * @param cutOut whether pixels of its images are there or not
+   */
+  public static List<String> of(
+      SurfaceDetail detail, boolean tints, List<Integer> sizes, boolean cutOut) {
+    List<String> defines = new ArrayList<>();
+    defines.add("DETAIL");
+    defines.add("UNITS " + detail.units().size());
+    if (tints) {
+      defines.add("TINT");
+    }
+    if (detail.physical()) {
+      defines.add("PHYSICAL");
+    }
+    if (detail.back() != null) {
+      defines.add("BACK_MATERIAL");
+    }
+    if (detail.alphaMode() == SurfaceDetail.AlphaMode.MASK) {
+      defines.add("MASK");
+    } else if (cutOut) {
+      defines.add("CUT_OUT");
+    }
+    sets(detail, sizes, defines);
+    StringBuilder samplers = new StringBuilder();
+    StringBuilder stages = new StringBuilder();
+    int stage = 0;
+    boolean turned = false;
+    for (int i = 0; i < detail.units().size(); i++) {
+      TextureUnit unit = detail.units().get(i);
+      turned |= turned(unit);
+      samplers.append("uniform ").append(sampler(unit)).append(" image").append(i).append("; ");
+      String place = "(unit[%d] * %s)".formatted(i, coordinates(unit));
+      String texel =
+          unit.source() instanceof CubeTexture
+              ? "texture(image%d, %s.xyz)".formatted(i, place)
+              : "textureProj(image%d, %s)".formatted(i, place);
+      if (unit.role() == TextureUnit.Role.STAGE) {
+        stages.append(statement(detail.stages().get(stage++), texel));
+      } else {
+        String name = unit.role().name();
+        defines.add(name + "_TEXEL " + texel);
+        if (unit.role() == TextureUnit.Role.NORMAL) {
+          defines.add("NORMAL_PLACE " + place);
+        }
+      }
+    }
+    defines.add("SAMPLERS " + samplers);
+    if (!stages.isEmpty()) {
+      defines.add("STAGES " + stages);
+    }
+    if (turned) {
+      defines.add("TURNED");
+    }
+    return List.copyOf(defines);
+  }
+
+  /** The mesh's further coordinates that are looked at, from the vertices to the pixels. */
+  private static void sets(SurfaceDetail detail, List<Integer> sizes, List<String> defines) {
+    Set<Integer> used = new TreeSet<>();
+    for (TextureUnit unit : detail.units()) {
+      if (unit.set() > 0) {
+        used.add(unit.set());
+      }
+    }
+    StringBuilder inputs = new StringBuilder();
+    StringBuilder passed = new StringBuilder();
+    StringBuilder varyings = new StringBuilder();
+    for (int set : used) {
+      // A mesh that could not be made with them has none: 0, 0, 0, 1 then.
+      if (set <= sizes.size()) {
+        inputs.append("layout(location = %d) in vec4 given%d; ".formatted(3 + set, set));
+        passed.append("set%d = given%d; ".formatted(set, set));
+      } else {
+        passed.append("set%d = vec4(0.0, 0.0, 0.0, 1.0); ".formatted(set));
+      }
+      inputs.append("out vec4 set%d; ".formatted(set));
+      varyings.append("in vec4 set%d; ".formatted(set));
+    }
+    defines.add("MORE_INPUTS " + inputs);
+    defines.add("MORE_PASSED " + passed);
+    defines.add("MORE_VARYINGS " + varyings);
+  }
+
+  private static String sampler(TextureUnit unit) {
+    return unit.source() instanceof CubeTexture
+        ? "samplerCube"
+        : unit.source() instanceof VolumeTexture ? "sampler3D" : "sampler2D";
+  }
+
+  private static boolean turned(TextureUnit unit) {
+    return unit.mode().startsWith("WORLDSPACE")
+        || (unit.source() instanceof CubeTexture && unit.mode().startsWith("CAMERASPACE"));
+  }
+
+  private static String coordinates(TextureUnit unit) {
+    if (unit.set() == TextureUnit.BOUNDS) {
+      return "vec4(localAt, 1.0)";
+    }
+    if (unit.set() >= 0) {
+      return "set" + unit.set();
+    }
+    String direction =
+        switch (unit.mode()) {
+          case "CAMERASPACENORMAL", "WORLDSPACENORMAL" -> "normalize(seenNormal)";
+          case "CAMERASPACEPOSITION", "COORD-EYE" -> "seenAt";
+          case "CAMERASPACEREFLECTIONVECTOR", "SPHERE-REFLECT", "WORLDSPACEREFLECTIONVECTOR" ->
+              "mirrored()";
+          case "SPHERE-LOCAL" -> "sphereOf(normalize(localNormal))";
+          case "COORD" -> "localAt";
+          default -> "sphereOf(normalize(seenNormal))";
+        };
+    if (direction.startsWith("sphereOf")) {
+      return direction;
+    }
+    return turned(unit) ? "vec4(toWorld * " + direction + ", 1.0)" : "vec4(" + direction + ", 1.0)";
+  }
+
+  private static String statement(TextureStage stage, String texel) {
+    String source =
+        switch (stage.source()) {
+          case "DIFFUSE" -> "plain";
+          case "SPECULAR" -> "vec4(shineHere.rgb, plain.a)";
+          case "FACTOR" -> "detail[1]";
+          default -> "baseHere";
+        };
+    String call = "%s(" + texel + ", " + source + ", plain, detail[1])";
+    String result =
+        "staged("
+            + call.formatted(mode(stage.mode()))
+            + ", "
+            + call.formatted(mode(stage.alphaMode()))
+            + ")";
+    return "baseHere = "
+        + switch (stage.function()) {
+          case "COMPLEMENT" -> "complement(" + result + ")";
+          case "ALPHAREPLICATE" -> result + ".aaaa";
+          default -> result;
+        }
+        + "; ";
+  }
+
+  private static String mode(String given) {
+    String name = given.toUpperCase(Locale.ROOT);
+    return MODES.contains(name) ? name : "MODULATE";
+  }
+}

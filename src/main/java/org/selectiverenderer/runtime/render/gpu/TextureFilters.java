@@ -1,0 +1,89 @@
+package org.selectiverenderer.runtime.render.gpu;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL2ES3;
+import com.jogamp.opengl.GL3;
+import org.selectiverenderer.runtime.instance.CubeTexture;
+import org.selectiverenderer.runtime.instance.Sampling;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.instance.TextureSource;
+import org.selectiverenderer.runtime.instance.VolumeTexture;
+
+/**
+ * How the texture that is current is sampled: as its TextureProperties say, else trilinearly and a
+ * little anisotropically.
+ */
+final class TextureFilters {
+  private static final float ANISOTROPY = 4;
+
+  private TextureFilters() {}
+
+  static void set(GL3 gl, int target, TextureSource source) {
+    Sampling sampling = source.sampling();
+    boolean mipmaps = sampling == null || sampling.minify().mipmaps();
+    if (mipmaps) {
+      gl.glGenerateMipmap(target);
+    }
+    gl.glTexParameteri(
+        target,
+        GL.GL_TEXTURE_MIN_FILTER,
+        sampling == null ? GL.GL_LINEAR_MIPMAP_LINEAR : minify(sampling.minify()));
+    boolean linear = sampling == null || sampling.magnifyLinear();
+    gl.glTexParameteri(target, GL.GL_TEXTURE_MAG_FILTER, linear ? GL.GL_LINEAR : GL.GL_NEAREST);
+    boundaries(gl, target, source);
+    float wanted = sampling == null ? ANISOTROPY : sampling.anisotropy();
+    if (wanted > 1 && gl.isExtensionAvailable("GL_EXT_texture_filter_anisotropic")) {
+      float[] most = new float[1];
+      gl.glGetFloatv(GL2ES2.GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, most, 0);
+      gl.glTexParameterf(target, GL.GL_TEXTURE_MAX_ANISOTROPY_EXT, Math.min(wanted, most[0]));
+    }
+  }
+
+  private static int minify(Sampling.Minify filter) {
+    return switch (filter) {
+      case NEAREST -> GL.GL_NEAREST;
+      case LINEAR -> GL.GL_LINEAR;
+      case NEAREST_NEAREST -> GL.GL_NEAREST_MIPMAP_NEAREST;
+      case NEAREST_LINEAR -> GL.GL_NEAREST_MIPMAP_LINEAR;
+      case LINEAR_NEAREST -> GL.GL_LINEAR_MIPMAP_NEAREST;
+      case LINEAR_LINEAR -> GL.GL_LINEAR_MIPMAP_LINEAR;
+    };
+  }
+
+  private static void boundaries(GL3 gl, int target, TextureSource source) {
+    Sampling sampling = source.sampling();
+    if (source instanceof CubeTexture) {
+      wrap(gl, target, Sampling.Boundary.EDGE, Sampling.Boundary.EDGE, Sampling.Boundary.EDGE);
+    } else if (sampling != null) {
+      wrap(gl, target, sampling.s(), sampling.t(), sampling.r());
+      Sampling.Color c = sampling.border();
+      float[] border = {c.r(), c.g(), c.b(), c.a()};
+      gl.glTexParameterfv(target, GL3.GL_TEXTURE_BORDER_COLOR, border, 0);
+    } else if (source instanceof Texture texture) {
+      wrap(gl, target, of(texture.repeatS()), of(texture.repeatT()), Sampling.Boundary.EDGE);
+    } else if (source instanceof VolumeTexture volume) {
+      wrap(gl, target, of(volume.repeatS()), of(volume.repeatT()), of(volume.repeatR()));
+    }
+  }
+
+  private static Sampling.Boundary of(boolean repeats) {
+    return repeats ? Sampling.Boundary.REPEAT : Sampling.Boundary.EDGE;
+  }
+
+  private static void wrap(
+      GL3 gl, int target, Sampling.Boundary s, Sampling.Boundary t, Sampling.Boundary r) {
+    gl.glTexParameteri(target, GL.GL_TEXTURE_WRAP_S, gl(s));
+    gl.glTexParameteri(target, GL.GL_TEXTURE_WRAP_T, gl(t));
+    gl.glTexParameteri(target, GL2ES2.GL_TEXTURE_WRAP_R, gl(r));
+  }
+
+  private static int gl(Sampling.Boundary boundary) {
+    return switch (boundary) {
+      case REPEAT -> GL.GL_REPEAT;
+      case MIRROR -> GL.GL_MIRRORED_REPEAT;
+      case EDGE -> GL.GL_CLAMP_TO_EDGE;
+      case BORDER -> GL2ES3.GL_CLAMP_TO_BORDER;
+    };
+  }
+}
