@@ -27,18 +27,25 @@ import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
  * A scene file lit and written: all files or none.
  *
  * @param scene to be lit; it is left alone
+ * @param access what it may name besides its own files
  * @param output the lit scene's file
  * @param inlines the folder for the files that it inlines
  * @param preview a PNG file that shows the first viewpoint after every iteration, or null
  */
 public record RadiosityJob(
-    Path scene, Path output, Path inlines, @Nullable Path preview, RadiositySettings settings) {
+    Path scene,
+    ContentAccess access,
+    Path output,
+    Path inlines,
+    @Nullable Path preview,
+    RadiositySettings settings) {
   private static final String LIT = "-lit";
   private static final String UNLIT = "-unlit";
 
@@ -64,6 +71,12 @@ public record RadiosityJob(
       long rays,
       int files,
       boolean complete) {}
+
+  /** A scene that may name no more than its own files. */
+  public RadiosityJob(
+      Path scene, Path output, Path inlines, @Nullable Path preview, RadiositySettings settings) {
+    this(scene, ContentAccess.none(), output, inlines, preview, settings);
+  }
 
   /** The file for a scene's lit copy by default: {@code room.x3d} gives {@code room-lit.x3d}. */
   public static Path outputOf(Path scene) {
@@ -101,7 +114,8 @@ public record RadiosityJob(
       Problems problems, WorkProgress progress, BiConsumer<EnergyBalance, Double> iterations)
       throws IOException, UnlitSceneException {
     try (SceneLoader loader =
-        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+        new SceneLoader(
+            NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems)) {
       LoadedScene loaded = loader.load(scene);
       InstanceTree tree = new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
       if (tree.root().children().isEmpty() && hasError(problems)) {

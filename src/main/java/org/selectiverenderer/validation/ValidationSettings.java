@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
  * What a user decides.
@@ -14,6 +15,7 @@ import org.selectiverenderer.base.problem.Problem.Severity;
  * @param ignored ids of rules, or beginnings of ids ({@code SR2} for a group)
  * @param severities by id of rule, instead of the rule's own
  * @param megabytes that a scene and all its files may have
+ * @param access what scenes may name besides their own files
  * @param file that they were read from; null for none
  */
 public record ValidationSettings(
@@ -21,6 +23,7 @@ public record ValidationSettings(
     Map<String, Severity> severities,
     List<Budget> budgets,
     double megabytes,
+    ContentAccess access,
     @Nullable Path file) {
   public ValidationSettings {
     ignored = Set.copyOf(ignored);
@@ -33,7 +36,8 @@ public record ValidationSettings(
 
   /** All rules as they are, no budgets. */
   public static ValidationSettings standard() {
-    return new ValidationSettings(Set.of(), Map.of(), List.of(), MEGABYTES, null);
+    return new ValidationSettings(
+        Set.of(), Map.of(), List.of(), MEGABYTES, ContentAccess.none(), null);
   }
 
   /** Whether findings of a rule are not wanted. */
@@ -45,7 +49,12 @@ public record ValidationSettings(
   public ValidationSettings ignoring(Set<String> more) {
     Set<String> all = new HashSet<>(ignored);
     all.addAll(more);
-    return new ValidationSettings(all, severities, budgets, megabytes, file);
+    return new ValidationSettings(all, severities, budgets, megabytes, access, file);
+  }
+
+  /** The same for scenes that may name other files besides their own. */
+  public ValidationSettings allowing(ContentAccess wanted) {
+    return new ValidationSettings(ignored, severities, budgets, megabytes, wanted, file);
   }
 
   /** The severity that findings of a rule are to have. */

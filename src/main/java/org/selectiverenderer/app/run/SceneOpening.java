@@ -20,6 +20,7 @@ final class SceneOpening implements AutoCloseable {
                 Walkthrough.open(
                     scene.file(),
                     scene.rendering(),
+                    scene.access(),
                     listener::problem,
                     listener::happened,
                     listener::printed));

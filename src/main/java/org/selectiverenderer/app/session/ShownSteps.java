@@ -110,6 +110,7 @@ final class ShownSteps implements WindowChain.Runs {
     return new RunSettings(
             scene,
             new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
+        .allowing(study.access())
         .with(MotionSettings.walking(study.mouse()))
         .with(
             DisplaySettings.of(presentation)

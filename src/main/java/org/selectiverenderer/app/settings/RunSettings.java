@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.runtime.walk.MouseMapping;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
  * What a run shows and for how long: a scene that is walked through in a window, and what differs
@@ -26,12 +27,23 @@ public record RunSettings(
   /** A scene that the user walks through in a window, until he closes it. */
   public RunSettings(Path scene, SelectiveController.Settings rendering) {
     this(
-        new SceneSettings(scene, rendering),
+        new SceneSettings(scene, rendering, ContentAccess.none()),
         MotionSettings.walking(MouseMapping.WALK),
         DisplaySettings.WINDOW,
         TrackerSettings.NONE,
         Optional.empty(),
         OptionalDouble.empty());
+  }
+
+  /** Of a scene that may name more than its own files. */
+  public RunSettings allowing(ContentAccess access) {
+    return new RunSettings(
+        new SceneSettings(scene.file(), scene.rendering(), access),
+        motion,
+        display,
+        tracker,
+        log,
+        duration);
   }
 
   public RunSettings with(MotionSettings moving) {

@@ -20,6 +20,7 @@ import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
@@ -57,9 +58,21 @@ public final class Walkthrough implements AutoCloseable {
     world.instances().update();
   }
 
+  /** As the other, for a scene that may name no more than its own files. */
+  public static Walkthrough open(
+      Path scene,
+      SelectiveController.Settings settings,
+      Consumer<Problem> problem,
+      Consumer<TimelineEvent> timeline,
+      Consumer<String> console)
+      throws IOException {
+    return open(scene, settings, ContentAccess.none(), problem, timeline, console);
+  }
+
   /**
    * Loads a scene with everything that it inlines and puts it under the controller.
    *
+   * @param access what the scene may name besides its own files
    * @param problem hears what is wrong with the scene, in document order
    * @param timeline hears what happens, in order
    * @param console takes what a scene prints through the SAI
@@ -68,13 +81,15 @@ public final class Walkthrough implements AutoCloseable {
   public static Walkthrough open(
       Path scene,
       SelectiveController.Settings settings,
+      ContentAccess access,
       Consumer<Problem> problem,
       Consumer<TimelineEvent> timeline,
       Consumer<String> console)
       throws IOException {
     Problems problems = new Problems(problem);
     SceneLoader loader =
-        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+        new SceneLoader(
+            NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems);
     try {
       LoadedScene loaded = loader.load(scene);
       World world = new World(loaded, problems);

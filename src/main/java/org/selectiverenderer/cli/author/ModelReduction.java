@@ -21,20 +21,23 @@ import org.selectiverenderer.polygon.simplify.ModelSize;
 import org.selectiverenderer.polygon.simplify.Simplified;
 import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.Gzip;
 
 /**
  * Reduces one model and prints its figures.
  *
+ * @param access what the model may name besides its own files
  * @param output the file to write; null for standard output
  * @param json whether the figures are JSON, in which case only they go to standard output
  * @param many whether it is one of many models, so that the figures name it
  */
-record ModelReduction(Goal goal, @Nullable Path output, boolean json, boolean many) {
+record ModelReduction(
+    Goal goal, ContentAccess access, @Nullable Path output, boolean json, boolean many) {
 
   ExitStatus run(Path file, Console console) throws IOException {
     Problems problems = new Problems(console::problem);
-    Optional<Model> read = new ModelReader(NodeCatalogue.load()).read(file, problems);
+    Optional<Model> read = new ModelReader(NodeCatalogue.load(), access).read(file, problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

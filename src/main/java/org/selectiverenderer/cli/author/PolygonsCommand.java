@@ -11,6 +11,7 @@ import org.selectiverenderer.chart.ChartFile;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.batch.Batch;
 import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.ScenesArgument;
 import org.selectiverenderer.cli.output.CommandFailure;
@@ -24,6 +25,7 @@ import org.selectiverenderer.polygon.count.StatisticsCharts;
 import org.selectiverenderer.polygon.count.StatisticsCsv;
 import org.selectiverenderer.polygon.count.StatisticsJson;
 import org.selectiverenderer.polygon.count.StatisticsText;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -48,6 +50,8 @@ public final class PolygonsCommand extends CliCommand {
 
   @Mixin private ScenesArgument scenes = new ScenesArgument();
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   @Option(
       names = "--scope",
       split = ",",
@@ -69,6 +73,8 @@ public final class PolygonsCommand extends CliCommand {
       description = "draws the figures as bar charts into a file, 1200 pixels wide")
   private @Nullable Path chart;
 
+  private ContentAccess allowed = ContentAccess.none();
+
   public PolygonsCommand(Console console) {
     super(console);
   }
@@ -80,6 +86,7 @@ public final class PolygonsCommand extends CliCommand {
       throw CommandFailure.usage("--chart needs a file that ends in .png or .svg, not " + chart);
     }
     OutputFile.check("--chart", chart);
+    allowed = access.access();
     FileArguments files = scenes.files();
     if (!files.one()) {
       if (chart != null) {
@@ -116,7 +123,7 @@ public final class PolygonsCommand extends CliCommand {
 
   private SceneStatistics count(Path scene, Problems problems) throws IOException {
     try {
-      return PolygonStatistics.of(scene, scopes, problems);
+      return PolygonStatistics.of(scene, scopes, allowed, problems);
     } catch (ScopeException e) {
       throw CommandFailure.usage("--scope: " + e.getMessage());
     }

@@ -10,6 +10,7 @@ import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.SceneArgument;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
@@ -41,6 +42,8 @@ public final class RadiosityCommand extends CliCommand {
   }
 
   @Mixin private SceneArgument scene = new SceneArgument();
+
+  @Mixin private AccessOptions access = new AccessOptions();
 
   @Option(
       names = "--output",
@@ -156,7 +159,9 @@ public final class RadiosityCommand extends CliCommand {
     Path folder = inlines == null ? RadiosityJob.inlinesOf(target) : inlines;
     try (ProgressBar bar = ProgressBar.on(console())) {
       ExitStatus status =
-          light(new RadiosityJob(scene.file(), target, folder, preview, settings), bar);
+          light(
+              new RadiosityJob(scene.file(), access.access(), target, folder, preview, settings),
+              bar);
       // After Ctrl-C the program ends as soon as the bar is closed.
       console().out().flush();
       return status;

@@ -9,14 +9,17 @@ import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.batch.Batch;
 import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -84,6 +87,8 @@ public final class SimplifyCommand extends CliCommand {
           "models (.x3d, .x3dz, .obj, .ply, .stl, .gltf, .glb), folders of models, patterns")
   private List<String> names = List.of();
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   @ArgGroup(exclusive = true, multiplicity = "1")
   private GoalOptions options = new GoalOptions();
 
@@ -112,6 +117,7 @@ public final class SimplifyCommand extends CliCommand {
     if (output != null && outputDir != null) {
       throw CommandFailure.usage("--output and --output-dir exclude each other; give one");
     }
+    ContentAccess allowed = access.access();
     FileArguments files = new FileArguments(names);
     if (files.one()) {
       Path file = files.file();
@@ -124,7 +130,8 @@ public final class SimplifyCommand extends CliCommand {
         throw CommandFailure.environment(
             "--output " + target + ": is the model itself, which would be lost; name another file");
       }
-      return new ModelReduction(goal, target, format == Format.json, false).run(file, console());
+      return new ModelReduction(goal, allowed, target, format == Format.json, false)
+          .run(file, console());
     }
     if (output != null || outputDir == null && format != Format.json) {
       throw CommandFailure.usage("several models need --output-dir, a folder for the results");
@@ -136,7 +143,8 @@ public final class SimplifyCommand extends CliCommand {
         .run(
             models,
             (model, own) ->
-                new ModelReduction(goal, folder == null ? null : folder.of(model), json, true)
+                new ModelReduction(
+                        goal, allowed, folder == null ? null : folder.of(model), json, true)
                     .run(model, own));
   }
 }

@@ -15,6 +15,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
@@ -33,6 +34,7 @@ import org.selectiverenderer.validation.settings.Baseline;
 import org.selectiverenderer.validation.settings.ValidationSettingsFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
@@ -124,6 +126,8 @@ public final class ValidateCommand extends CliCommand {
       description = "folder to which file names in reports are relative (default: the current one)")
   private Path base = Path.of("");
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   @Option(names = "--rules", description = "lists all rules")
   private boolean rules;
 
@@ -179,7 +183,7 @@ public final class ValidateCommand extends CliCommand {
         config == null
             ? Optional.of(ValidationSettings.standard())
             : new ValidationSettingsFile(config, catalogue).read(new Problems(console()::problem));
-    return settings.map(read -> read.ignoring(more));
+    return settings.map(read -> read.ignoring(more).allowing(read.access().and(access.access())));
   }
 
   private List<SourceFile> files() throws IOException {

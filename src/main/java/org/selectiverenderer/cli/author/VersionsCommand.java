@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.cli.option.SceneArgument;
 import org.selectiverenderer.cli.output.Console;
@@ -94,6 +95,8 @@ public final class VersionsCommand extends CliCommand {
           "folder of the versions, relative to the scene's folder (default: ${DEFAULT-VALUE})")
   private String inlineFolder = "inlineNodes";
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   @Mixin private DryRunOption dryRun = new DryRunOption();
 
   public VersionsCommand(Console console) {
@@ -107,7 +110,8 @@ public final class VersionsCommand extends CliCommand {
     OutputFile.check("--output", output, ".x3d", ".x3dz");
     VersionsEdit.Request request =
         new VersionsEdit.Request(
-            scene.file(), object, goals, output == null ? scene.file() : output, inlineFolder);
+                scene.file(), object, goals, output == null ? scene.file() : output, inlineFolder)
+            .allowing(access.access());
     Snapshot document = DocumentFile.open(scene.file()).document().snapshot();
     Optional<VersionsEdit> plan;
     try {

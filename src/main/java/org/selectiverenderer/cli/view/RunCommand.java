@@ -23,6 +23,7 @@ import org.selectiverenderer.app.stream.LabStreams;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.SceneArgument;
@@ -79,6 +80,8 @@ public final class RunCommand extends CliCommand {
   }
 
   @Mixin private SceneArgument scene = new SceneArgument();
+
+  @Mixin private AccessOptions access = new AccessOptions();
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
@@ -164,6 +167,7 @@ public final class RunCommand extends CliCommand {
     }
     RunSettings settings =
         new RunSettings(scene.file(), condition.settings())
+            .allowing(access.access())
             .with(motion(walked, session))
             .with(display(presentation.get()))
             .with(tracking, head.recorded())

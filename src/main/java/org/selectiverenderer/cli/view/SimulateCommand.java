@@ -17,6 +17,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.batch.Batch;
 import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
@@ -27,6 +28,7 @@ import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.RunOutput;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -60,9 +62,13 @@ public final class SimulateCommand extends CliCommand {
       description = "frames per second of the path's time (default: ${DEFAULT-VALUE})")
   private double rate;
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
   @Mixin private FormatOption format = new FormatOption();
+
+  private ContentAccess allowed = ContentAccess.none();
 
   public SimulateCommand(Console console) {
     super(console);
@@ -79,6 +85,7 @@ public final class SimulateCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     FrameLimits.check(walked.get(), rate);
+    allowed = access.access();
     ExitStatus status = simulate(scenes.files(), walked.get());
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;
   }
@@ -110,6 +117,7 @@ public final class SimulateCommand extends CliCommand {
     Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
     RunSettings settings =
         new RunSettings(scene, condition.settings())
+            .allowing(allowed)
             .with(MotionSettings.following(FollowedPath.at(rate, walked)));
     RunResult result =
         SceneRunner.simulated(

@@ -134,13 +134,10 @@ final class Planning {
         || goal instanceof Goal.Vertices vertices && vertices.count() > size.vertices();
   }
 
-  /** Whether a browser will find the files: scenes name files of their own folders only. */
+  /** Whether a browser will find the files: scenes name files of their own projects only. */
   private boolean reachable(Path file) {
     Path folder = VersionFiles.folder(file);
-    Path above = outputFolder.getParent();
-    boolean inside =
-        folder.startsWith(outputFolder)
-            || above != null && folder.startsWith(above.resolve(ContentRoot.INLINE_FOLDER));
+    boolean inside = new ContentRoot(outputFolder, request.access()).mayBeNamed(folder);
     if (!inside) {
       problems.error(
           Location.of(request.output().toString()),

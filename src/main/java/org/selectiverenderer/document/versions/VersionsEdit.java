@@ -14,6 +14,10 @@ import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.polygon.model.ModelReader;
 import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
@@ -57,17 +61,33 @@ public final class VersionsEdit {
    * @param goals of versions 2, 3 and so on; a first one that is all of the original stands for
    *     version 1
    * @param output the changed scene's file; the scene's own to change it in place
+   * @param access what the scene may name besides its own files
    * @param inlineFolder where the versions' files go, relative to the output's folder
    */
   public record Request(
-      Path scene, String object, List<Goal> goals, Path output, String inlineFolder) {
+      Path scene,
+      ContentAccess access,
+      String object,
+      List<Goal> goals,
+      Path output,
+      String inlineFolder) {
     public Request {
       goals = List.copyOf(goals);
+    }
+
+    /** The same of a scene that may name no more than its own files. */
+    public Request(Path scene, String object, List<Goal> goals, Path output, String inlineFolder) {
+      this(scene, ContentAccess.none(), object, goals, output, inlineFolder);
     }
 
     /** The same, to change the scene in place. */
     public Request(Path scene, String object, List<Goal> goals, String inlineFolder) {
       this(scene, object, goals, scene, inlineFolder);
+    }
+
+    /** The same of a scene that may name more than its own files. */
+    public Request allowing(ContentAccess more) {
+      return new Request(scene, more, object, goals, output, inlineFolder);
     }
   }
 
@@ -81,13 +101,16 @@ public final class VersionsEdit {
   public static Optional<VersionsEdit> plan(
       Snapshot snapshot, Request request, NodeCatalogue catalogue, Problems problems)
       throws IOException {
-    X3dReader reader = new X3dReader(catalogue);
+    Path folder = VersionFiles.folder(request.scene());
+    X3dReader plain = new X3dReader(catalogue);
+    ContentRoot root = new ContentRoot(folder, request.access());
+    X3dReader reader = plain.with(new FileLibraries(plain, root), ContentBase.folder(folder));
     SceneSource scene = SceneSource.of(snapshot, reader, problems);
     Optional<ObjectElement> site = new SiteFinder(scene, problems).find(request.object());
     if (site.isEmpty()) {
       return Optional.empty();
     }
-    ModelReader models = new ModelReader(catalogue);
+    ModelReader models = new ModelReader(catalogue, request.access());
     return new Planning(request, scene, site.get(), models, reader, problems).plan();
   }
 

@@ -7,6 +7,7 @@ import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
  * A study. Files are resolved: relative ones are meant from the study file's folder.
@@ -23,6 +24,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param quality what sessions must be like to count
  * @param course how a session goes on
  * @param streams what goes to, and comes from, the Lab Streaming Layer
+ * @param access what the scenes may name besides their own files
  */
 public record Study(
     Path file,
@@ -43,7 +45,8 @@ public record Study(
     StudyQuestionnaires questionnaires,
     StudyQuality quality,
     StudyCourse course,
-    StudyStreams streams) {
+    StudyStreams streams,
+    ContentAccess access) {
 
   public Study {
     conditions = List.copyOf(conditions);

@@ -22,6 +22,7 @@ import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.files.AllowedKeys;
 
 /**
  * Reads a study file. Whatever is wrong with it (an unknown key, a value that cannot be, a file
@@ -111,7 +112,8 @@ public final class StudyReader {
                 .read(keys, !areas.isEmpty(), keys.has("practice")),
             QualityReader.read(keys),
             CourseReader.read(keys),
-            StudyStreamsReader.read(keys));
+            StudyStreamsReader.read(keys),
+            AllowedKeys.of(keys, file.toAbsolutePath()));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");

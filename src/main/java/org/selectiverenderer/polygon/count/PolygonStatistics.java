@@ -14,6 +14,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /** Counts the polygons of a scene. */
 public final class PolygonStatistics {
@@ -39,18 +40,25 @@ public final class PolygonStatistics {
     high = new PolygonCounter(choices);
   }
 
+  /** As the other, for a scene that may name no more than its own files. */
+  public static SceneStatistics of(Path scene, List<String> scopes, Problems problems)
+      throws IOException {
+    return of(scene, scopes, ContentAccess.none(), problems);
+  }
+
   /**
    * Reads a scene with everything that it inlines, on all processors, and counts.
    *
    * @param scopes DEF names of the groups to be counted; none for the outermost named groups that
    *     hold objects in versions, or the whole scene where there are none
+   * @param access what the scene may name besides its own files
    * @param problems hears what is wrong with the files, in document order
    * @throws IOException if the scene itself cannot be read, with a message of one line
    * @throws ScopeException if there is no group of a name
    */
-  public static SceneStatistics of(Path scene, List<String> scopes, Problems problems)
-      throws IOException {
-    SceneFile file = SceneFiles.read(scene);
+  public static SceneStatistics of(
+      Path scene, List<String> scopes, ContentAccess access, Problems problems) throws IOException {
+    SceneFile file = SceneFiles.read(scene, access);
     return new PolygonStatistics(file, scopes, problems).count(scene.toString());
   }
 

@@ -17,9 +17,12 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.FileLibraries;
+import org.selectiverenderer.x3d.read.Libraries;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dReader;
 
@@ -36,19 +39,22 @@ final class SceneFiles {
   private final ExecutorService executor;
   private final ContentRoot root;
   private final ContentBase base;
+  private final Libraries libraries;
 
-  private SceneFiles(Path nameFolder, ExecutorService executor) {
+  private SceneFiles(Path nameFolder, ContentAccess access, ExecutorService executor) {
     base = ContentBase.folder(nameFolder);
     this.executor = executor;
-    this.root = new ContentRoot(nameFolder);
+    this.root = new ContentRoot(nameFolder, access);
+    libraries = new FileLibraries(reader, root);
   }
 
   /**
    * Reads a scene.
    *
+   * @param access what it may name besides its own files
    * @throws IOException if the file itself cannot be read, with a message of one line
    */
-  static SceneFile read(Path scene) throws IOException {
+  static SceneFile read(Path scene, ContentAccess access) throws IOException {
     ExecutorService executor =
         Executors.newFixedThreadPool(
             Runtime.getRuntime().availableProcessors(),
@@ -59,7 +65,7 @@ final class SceneFiles {
             });
     try {
       Path parent = scene.getParent();
-      return new SceneFiles(parent == null ? Path.of("") : parent, executor).load(scene);
+      return new SceneFiles(parent == null ? Path.of("") : parent, access, executor).load(scene);
     } finally {
       executor.shutdownNow();
     }
@@ -67,7 +73,7 @@ final class SceneFiles {
 
   private SceneFile load(Path scene) throws IOException {
     Problems problems = new Problems();
-    SceneFile first = new SceneFile(reader.read(scene, problems), problems);
+    SceneFile first = new SceneFile(reader.with(libraries, base).read(scene, problems), problems);
     files.put(scene.toRealPath().toString(), CompletableFuture.completedFuture(Optional.of(first)));
     follow(first, base);
     for (CompletableFuture<?> task = tasks.poll(); task != null; task = tasks.poll()) {
@@ -133,7 +139,10 @@ final class SceneFiles {
     String name = content.name();
     Problems problems = new Problems();
     try (var in = content.open()) {
-      SceneFile file = new SceneFile(reader.read(name, in, content.size(), problems), problems);
+      SceneFile file =
+          new SceneFile(
+              reader.with(libraries, content.base()).read(name, in, content.size(), problems),
+              problems);
       follow(file, content.base());
       return Optional.of(file);
     } catch (IOException e) {

@@ -13,7 +13,10 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
@@ -27,9 +30,18 @@ public final class ModelReader {
 
   private final NodeCatalogue catalogue;
   private final X3dReader reader;
+  private final ContentAccess access;
   private final Tessellator tessellator = new Tessellator();
 
   public ModelReader(NodeCatalogue catalogue) {
+    this(catalogue, ContentAccess.none());
+  }
+
+  /**
+   * @param access what models may name besides their own files
+   */
+  public ModelReader(NodeCatalogue catalogue, ContentAccess access) {
+    this.access = access;
     this.catalogue = catalogue;
     this.reader = new X3dReader(catalogue);
   }
@@ -48,7 +60,11 @@ public final class ModelReader {
           .read(file)
           .flatMap(model -> withFaces(model, location, "the file", problems));
     }
-    X3dFile scene = reader.read(file, problems);
+    ContentRoot root = new ContentRoot(folder(file), access);
+    X3dFile scene =
+        reader
+            .with(new FileLibraries(reader, root), ContentBase.folder(folder(file)))
+            .read(file, problems);
     return withFaces(
         gather(scene.nodes(), folder(file), scene, problems), location, "the file", problems);
   }
@@ -71,7 +87,7 @@ public final class ModelReader {
 
   private Model gather(
       List<? extends NodeView> nodes, Path folder, X3dFile scene, Problems problems) {
-    ContentRoot root = new ContentRoot(folder.toAbsolutePath());
+    ContentRoot root = new ContentRoot(folder.toAbsolutePath(), access);
     ShapeGatherer gatherer = new ShapeGatherer(reader, tessellator, root, problems);
     gatherer.gather(nodes, folder, ShapeGatherer.metres(scene));
     return new Model(gatherer.parts(), scene.units());

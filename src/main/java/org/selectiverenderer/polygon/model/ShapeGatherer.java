@@ -20,6 +20,8 @@ import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.FileLibraries;
+import org.selectiverenderer.x3d.read.Libraries;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -34,6 +36,7 @@ final class ShapeGatherer {
   private final X3dReader reader;
   private final Tessellator tessellator;
   private final ContentRoot root;
+  private final Libraries libraries;
   private final Problems problems;
   private final List<ModelPart> parts = new ArrayList<>();
   private final Set<String> open = new LinkedHashSet<>();
@@ -42,6 +45,7 @@ final class ShapeGatherer {
     this.reader = reader;
     this.tessellator = tessellator;
     this.root = root;
+    libraries = new FileLibraries(reader, root);
     this.problems = problems;
   }
 
@@ -154,7 +158,8 @@ final class ShapeGatherer {
       return;
     }
     try (InputStream in = file.open()) {
-      X3dFile content = reader.read(file.name(), in, file.size(), problems);
+      X3dFile content =
+          reader.with(libraries, file.base()).read(file.name(), in, file.size(), problems);
       double own = metres(content);
       Matrix4d scaled = new Matrix4d(placement).scale(own / metres);
       Path folderOfFile = file.base() instanceof ContentBase.Folder at ? at.path() : folder;

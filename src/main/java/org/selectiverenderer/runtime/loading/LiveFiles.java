@@ -41,7 +41,7 @@ public final class LiveFiles {
     this.loaded = loaded;
     this.problems = problems;
     this.post = post;
-    inlines = new LiveInlines(this);
+    inlines = new LiveInlines(this, new LiveImports(loaded.scene(), problems));
     images = new LiveImages(this, loaded.loader().store().assets());
   }
 

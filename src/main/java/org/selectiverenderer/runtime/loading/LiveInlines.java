@@ -21,11 +21,13 @@ import org.selectiverenderer.runtime.scene.Scene;
  */
 final class LiveInlines {
   private final LiveFiles files;
+  private final LiveImports imports;
   private final Map<InlineNode, Watch> watched = new IdentityHashMap<>();
   private final List<Watch> changed = new ArrayList<>();
 
-  LiveInlines(LiveFiles files) {
+  LiveInlines(LiveFiles files, LiveImports imports) {
     this.files = files;
+    this.imports = imports;
   }
 
   void watch(Collection<InlineNode> present) {
@@ -51,6 +53,9 @@ final class LiveInlines {
     List<Watch> now = List.copyOf(changed);
     changed.clear();
     now.forEach(Watch::update);
+    if (!now.isEmpty()) {
+      imports.refresh(watched.keySet());
+    }
   }
 
   /** One Inline. */
@@ -105,6 +110,7 @@ final class LiveInlines {
         waiting = false;
         double scale = content.map(Scene::unitLength).orElse(1.0) / files.unitLength(inline);
         inline.refill(content.orElse(null), content.isPresent() ? scale : 1);
+        imports.refresh(watched.keySet());
       }
     }
   }

@@ -132,7 +132,6 @@ final class SceneBuilder {
                 }
               });
       file.exports().forEach(export -> scene.exports().put(export.as(), export.localDef()));
-      file.imports().forEach(this::importNode);
       for (X3dFile.ParsedRoute route : file.routes()) {
         Optional<Node> from = end(route.from());
         Optional<Node> to = end(route.to());
@@ -140,6 +139,8 @@ final class SceneBuilder {
           scene.addRoute(new Route(from.get(), route.fromField(), to.get(), route.toField()));
         }
       }
+      new ImportBuilder(scene, this::end).build(file);
+      scene.imports().refresh(scene, LiveImports::content, content::error);
       return scene;
     }
 
@@ -152,26 +153,6 @@ final class SceneBuilder {
       Optional<Node> loose = make(parsed);
       loose.ifPresent(scene::addLoose);
       return loose;
-    }
-
-    private void importNode(X3dFile.Import wanted) {
-      Optional<Node> node =
-          scene
-              .find(wanted.inlineDef())
-              .filter(InlineNode.class::isInstance)
-              .flatMap(inline -> ((InlineNode) inline).content())
-              .flatMap(
-                  inner ->
-                      Optional.ofNullable(inner.exports().get(wanted.importedDef()))
-                          .flatMap(inner::find));
-      if (node.isEmpty()) {
-        content.error(
-            wanted.location(),
-            "the Inline exports no node as %s (Inline %s); the IMPORT is left out"
-                .formatted(wanted.importedDef(), wanted.inlineDef()));
-      } else {
-        scene.imported().put(wanted.as(), node.get());
-      }
     }
 
     private Optional<Node> make(ParsedNode parsed) {

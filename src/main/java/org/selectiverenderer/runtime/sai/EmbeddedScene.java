@@ -215,9 +215,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
         Optional.of(binding.unwrapped(inline))
             .filter(InlineNode.class::isInstance)
             .flatMap(candidate -> ((InlineNode) candidate).content())
-            .flatMap(
-                inner ->
-                    Optional.ofNullable(inner.exports().get(exportedName)).flatMap(inner::find))
+            .flatMap(inner -> inner.exported(exportedName))
             .orElseThrow(
                 () -> new ImportedNodeException("the Inline exports no node as " + exportedName));
     write(() -> scene.imported().put(name, node));
@@ -228,8 +226,8 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
     return read(
         () ->
             binding.wrapped(
-                Optional.ofNullable(scene.exports().get(name))
-                    .flatMap(scene::find)
+                scene
+                    .exported(name)
                     .orElseThrow(
                         () -> new InvalidNodeException("no node is exported as " + name))));
   }

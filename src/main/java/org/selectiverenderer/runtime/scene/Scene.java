@@ -23,6 +23,9 @@ public final class Scene {
   private final Map<String, Node> named = new LinkedHashMap<>();
   private final Map<String, Node> imported = new LinkedHashMap<>();
   private final Map<String, String> exports = new LinkedHashMap<>();
+  private final SceneImports imports = new SceneImports();
+  private final Map<String, SceneImports.ExportedInstance> exportedInstances =
+      new LinkedHashMap<>();
   private final Set<Route> routes = new LinkedHashSet<>();
   private final Set<Node> loose = new LinkedHashSet<>();
 
@@ -106,6 +109,30 @@ public final class Scene {
   /** Imported name to node, from IMPORT statements. */
   public Map<String, Node> imported() {
     return imported;
+  }
+
+  /** What this scene has from its Inlines. */
+  public SceneImports imports() {
+    return imports;
+  }
+
+  /** The node that is exported under a name: one of its own, or one that it imports itself. */
+  public Optional<Node> exported(String name) {
+    String local = exports.get(name);
+    if (local == null) {
+      return Optional.empty();
+    }
+    Node own = named.get(local);
+    return Optional.ofNullable(own != null ? own : imported.get(local));
+  }
+
+  /** What the fields of an exported instance of a prototype stand for; empty for other nodes. */
+  public Optional<SceneImports.ExportedInstance> exportedInstance(String name) {
+    return Optional.ofNullable(exportedInstances.get(name));
+  }
+
+  public void exportInstance(String name, SceneImports.ExportedInstance fields) {
+    exportedInstances.put(name, fields);
   }
 
   /** Exported name to DEF name, from EXPORT statements. */

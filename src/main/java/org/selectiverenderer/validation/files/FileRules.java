@@ -28,21 +28,24 @@ public final class FileRules {
           .see("RFC 3986, 6.2.2.1");
 
   static final Rule OUTSIDE =
-      Rule.warning("SR303", "url '{url}' points outside the scene's folder")
+      Rule.warning(
+              "SR303", "url '{url}' points outside the folders this scene may name (see --allow)")
           .because(
               """
-              This program opens only files in the folder of the scene, below it, and in a \
-              folder inlineNodes beside it. Other files would be missing after the scene is \
-              copied.""")
-          .bad("<Inline url='\"../../models/desk.x3d\"'/>")
+              A scene may name files in its own folder, below it, in a folder inlineNodes beside \
+              it, and in its project: the nearest folder above with a .git or an x3d-project. \
+              Other files would be missing after the project is copied. --allow DIR, or "allow" \
+              in the settings, opens further folders.""")
+          .bad("<Inline url='\"../../../somewhere/desk.x3d\"'/>")
           .good(GOOD)
           .see("docs/validate.md");
 
   static final Rule NETWORK =
       Rule.warning("SR304", "url '{url}' {reason}")
           .because(
-              "This program fetches nothing from the network. Keep a copy beside the "
-                  + "scene and name it first.")
+              """
+              Nothing is fetched from the network unless --allow-net HOST, or "allowNet" in the \
+              settings, names the host. Keep a copy beside the scene and name it first.""")
           .bad("<Inline url='\"https://example.org/desk.x3d\"'/>")
           .good("<Inline url='\"inlineNodes/desk.x3d\" \"https://example.org/desk.x3d\"'/>")
           .see("X3D 4.0, 9.2.1");

@@ -14,6 +14,8 @@ import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.XmlDocument;
@@ -36,16 +38,18 @@ final class FileChecker {
   /**
    * Checks a file.
    *
+   * @param root which files it may name, when it is read for the first time
    * @throws IOException if it cannot be read
    */
-  FileResult check(SourceFile file) throws IOException {
+  FileResult check(SourceFile file, ContentRoot root) throws IOException {
     long size = file.size();
     XmlDocument document;
     try (InputStream in = file.open()) {
       document = reader.document(file.name(), in, size);
     }
     // What the reader says of the scene is for who shows it; here the checks speak.
-    X3dFile scene = reader.scene(document, new Problems());
+    X3dFile scene =
+        reader.with(new FileLibraries(reader, root), file.base()).scene(document, new Problems());
     Suppressions suppressions = Suppressions.of(document, ids);
     Findings findings =
         new Findings(new WantedFindings(settings, Map.of(document.name(), suppressions)));

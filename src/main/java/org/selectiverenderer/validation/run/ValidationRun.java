@@ -65,14 +65,18 @@ final class ValidationRun {
   }
 
   Report validate(List<SourceFile> files) {
-    List<CompletableFuture<FileResult>> mains = files.stream().map(this::start).toList();
+    Map<SourceFile, ContentRoot> roots = new LinkedHashMap<>();
+    files.forEach(file -> roots.put(file, new ContentRoot(file.folder(), settings.access())));
+    List<CompletableFuture<FileResult>> mains =
+        roots.entrySet().stream().map(file -> start(file.getKey(), file.getValue())).toList();
     List<Scene> scenes = new ArrayList<>();
     for (CompletableFuture<FileResult> main : new LinkedHashSet<>(mains)) {
       FileOutline outline = main.join().outline();
       Scene scene =
           new Scene(
               outline,
-              new ContentRoot(outline.file().folder()),
+              roots.getOrDefault(
+                  outline.file(), new ContentRoot(outline.file().folder(), settings.access())),
               new IdentityHashMap<>(),
               Collections.newSetFromMap(new IdentityHashMap<>()));
       scenes.add(scene);
@@ -87,14 +91,14 @@ final class ValidationRun {
   }
 
   /** Begins to check a file, unless another scene has asked for it already. */
-  private CompletableFuture<FileResult> start(SourceFile file) {
+  private CompletableFuture<FileResult> start(SourceFile file, ContentRoot root) {
     return started.computeIfAbsent(
-        file.key(), key -> CompletableFuture.supplyAsync(() -> check(file), executor));
+        file.key(), key -> CompletableFuture.supplyAsync(() -> check(file, root), executor));
   }
 
-  private FileResult check(SourceFile file) {
+  private FileResult check(SourceFile file, ContentRoot root) {
     try {
-      return checker.check(file);
+      return checker.check(file, root);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -110,7 +114,8 @@ final class ValidationRun {
           && UrlChoice.of(node, scene.root, node.base(outline.file().base()), "")
               instanceof UrlChoice.Found found
           && found.content().file().map(java.nio.file.Files::isReadable).orElse(true)) {
-        pending.add(new Pending(scene, node, start(SourceFile.of(found.content(), base))));
+        pending.add(
+            new Pending(scene, node, start(SourceFile.of(found.content(), base), scene.root)));
       }
     }
   }

@@ -15,6 +15,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.validation.Budget;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.x3d.files.AllowedKeys;
 
 /**
  * Reads the settings that a project keeps beside its scenes:
@@ -23,7 +24,9 @@ import org.selectiverenderer.validation.run.RuleCatalogue;
  * {"ignore": ["SR2"],
  *  "severities": {"SR305": "error"},
  *  "budgets": [{"scope": "Office", "schemas": ["DeskSchema"], "polygons": 170000}],
- *  "megabytes": 50}
+ *  "megabytes": 50,
+ *  "allow": ["../models"],
+ *  "allowNet": ["example.org"]}
  * </pre>
  *
  * <p>Each key may be left out, and so may a budget's {@code scope} (the whole scene) and {@code
@@ -71,6 +74,7 @@ public final class ValidationSettingsFile {
         settings.object("severities", "\"severities\"", this::severities).orElse(Map.of()),
         settings.objects("budgets", "a budget", ValidationSettingsFile::budget),
         settings.number("megabytes", 0, Double.POSITIVE_INFINITY, ValidationSettings.MEGABYTES),
+        AllowedKeys.of(settings, file),
         file);
   }
 

@@ -2,6 +2,7 @@ package org.selectiverenderer.x3d.files;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * What a user lets scenes read besides the files of their own project.
@@ -20,10 +21,16 @@ public record ContentAccess(List<Path> folders, Network network) {
     return new ContentAccess(List.of(), Network.none());
   }
 
-  /** The same with further folders. */
-  public ContentAccess and(List<Path> more) {
+  /** What either allows. */
+  public ContentAccess and(ContentAccess more) {
+    if (more.folders.isEmpty() && more.network.hosts().isEmpty()) {
+      return this;
+    }
     return new ContentAccess(
-        java.util.stream.Stream.concat(folders.stream(), more.stream()).distinct().toList(),
-        network);
+        Stream.concat(folders.stream(), more.folders.stream()).distinct().toList(),
+        new Network(
+            Stream.concat(network.hosts().stream(), more.network.hosts().stream())
+                .distinct()
+                .toList()));
   }
 }

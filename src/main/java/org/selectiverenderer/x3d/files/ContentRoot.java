@@ -217,8 +217,9 @@ public final class ContentRoot {
     return new Content.OfFile(real, display(real));
   }
 
-  /** Whether a scene may name files in a folder of this machine, a real path. */
-  public boolean mayBeNamed(Path real) {
+  /** Whether a scene may name a file of this machine, or files in a folder. */
+  public boolean mayBeNamed(Path path) {
+    Path real = LocalUrl.real(path);
     return real.startsWith(folder) && (!wide || open(folder, real))
         || real.startsWith(inlineFolder)
         || project.filter(top -> real.startsWith(top) && open(top, real)).isPresent()

@@ -135,7 +135,7 @@ final class DocumentReader implements NodeReader.Links {
   }
 
   private boolean unknown(X3dFile.Export export) {
-    if (scope.find(export.localDef()) != null) {
+    if (scope.find(export.localDef()) != null || scope.isImported(export.localDef())) {
       return false;
     }
     if (scope.isLost(export.localDef())) {
@@ -155,6 +155,18 @@ final class DocumentReader implements NodeReader.Links {
     return value == null ? "" : value;
   }
 
+  private Map<String, X3dFile.InstanceFields> instances() {
+    Map<String, X3dFile.InstanceFields> instances = new LinkedHashMap<>();
+    for (X3dFile.Export export : exports) {
+      NameScope.Named named = scope.find(export.localDef());
+      ProtoInstance instance = named == null ? null : named.instance();
+      if (named != null && instance != null) {
+        instances.put(export.as(), routes.fields(named, instance));
+      }
+    }
+    return Collections.unmodifiableMap(instances);
+  }
+
   private X3dFile result() {
     Map<String, ParsedNode> named = new LinkedHashMap<>();
     scope.names().forEach((name, node) -> named.put(name, node.node()));
@@ -170,6 +182,8 @@ final class DocumentReader implements NodeReader.Links {
         Collections.unmodifiableMap(named),
         List.copyOf(routes.routes()),
         List.copyOf(imports),
-        List.copyOf(exports));
+        List.copyOf(exports),
+        List.copyOf(routes.imported()),
+        instances());
   }
 }

@@ -1,7 +1,9 @@
 package org.selectiverenderer.x3d.read;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -10,10 +12,9 @@ import org.selectiverenderer.x3d.field.FieldType;
 
 /** Reads ROUTE elements and finds out what they connect (X3D 4.0, 4.4.8.2). */
 final class RouteReader {
-  private record Field(ParsedNode node, FieldDefinition definition) {}
-
   private final ReadState reading;
   private final List<X3dFile.ParsedRoute> routes = new ArrayList<>();
+  private final List<X3dFile.ImportedRoute> imported = new ArrayList<>();
 
   RouteReader(ReadState reading) {
     this.reading = reading;
@@ -21,6 +22,30 @@ final class RouteReader {
 
   List<X3dFile.ParsedRoute> routes() {
     return routes;
+  }
+
+  /** Those that lead to or from imported nodes. */
+  List<X3dFile.ImportedRoute> imported() {
+    return imported;
+  }
+
+  /** What the fields of an instance stand for, for ROUTEs of other files. */
+  X3dFile.InstanceFields fields(NameScope.Named named, ProtoInstance instance) {
+    Map<String, List<X3dFile.End.Own>> inputs = new HashMap<>();
+    Map<String, List<X3dFile.End.Own>> outputs = new HashMap<>();
+    for (String name : instance.declaration().fields().keySet()) {
+      for (String spelling : List.of(name, "set_" + name, name + "_changed")) {
+        List<X3dFile.End.Own> taking = new ArrayList<>();
+        if (resolve(named, spelling, true, taking)) {
+          inputs.put(spelling, List.copyOf(taking));
+        }
+        List<X3dFile.End.Own> sending = new ArrayList<>();
+        if (resolve(named, spelling, false, sending)) {
+          outputs.put(spelling, List.copyOf(sending));
+        }
+      }
+    }
+    return new X3dFile.InstanceFields(Map.copyOf(inputs), Map.copyOf(outputs));
   }
 
   /** Reads the current element; its ends are checked at the end of the scope. */
@@ -49,36 +74,37 @@ final class RouteReader {
   /** Connects the ROUTEs of a scope whose nodes have all been read. */
   void connect(NameScope scope) {
     for (PendingRoute route : scope.routes()) {
-      List<Field> sources = fields(scope, route, route.from(), false);
-      List<Field> targets = sources == null ? null : fields(scope, route, route.to(), true);
+      List<X3dFile.End> sources = ends(scope, route, route.from(), false);
+      List<X3dFile.End> targets = sources == null ? null : ends(scope, route, route.to(), true);
       if (sources == null || targets == null) {
         continue;
       }
-      for (Field source : sources) {
-        for (Field target : targets) {
+      for (X3dFile.End source : sources) {
+        for (X3dFile.End target : targets) {
           connect(route, source, target);
         }
       }
     }
   }
 
-  private void connect(PendingRoute route, Field source, Field target) {
-    FieldType from = source.definition().type();
-    FieldType to = target.definition().type();
-    if (from != to) {
-      leaveOut(route, route.from() + " is " + from + " and " + route.to() + " is " + to);
+  private void connect(PendingRoute route, X3dFile.End source, X3dFile.End target) {
+    if (!(source instanceof X3dFile.End.Own from) || !(target instanceof X3dFile.End.Own to)) {
+      if (reading.spend(route.location())) {
+        imported.add(new X3dFile.ImportedRoute(source, target, route.location()));
+      }
+      return;
+    }
+    FieldType sent = from.node().type().fields().get(from.field()).type();
+    FieldType taken = to.node().type().fields().get(to.field()).type();
+    if (sent != taken) {
+      leaveOut(route, route.from() + " is " + sent + " and " + route.to() + " is " + taken);
     } else if (reading.spend(route.location())) {
-      routes.add(
-          new X3dFile.ParsedRoute(
-              source.node(),
-              source.definition().index(),
-              target.node(),
-              target.definition().index()));
+      routes.add(new X3dFile.ParsedRoute(from.node(), from.field(), to.node(), to.field()));
     }
   }
 
   /** The fields that an end stands for, or null after a message. */
-  private @Nullable List<Field> fields(
+  private @Nullable List<X3dFile.End> ends(
       NameScope scope, PendingRoute route, PendingRoute.End end, boolean input) {
     NameScope.Named named = end.found() != null ? end.found() : scope.find(end.node());
     if (named == null && scope.isLost(end.node())) {
@@ -86,23 +112,16 @@ final class RouteReader {
     }
     if (named == null) {
       if (scope.isImported(end.node())) {
-        reading.warning(
-            route.location(),
-            "routes to and from imported nodes are not followed; this one, "
-                + route.from()
-                + " to "
-                + route.to()
-                + ", is left out");
-      } else {
-        leaveOut(
-            route,
-            "no node has the name "
-                + end.node()
-                + reading.question(end.node(), scope.names().keySet()));
+        return List.of(new X3dFile.End.Imported(end.node(), end.field()));
       }
+      leaveOut(
+          route,
+          "no node has the name "
+              + end.node()
+              + reading.question(end.node(), scope.names().keySet()));
       return null;
     }
-    List<Field> found = new ArrayList<>(1);
+    List<X3dFile.End> found = new ArrayList<>(1);
     if (resolve(named, end.field(), input, found)) {
       return found;
     }
@@ -129,13 +148,14 @@ final class RouteReader {
    * Adds the fields that a name of a node stands for: one, or for an instance all those that its
    * body connects. False if it has no such field.
    */
-  private boolean resolve(NameScope.Named named, String field, boolean input, List<Field> into) {
+  private boolean resolve(
+      NameScope.Named named, String field, boolean input, List<? super X3dFile.End.Own> into) {
     ProtoInstance instance = named.instance();
     if (instance == null) {
       NodeType type = named.node().type();
       FieldDefinition definition = (input ? type.input(field) : type.output(field)).orElse(null);
       if (definition != null) {
-        into.add(new Field(named.node(), definition));
+        into.add(new X3dFile.End.Own(named.node(), definition.index()));
       }
       return definition != null;
     }

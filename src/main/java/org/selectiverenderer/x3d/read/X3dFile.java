@@ -18,6 +18,8 @@ import org.selectiverenderer.base.problem.Location;
  * @param loose Scripts behind the first node of a prototype's body, which stand in no other node
  * @param named DEF name to node, in document order
  * @param routes the ROUTE elements in document order
+ * @param importedRoutes those of them that lead to or from an imported node
+ * @param exportedInstances the fields of exported instances of prototypes, by the exported name
  */
 public record X3dFile(
     String source,
@@ -31,7 +33,9 @@ public record X3dFile(
     Map<String, ParsedNode> named,
     List<ParsedRoute> routes,
     List<Import> imports,
-    List<Export> exports) {
+    List<Export> exports,
+    List<ImportedRoute> importedRoutes,
+    Map<String, InstanceFields> exportedInstances) {
 
   /** The nodes at the top of the scene, then those that stand in no other node. */
   public List<ParsedNode> allNodes() {
@@ -66,7 +70,9 @@ public record X3dFile(
         Map.of(),
         List.of(),
         List.of(),
-        List.of());
+        List.of(),
+        List.of(),
+        Map.of());
   }
 
   public record Meta(String name, String content) {}
@@ -75,6 +81,31 @@ public record X3dFile(
 
   /** A ROUTE whose ends are checked: nodes exist, fields exist, types agree. */
   public record ParsedRoute(ParsedNode from, int fromField, ParsedNode to, int toField) {}
+
+  /** One end of a ROUTE. */
+  public sealed interface End {
+    /** A field of a node of this file. */
+    record Own(ParsedNode node, int field) implements End {}
+
+    /**
+     * A field of a node of another file, which an IMPORT names.
+     *
+     * @param field as the ROUTE spells it
+     */
+    record Imported(String name, String field) implements End {}
+  }
+
+  /** A ROUTE of which one end at least becomes known when an Inline has its content. */
+  public record ImportedRoute(End from, End to, Location location) {}
+
+  /**
+   * What the fields of an instance of a prototype stand for, by every name that a ROUTE may use.
+   *
+   * @param inputs of fields that take events
+   * @param outputs of fields that send events
+   */
+  public record InstanceFields(
+      Map<String, List<End.Own>> inputs, Map<String, List<End.Own>> outputs) {}
 
   public record Import(String inlineDef, String importedDef, String as, Location location) {}
 

@@ -46,6 +46,14 @@ class SimulateInlinesTest {
     assertThat(result.status()).isEqualTo(1);
   }
 
+  private void assertOutside(String url, String hint) {
+    assertLeftOut(
+        url,
+        "points outside the folders this scene may name; --allow %s would allow it"
+            .formatted(
+                folder.path(hint).normalize().toString().replace(folder.path("") + "/", "")));
+  }
+
   private void assertInlined(String url, long polygons) {
     SceneFolder.Result result = simulate(inline(url));
     assertThat(result.messages()).isEmpty();
@@ -59,25 +67,39 @@ class SimulateInlinesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {"../outside.x3d", "../../outside.x3d", "sub/../../outside.x3d", "/etc/passwd"})
-  void anInlineOutsideOfTheFolderIsLeftOutWhetherItIsThereOrNot(String url) {
+  @CsvSource({
+    "../outside.x3d, ''",
+    "../../outside.x3d, ..",
+    "sub/../../outside.x3d, ''",
+    "/etc/passwd, /etc"
+  })
+  void anInlineOutsideOfTheFolderIsLeftOutWhetherItIsThereOrNot(String url, String hint) {
     folder.scene("outside.x3d", BOX).scene("scenes/sub/a.x3d", BOX);
-    assertLeftOut(url, "points outside the scene's folder");
+    assertOutside(url, hint);
   }
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "http://example.org/a.x3d",
-        "HTTPS://example.org/a.x3d",
-        "ftp://example.org/a.x3d",
-        "jar:file:/a.jar!/a.x3d",
-        "data:model/x3d+xml,a",
-        "urn:inet:a"
-      })
-  void theNetworkIsNeverUsed(String url) {
-    assertLeftOut(url, "is on the network or has an unknown scheme; only local files are read");
+  @ValueSource(strings = {"http://example.org/a.x3d", "HTTPS://example.org:80/a.x3d"})
+  void theNetworkIsUsedOnlyWhereTheUserAllowsIt(String url) {
+    assertLeftOut(url, "is on the network; --allow-net example.org would allow it");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"ftp://example.org/a.x3d", "jar:file:/a.jar!/a.x3d", "urn:inet:a"})
+  void otherSchemesAreNotRead(String url) {
+    assertLeftOut(
+        url,
+        "has an unknown scheme; only files, data: and, where allowed, http: and https: are read");
+  }
+
+  @Test
+  void dataInTheUrlIsAlwaysRead() {
+    assertInlined(
+        "data:model/x3d+xml,<X3D version='4.0'><Scene>%s</Scene></X3D>"
+            .formatted(BOX)
+            .replace("<", "%3C")
+            .replace("'", "%22"),
+        12);
   }
 
   @ParameterizedTest
@@ -101,7 +123,7 @@ class SimulateInlinesTest {
 
   @Test
   void aFileUrlOutsideOfTheFolderIsLeftOut() {
-    assertLeftOut("file:///etc/hostname", "points outside the scene's folder");
+    assertOutside("file:///etc/hostname", "/etc");
   }
 
   @ParameterizedTest
@@ -168,8 +190,10 @@ class SimulateInlinesTest {
     SceneFolder.Result result = simulate(inline("../inlineNodes/curious.x3d"));
     assertThat(result.messages())
         .containsExactly(
-            "inlineNodes/curious.x3d:2:1: Inline url '../still.csv' points outside the scene's"
-                + " folder; the Inline is left out");
+            "inlineNodes/curious.x3d:2:1: Inline url '../still.csv' points outside the folders"
+                + " this scene may name; --allow "
+                + folder.path("")
+                + " would allow it; the Inline is left out");
   }
 
   @Test
@@ -181,10 +205,10 @@ class SimulateInlinesTest {
     Files.createSymbolicLink(folder.path("scenes/folder"), folder.path("secret"));
     Files.createSymbolicLink(folder.path("inlineNodes"), folder.path("secret"));
     Files.createSymbolicLink(folder.path("scenes/ring.x3d"), folder.path("scenes/ring.x3d"));
-    assertLeftOut("link.x3d", "points outside the scene's folder");
-    assertLeftOut("folder/a.x3d", "points outside the scene's folder");
-    assertLeftOut("folder/none.x3d", "points outside the scene's folder");
-    assertLeftOut("../inlineNodes/a.x3d", "points outside the scene's folder");
+    assertOutside("link.x3d", "secret");
+    assertOutside("folder/a.x3d", "secret");
+    assertOutside("folder/none.x3d", "secret");
+    assertOutside("../inlineNodes/a.x3d", "secret");
     assertLeftOut("ring.x3d", "is missing");
     assertInlined("in.x3d", 12);
   }

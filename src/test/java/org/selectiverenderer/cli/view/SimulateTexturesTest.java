@@ -59,10 +59,13 @@ class SimulateTexturesTest {
     assertLeftOut(image("no.png"), "ImageTexture url 'no.png' is missing");
     assertLeftOut(
         image("http://example.org/a.png"),
-        "ImageTexture url 'http://example.org/a.png' is on the network or has an "
-            + "unknown scheme; only local files are read");
+        "ImageTexture url 'http://example.org/a.png' is on the network; --allow-net"
+            + " example.org would allow it");
     assertLeftOut(
-        image("../a.png"), "ImageTexture url '../a.png' points outside the scene's folder");
+        image("../a.png"),
+        "ImageTexture url '../a.png' points outside the folders this scene may name; --allow "
+            + folder.path("..").normalize()
+            + " would allow it");
   }
 
   @Test

@@ -34,6 +34,7 @@ import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** What is counted without a running scene is what a running scene shows. */
@@ -128,7 +129,8 @@ class SameAsRunningTest {
   }
 
   private static long counted(Path scene) throws IOException {
-    ItemBuilder items = new ItemBuilder(SceneFiles.read(scene), new Problems());
+    ItemBuilder items =
+        new ItemBuilder(SceneFiles.read(scene, ContentAccess.none()), new Problems());
     return new PolygonCounter(Map.of()).of(items.root());
   }
 

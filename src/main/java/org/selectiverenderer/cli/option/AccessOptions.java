@@ -1,0 +1,48 @@
+package org.selectiverenderer.cli.option;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.HostPattern;
+import org.selectiverenderer.x3d.files.Network;
+import picocli.CommandLine.Option;
+
+/** What scenes may read besides the files of their own project, for all commands that open any. */
+public final class AccessOptions {
+  @Option(
+      names = "--allow",
+      paramLabel = "DIR",
+      description =
+          "folder whose files the scene may name, besides its own and those of its project; may be"
+              + " repeated")
+  private List<Path> folders = List.of();
+
+  @Option(
+      names = "--allow-net",
+      paramLabel = "HOST",
+      description =
+          "host that the scene may fetch files from, such as example.org or *.example.org; may be"
+              + " repeated (default: none)")
+  private List<String> hosts = List.of();
+
+  /** One object for the whole command, so that nothing is fetched twice. */
+  public ContentAccess access() {
+    for (Path folder : folders) {
+      if (!Files.isDirectory(folder)) {
+        throw CommandFailure.usage("--allow %s: there is no such folder".formatted(folder));
+      }
+    }
+    List<HostPattern> patterns = new ArrayList<>();
+    for (String host : hosts) {
+      try {
+        patterns.add(new HostPattern(host));
+      } catch (IllegalArgumentException e) {
+        throw CommandFailure.usage("--allow-net: " + e.getMessage());
+      }
+    }
+    return new ContentAccess(folders, new Network(patterns));
+  }
+}
