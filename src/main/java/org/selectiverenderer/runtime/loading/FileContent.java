@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Location;
@@ -20,6 +21,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * @param path the real path; for text without a file, the folder it counts as being in
  * @param folder against which its urls are resolved
  * @param problems found in this file, kept apart so that they can be reported in document order
+ * @param types names of the node types in the file
  * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
 record FileContent(
@@ -27,6 +29,7 @@ record FileContent(
     Path folder,
     X3dFile file,
     FileProblems problems,
+    Set<String> types,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
@@ -50,6 +53,7 @@ record FileContent(
         folder,
         file,
         new FileProblems(),
+        ConcurrentHashMap.newKeySet(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>());

@@ -109,6 +109,7 @@ final class SceneBuilder {
       List<Node> roots = new ArrayList<>(file.nodes().size());
       file.nodes().forEach(node -> make(node).ifPresent(roots::add));
       scene.root().init(groupType.indexOf("children"), List.copyOf(roots));
+      scene.types(content.types());
       file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
       file.named()
           .forEach(
@@ -138,6 +139,7 @@ final class SceneBuilder {
       }
       Optional<Node> loose = make(parsed);
       loose.ifPresent(scene::addLoose);
+      content.types().add(parsed.type().name());
       return loose;
     }
 
