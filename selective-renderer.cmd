@@ -45,7 +45,17 @@ popd
 :start
 rem The jar's manifest grants native access; the program itself sets what its libraries read.
 set "SR_PATH=%SR_JAR%"
-if defined SELECTIVE_RENDERER_SAI (
+rem Another browser is for the command sai only.
+set "SR_SAI="
+if /i "%~1"=="sai" set "SR_SAI=%SELECTIVE_RENDERER_SAI%"
+if /i "%~2"=="sai" set "SR_SAI=%SELECTIVE_RENDERER_SAI%"
+set "SR_TOLD="
+if /i "%~1"=="run" set "SR_TOLD=run"
+if /i "%~1"=="simulate" set "SR_TOLD=simulate"
+if defined SELECTIVE_RENDERER_SAI if defined SR_TOLD (
+  echo selective-renderer: %SR_TOLD% runs in the embedded browser; SELECTIVE_RENDERER_SAI is for the command sai>&2
+)
+if defined SR_SAI (
   if exist "%SELECTIVE_RENDERER_SAI%\*" (
     set "SR_PATH=%SELECTIVE_RENDERER_SAI%\*;%SR_JAR%"
   ) else (
@@ -60,7 +70,7 @@ if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="validate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="radiosity" set "SR_FLAGS=%SR_FLAGS% -Xmx1200m"
 if /i "%~1"=="bench" set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.run-flags=%SR_LIGHT: =,%"
-if defined SELECTIVE_RENDERER_SAI (
+if defined SR_SAI (
   "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -cp "%SR_PATH%" org.selectiverenderer.cli.Main %*
 ) else (
   "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -jar "%SR_JAR%" %*

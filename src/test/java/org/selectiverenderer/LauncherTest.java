@@ -213,11 +213,20 @@ class LauncherTest {
   void anotherBrowsersJarsComeBeforeOurs() throws Exception {
     Path xj3d = Files.createDirectories(folder.resolve("xj3d jars"));
     environment.put("SELECTIVE_RENDERER_SAI", xj3d.toString());
-    launch("--version");
+    launch("sai", "a.x3d");
     assertThat(notes()).contains("java " + xj3d + "/*:" + jar());
     environment.put("SELECTIVE_RENDERER_SAI", "sai.jar:more.jar");
-    launch("--version");
+    launch("sai", "a.x3d");
     assertThat(notes()).contains("java sai.jar:more.jar:" + jar());
+  }
+
+  @Test
+  void onlySaiRunsInAnotherBrowserAndTheOthersSaySo() throws Exception {
+    environment.put("SELECTIVE_RENDERER_SAI", "sai.jar");
+    Run run = launch("run", "a.x3d");
+    assertThat(run.err()).contains("run runs in the embedded browser").hasLineCount(1);
+    assertThat(notes()).doesNotContain("sai.jar:");
+    assertThat(launch("validate", "a.x3d").err()).isEmpty();
   }
 
   @Test

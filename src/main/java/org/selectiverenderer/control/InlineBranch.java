@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlinedScenes;
 import org.web3d.x3d.sai.X3DNode;
@@ -12,15 +13,25 @@ final class InlineBranch extends Branch {
   private final X3DNode inline;
   private final InlinedScenes browser;
   private final SceneScope outer;
+  private final Set<String> wanted;
   private final int number;
   private @Nullable SceneScope inner;
   private InlinedScenes.@Nullable Registration registration;
 
-  InlineBranch(SceneScope outer, X3DNode inline, InlinedScenes browser, Listener listener) {
+  /**
+   * @param wanted names of node types: a scene that has none of them is passed over
+   */
+  InlineBranch(
+      SceneScope outer,
+      X3DNode inline,
+      InlinedScenes browser,
+      Set<String> wanted,
+      Listener listener) {
     super(listener);
     this.outer = outer;
     this.inline = inline;
     this.browser = browser;
+    this.wanted = wanted;
     this.number = outer.nextInline();
   }
 
@@ -37,7 +48,10 @@ final class InlineBranch extends Branch {
     }
     if (inner == null || !inner.scene().equals(content.get())) {
       inner = outer.inner(inline, number, content.get());
-    }
+      if (!browser.mayHold(inline, wanted)) {
+        return List.of();
+      }
+    } // Else it is looked at again since it has other nodes at its top than its file.
     return present(content.get().getRootNodes());
   }
 

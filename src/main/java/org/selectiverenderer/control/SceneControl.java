@@ -49,12 +49,7 @@ final class SceneControl implements ControlledArea.Listener {
     this.events = events;
     this.problems = problems;
     this.inlined = inlined;
-    this.walk =
-        new SceneWatch(
-            scene,
-            inlined,
-            n -> n instanceof Switch || n instanceof ProximitySensor,
-            this::changed);
+    this.walk = new SceneWatch(scene, inlined, Set.of("Switch", "ProximitySensor"), this::changed);
   }
 
   /** Reads the scene, sets what the condition sets, and says so. */

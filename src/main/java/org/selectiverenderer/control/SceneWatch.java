@@ -56,7 +56,7 @@ final class SceneWatch {
 
   private final SceneScope main;
   private final @Nullable InlinedScenes inlined;
-  private final Predicate<X3DNode> wanted;
+  private final Set<String> wanted;
   private final Listener listener;
   private final Map<X3DNode, Place> places = new HashMap<>();
   private List<X3DNode> roots = List.of();
@@ -64,12 +64,13 @@ final class SceneWatch {
   /**
    * Walks nothing yet; see {@link #rescan}.
    *
+   * @param wanted names of node types
    * @param inlined opens the Inlines, or null where they stay closed
    */
   SceneWatch(
       X3DExecutionContext scene,
       @Nullable InlinedScenes inlined,
-      Predicate<X3DNode> wanted,
+      Set<String> wanted,
       Listener listener) {
     this.main = new SceneScope(scene);
     this.inlined = inlined;
@@ -139,7 +140,7 @@ final class SceneWatch {
       if (place == null) {
         place = new Place(node, next.scope());
         places.put(node, place);
-        if (wanted.test(node)) {
+        if (wanted.contains(node.getNodeName())) {
           found.add(next);
         }
         for (Branch branch : place.branches) {
@@ -163,7 +164,7 @@ final class SceneWatch {
       if (place != null && --place.uses == 0) {
         places.remove(node);
         place.close();
-        if (wanted.test(node)) {
+        if (wanted.contains(node.getNodeName())) {
           lost.add(node);
         }
         pushReversed(pending, place.children());
@@ -212,7 +213,7 @@ final class SceneWatch {
         }
       }
       if (inlined != null && node instanceof Inline) {
-        found.add(new InlineBranch(scope, node, inlined, SceneWatch.this::replace));
+        found.add(new InlineBranch(scope, node, inlined, wanted, SceneWatch.this::replace));
       }
       branches = List.copyOf(found);
     }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.sai;
 
 import java.util.Optional;
+import java.util.Set;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
@@ -29,6 +30,17 @@ public interface InlinedScenes {
    *     FALSE}
    */
   Optional<X3DScene> inlinedScene(X3DNode inline);
+
+  /**
+   * Whether the scene that an Inline shows holds nodes of some types, or can come to hold them. Who
+   * looks for nodes need not look into others: most inlined files are models, and many.
+   *
+   * @param types names of node types
+   * @return false if none is in it, and none can come to be in it but at its top, of which a
+   *     listener hears: it has no Script and exports nothing. True of a scene that has Inlines
+   *     itself
+   */
+  boolean mayHold(X3DNode inline, Set<String> types);
 
   /**
    * Tells a listener of the changes of an Inline.

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DGroupingNode;
@@ -20,7 +21,7 @@ class SceneWatchTest {
         new SceneWatch(
             scene,
             null,
-            node -> node instanceof X3DGroupingNode,
+            Set.of("Group", "Transform", "Switch", "Collision"),
             (added, gone, time) -> {
               added.forEach(one -> found.add(one.node()));
               lost.addAll(gone);

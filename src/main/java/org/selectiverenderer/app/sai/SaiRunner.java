@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.WindowConstants;
@@ -19,6 +20,7 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineText;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.web3d.x3d.sai.BrowserFactory;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.InvalidX3DException;
@@ -33,36 +35,49 @@ import org.web3d.x3d.sai.X3DScene;
  */
 public final class SaiRunner implements AutoCloseable {
   /**
-   * For Xj3D, which does not start where it finds no OpenAL or no device for sounds; other browsers
-   * do not look at it.
+   * What browsers are told unless the user says otherwise: Xj3D does not start where it finds no
+   * OpenAL or no device for sounds; other browsers do not look at it.
    */
   private static final Map<String, Object> PARAMETERS = Map.of("Xj3D_DisableAudio", true);
+
+  /** How long a browser may take to tell of the end of a path, in seconds. */
+  private static final double PATIENCE = 1;
 
   /** Of the standard: the system property that names the browser's factory. */
   private static final String FACTORY = "x3d.sai.factory.class";
 
-  private final double begun = System.currentTimeMillis() / 1000.0;
+  private volatile double begun = System.currentTimeMillis() / 1000.0;
+  private volatile boolean shown;
   private final X3DComponent component;
   private final TimelineText text = new TimelineText();
   private final Consumer<String> out;
+  private final Consumer<TimelineEvent> timeline;
   private @Nullable JFrame window;
 
-  private SaiRunner(X3DComponent component, Consumer<String> out) {
+  private SaiRunner(
+      X3DComponent component, Consumer<String> out, Consumer<TimelineEvent> timeline) {
     this.component = component;
     this.out = out;
+    this.timeline = timeline;
   }
 
   /**
    * Shows a scene.
    *
    * @param url full address of the scene
+   * @param parameters for the browser, in addition to those that it needs
    * @param out takes the time line line by line, on the thread of the browser
+   * @param timeline takes the events of the scene, on the same thread
    * @throws org.web3d.x3d.sai.X3DException if there is no browser, it does not start, or the scene
    *     cannot be read
    */
   public static SaiRunner open(
-      String url, SelectiveController.Settings settings, Consumer<String> out) {
-    SaiRunner runner = new SaiRunner(component(), out);
+      String url,
+      SelectiveController.Settings settings,
+      Map<String, Object> parameters,
+      Consumer<String> out,
+      Consumer<TimelineEvent> timeline) {
+    SaiRunner runner = new SaiRunner(component(parameters), out, timeline);
     try {
       ExternalBrowser browser = runner.browser();
       out.accept("browser: " + browser.getName() + " " + browser.getVersion());
@@ -72,7 +87,9 @@ public final class SaiRunner implements AutoCloseable {
           runner::tell,
           problem ->
               out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
-      browser.replaceWorld(read(browser, url));
+      X3DScene scene = read(browser, url);
+      runner.shown = true; // Before it a browser shows an empty scene, which is no one's.
+      browser.replaceWorld(scene);
       return runner;
     } catch (RuntimeException | Error e) {
       runner.close();
@@ -80,9 +97,11 @@ public final class SaiRunner implements AutoCloseable {
     }
   }
 
-  private static X3DComponent component() {
+  private static X3DComponent component(Map<String, Object> parameters) {
+    Map<String, Object> all = new HashMap<>(PARAMETERS);
+    all.putAll(parameters);
     try {
-      return BrowserFactory.createX3DComponent(new HashMap<>(PARAMETERS));
+      return BrowserFactory.createX3DComponent(all);
     } catch (HeadlessException e) {
       throw withoutDisplay(e);
     } catch (NullPointerException e) { // what Xj3D does when it finds no factory
@@ -132,10 +151,26 @@ public final class SaiRunner implements AutoCloseable {
     return component.getBrowser();
   }
 
+  /**
+   * Moves the viewer along a path through the SAI, at the pace of the clock on the wall. From here
+   * on the time line counts from the beginning of the path.
+   *
+   * @param end ends it early when it reaches zero
+   */
+  public void follow(CameraPath path, CountDownLatch end) throws InterruptedException {
+    SaiWalk walk = new SaiWalk(browser(), path);
+    walk.begin(end);
+    begun = System.currentTimeMillis() / 1000.0;
+    walk.walk(end, PATIENCE);
+  }
+
   /** X3D counts seconds from 1970, the time line from the start. */
   private void tell(ControlEvent event) {
-    double t = Math.max(0, event.time() - begun);
-    out.accept(text.line(new TimelineEvent.Told(t, event)));
+    TimelineEvent.Told told = new TimelineEvent.Told(Math.max(0, event.time() - begun), event);
+    out.accept(text.line(told));
+    if (shown) {
+      timeline.accept(told);
+    }
   }
 
   /**

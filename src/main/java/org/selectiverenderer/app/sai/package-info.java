@@ -2,7 +2,8 @@
  * A scene under the controller in whatever browser the Scene Access Interface finds.
  *
  * <p>In: the address of a scene. Out: its time line, a window. May use {@code control}, {@code
- * app.timeline} and {@code org.web3d.x3d.sai} only, so that it runs on Xj3D.
+ * app.timeline}, {@code runtime.viewer} for recorded paths and {@code org.web3d.x3d.sai} only, so
+ * that it runs on Xj3D.
  */
 @NullMarked
 package org.selectiverenderer.app.sai;

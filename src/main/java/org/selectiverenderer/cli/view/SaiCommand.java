@@ -2,18 +2,29 @@ package org.selectiverenderer.cli.view;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.sai.SaiRunner;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.web3d.x3d.sai.X3DException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** For docs/xj3d.md; not in the help, since {@code run} does more with the browser inside. */
@@ -33,6 +44,27 @@ public final class SaiCommand extends CliCommand {
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
+  @Option(
+      names = "--path",
+      paramLabel = "P.csv",
+      description = "recorded path that a Viewpoint is moved along; the run ends with it")
+  private @Nullable Path path;
+
+  @Option(
+      names = "--timeline",
+      paramLabel = "F.jsonl",
+      description = "file for the time line, as JSON lines; with --path it counts from its start")
+  private @Nullable Path timeline;
+
+  @Option(
+      names = "--sai-parameter",
+      paramLabel = "KEY=VALUE",
+      description = {
+        "parameter for the browser; TRUE and FALSE are truth values. Can be given several times.",
+        "Xj3D_DisableAudio=TRUE is given unless another value is"
+      })
+  private Map<String, String> parameters = Map.of();
+
   private final InputStream in;
 
   /**
@@ -48,22 +80,56 @@ public final class SaiCommand extends CliCommand {
     if (!Files.isRegularFile(scene)) {
       throw new IOException(scene + ": the file does not exist");
     }
+    Problems pathProblems = new Problems(console()::problem);
+    Optional<CameraPath> walked =
+        path == null ? Optional.empty() : CameraPathReader.read(path, pathProblems);
+    if (path != null && walked.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
     LibraryProperties.swingFirst(); // The browser may be a Swing panel.
+    ExitStatus status = pathProblems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+    if (timeline == null) {
+      return show(walked, event -> {}, status);
+    }
+    try (TimelineFile file = new TimelineFile(timeline)) {
+      return show(walked, file, status);
+    }
+  }
+
+  private ExitStatus show(
+      Optional<CameraPath> walked, Consumer<TimelineEvent> events, ExitStatus status)
+      throws IOException {
     CountDownLatch closed = new CountDownLatch(1);
     String url = scene.toAbsolutePath().normalize().toUri().toString();
-    try (SaiRunner runner = SaiRunner.open(url, condition.settings(), this::print)) {
-      if (runner.showWindow(closed::countDown)) {
+    try (SaiRunner runner =
+        SaiRunner.open(url, condition.settings(), parameters(), this::print, events)) {
+      boolean window = runner.showWindow(closed::countDown);
+      if (walked.isPresent()) {
+        runner.follow(walked.get(), closed);
+      } else if (window) {
         closed.await();
       } else {
-        in.transferTo(java.io.OutputStream.nullOutputStream());
+        in.transferTo(OutputStream.nullOutputStream());
       }
-      return ExitStatus.DONE;
+      return status;
     } catch (X3DException e) {
       throw new IOException(scene + ": " + e.getMessage(), e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return ExitStatus.DONE;
     }
+  }
+
+  private Map<String, Object> parameters() {
+    Map<String, Object> typed = new HashMap<>();
+    parameters.forEach(
+        (key, value) ->
+            typed.put(
+                key,
+                value.equalsIgnoreCase("true") || value.equalsIgnoreCase("false")
+                    ? Boolean.valueOf(value)
+                    : value));
+    return typed;
   }
 
   private void print(String line) {

@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.loading;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Location;
@@ -22,6 +23,7 @@ import org.selectiverenderer.x3d.script.Program;
  * @param key of what was read; for text without a file, the folder it counts as being in
  * @param base where its relative urls start
  * @param problems found in this file, kept apart so that they can be reported in document order
+ * @param types names of the node types in the file
  * @param programs those of Scripts, where they have one that can be used
  * @param pictures the textures that stand for those of Background nodes
  * @param inlines what became of the file that an Inline names; complete when all threads are done
@@ -31,6 +33,7 @@ record FileContent(
     ContentBase base,
     X3dFile file,
     FileProblems problems,
+    Set<String> types,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
     Map<ParsedNode, Program> programs,
@@ -56,6 +59,7 @@ record FileContent(
         base,
         file,
         new FileProblems(),
+        ConcurrentHashMap.newKeySet(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),

@@ -110,6 +110,7 @@ final class FileLoader {
     NodeWalk.visit(
         content.file().allNodes(),
         node -> {
+          content.types().add(node.type().name());
           if (node.type().name().equals("Inline") && node.bool("load")) {
             find(node, content, inlined::add);
           } else if (tessellator.handles(node.type())) {

@@ -122,6 +122,7 @@ final class SceneBuilder {
       file.nodes().forEach(node -> make(node).ifPresent(roots::add));
       scene.root().init(groupType.indexOf("children"), List.copyOf(roots));
       file.loose().forEach(this::end);
+      scene.types(content.types());
       file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
       file.named()
           .forEach(
@@ -152,6 +153,7 @@ final class SceneBuilder {
       }
       Optional<Node> loose = make(parsed);
       loose.ifPresent(scene::addLoose);
+      content.types().add(parsed.type().name());
       return loose;
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
@@ -97,6 +98,13 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes {
   @Override
   public Optional<X3DScene> inlinedScene(X3DNode inline) {
     return Optional.ofNullable(InlineWatch.shown(inlineOf(inline))).map(this::shown);
+  }
+
+  @Override
+  public boolean mayHold(X3DNode inline, Set<String> types) {
+    Scene content = InlineWatch.shown(inlineOf(inline));
+    return content != null
+        && (content.mayGrow() || content.types().orElseThrow().stream().anyMatch(types::contains));
   }
 
   @Override

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A scene: its nodes under one root group, names, routes, and the head of its file. The content of
@@ -27,6 +28,7 @@ public final class Scene {
   private final Map<String, SceneImports.ExportedInstance> exportedInstances =
       new LinkedHashMap<>();
   private final Set<Route> routes = new LinkedHashSet<>();
+  private @Nullable Set<String> types;
   private final Set<Node> loose = new LinkedHashSet<>();
 
   /**
@@ -150,6 +152,27 @@ public final class Scene {
 
   public void addLoose(Node node) {
     loose.add(node);
+  }
+
+  /** The names of the node types in its file; empty if that is not known. */
+  public Optional<Set<String>> types() {
+    return Optional.ofNullable(types).map(Collections::unmodifiableSet);
+  }
+
+  /**
+   * Whether nodes can come that its file does not hold: by an application, a Script, an Inline, or
+   * through what it exports. Nodes at its top are not meant.
+   */
+  public boolean mayGrow() {
+    return types == null
+        || !exports.isEmpty()
+        || types.contains("Script")
+        || types.contains("Inline");
+  }
+
+  /** Notes the names of the node types in its file. */
+  public void types(Set<String> ofFile) {
+    types = ofFile;
   }
 
   public List<Route> routes() {

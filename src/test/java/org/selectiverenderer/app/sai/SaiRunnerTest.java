@@ -9,8 +9,11 @@ import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -18,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
@@ -50,6 +54,7 @@ class SaiRunnerTest {
       """;
 
   private @TempDir Path dir;
+  private final List<TimelineEvent> events = new CopyOnWriteArrayList<>();
   private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
 
   private Path scene() throws IOException {
@@ -65,7 +70,8 @@ class SaiRunnerTest {
   @Test
   void walkingThroughTheSaiSwitchesAndTellsSo() throws Exception {
     try (SaiRunner runner =
-        SaiRunner.open(scene().toUri().toString(), Settings.SELECTIVE, lines::add)) {
+        SaiRunner.open(
+            scene().toUri().toString(), Settings.SELECTIVE, Map.of(), lines::add, events::add)) {
       assertThat(next()).startsWith("browser: Selective Renderer");
       assertThat(next()).contains("start", "no Switch"); // the empty scene before
       assertThat(next()).contains("start", "Can: choice 1");
@@ -82,9 +88,34 @@ class SaiRunnerTest {
   }
 
   @Test
+  void aPathMovesTheViewerAndTheTimeLineIsWritten() throws Exception {
+    Path path = Files.writeString(dir.resolve("p.csv"), "t,x,y,z\n0,0,0,6\n0.5,0,0,0\n1,0,0,6\n");
+    Path timeline = dir.resolve("t.jsonl");
+    Process walk =
+        process(
+                EmbeddedBrowserFactory.class.getName(),
+                "--path",
+                path.toString(),
+                "--timeline",
+                timeline.toString())
+            .start();
+    String printed = output(walk);
+    assertThat(walk.exitValue()).as(printed).isZero();
+    assertThat(Files.readAllLines(timeline))
+        .extracting(line -> line.replaceAll("\"t\":[0-9.]+,", ""))
+        .containsExactly(
+            "{\"event\":\"start\",\"switches\":{\"Can\":1}}",
+            "{\"event\":\"enter\",\"sensor\":\"Desk\",\"schemas\":[\"Near\"]}",
+            "{\"event\":\"switch\",\"switch\":\"Can\",\"from\":1,\"to\":0,\"schema\":\"Near\"}",
+            "{\"event\":\"exit\",\"sensor\":\"Desk\",\"schemas\":[\"Far\"]}",
+            "{\"event\":\"switch\",\"switch\":\"Can\",\"from\":0,\"to\":1,\"schema\":\"Far\"}");
+  }
+
+  @Test
   void aSceneThatIsNotThereEndsTheBrowserAgain() {
     String missing = dir.resolve("no.x3d").toUri().toString();
-    assertThatThrownBy(() -> SaiRunner.open(missing, Settings.SELECTIVE, lines::add))
+    assertThatThrownBy(
+            () -> SaiRunner.open(missing, Settings.SELECTIVE, Map.of(), lines::add, events::add))
         .isInstanceOf(InvalidURLException.class);
   }
 
@@ -102,9 +133,16 @@ class SaiRunnerTest {
   @Test
   @RequiresDisplay
   void aBrowserThatIsASwingPanelRunsInAWindowUntilTheWindowIsClosed() throws Exception {
-    Process panel = process(PanelBrowserFactory.class.getName()).start();
+    Process panel =
+        process(
+                PanelBrowserFactory.class.getName(),
+                "--sai-parameter",
+                "Xj3D_DisableAudio=FALSE",
+                "--sai-parameter",
+                "Skin=blue")
+            .start();
     assertThat(output(panel))
-        .contains("parameters: {Xj3D_DisableAudio=true}", "Can: choice 1", "shown: true");
+        .contains("Xj3D_DisableAudio=false", "Skin=blue", "Can: choice 1", "shown: true");
     assertThat(panel.exitValue()).isZero();
   }
 
@@ -184,16 +222,19 @@ class SaiRunnerTest {
     }
   }
 
-  private ProcessBuilder process(String factory) throws IOException {
-    return new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Dx3d.sai.factory.class=" + factory,
-            "-cp",
-            System.getProperty("java.class.path"),
-            Main.class.getName(),
-            "sai",
-            scene().toString())
-        .redirectErrorStream(true);
+  private ProcessBuilder process(String factory, String... options) throws IOException {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Dx3d.sai.factory.class=" + factory,
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "sai",
+                scene().toString()));
+    command.addAll(List.of(options));
+    return new ProcessBuilder(command).redirectErrorStream(true);
   }
 
   private static String output(Process process) throws Exception {
