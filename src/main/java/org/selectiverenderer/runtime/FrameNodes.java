@@ -8,6 +8,7 @@ import java.util.Set;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
@@ -28,6 +29,7 @@ record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean 
     boolean anchors = collect(instances.root(), inlines);
     List<FrameNode> nodes = new ArrayList<>();
     addFrameNodes(instances.otherNodes(), nodes);
+    addFormed(instances, nodes);
     addFrameNodes(scene.loose(), nodes);
     for (InlineNode inline : inlines) {
       inline.content().ifPresent(content -> addFrameNodes(content.loose(), nodes));
@@ -35,6 +37,17 @@ record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean 
     boolean touchable =
         anchors || instances.otherNodes().stream().anyMatch(TouchSensorNode.class::isInstance);
     return new FrameNodes(List.copyOf(nodes), List.copyOf(inlines), touchable);
+  }
+
+  /** What is drawn and changes by itself, each once. */
+  private static void addFormed(InstanceTree instances, List<FrameNode> to) {
+    Set<Node> formed = new LinkedHashSet<>();
+    for (ShapeInstance shape : instances.shapes()) {
+      if (shape.node() instanceof FrameNode) {
+        formed.add(shape.node());
+      }
+    }
+    addFrameNodes(formed, to);
   }
 
   private static void addFrameNodes(Collection<Node> from, List<FrameNode> to) {

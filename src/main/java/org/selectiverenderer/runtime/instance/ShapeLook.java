@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -37,6 +38,9 @@ final class ShapeLook implements NodeObserver {
     this.shape = shape;
     this.assets = assets;
     this.tree = tree;
+    if (shape instanceof Formed formed) {
+      formed.meshes(assets::mesh);
+    }
     observe();
     read();
   }
@@ -63,8 +67,12 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void read() {
-    mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
-    anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
+    if (shape instanceof Formed formed) {
+      mesh = formed.form().orElse(null);
+    } else {
+      mesh = geometry == null ? null : assets.mesh(geometry).orElse(null);
+      anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
+    }
     surface = SurfaceReader.read(shape.node("appearance"), assets);
   }
 

@@ -24,6 +24,7 @@ import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
 import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
+import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
@@ -54,6 +55,7 @@ public final class NodeFactory {
     put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
     put(HumanoidNode::new, "HAnimHumanoid");
     put(SegmentNode::new, "HAnimSegment");
+    put(ParticleSystemNode::new, "ParticleSystem");
     put(CadFaceNode::new, "CADFace");
     put(SwitchNode::new, "Switch");
     put(LodNode::new, "LOD");

@@ -70,6 +70,18 @@ final class PassiveNodes {
           "NurbsTextureCoordinate",
           "TextureCoordinate");
 
+  private static final Set<String> PARTICLES =
+      Set.of(
+          "BoundedPhysicsModel",
+          "ConeEmitter",
+          "ExplosionEmitter",
+          "ForcePhysicsModel",
+          "PointEmitter",
+          "PolylineEmitter",
+          "SurfaceEmitter",
+          "VolumeEmitter",
+          "WindPhysicsModel");
+
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
   private static final Set<String> DESCRIPTIONS =
@@ -89,6 +101,7 @@ final class PassiveNodes {
     return SHAPES.contains(typeName)
         || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
+        || PARTICLES.contains(typeName)
         || LIGHTS.contains(typeName)
         || DESCRIPTIONS.contains(typeName);
   }

@@ -13,6 +13,7 @@
  *   <li>{@code sensor} what a frame drives: time, the viewer's place, the pointing device
  *   <li>{@code geo} what is placed on the earth
  *   <li>{@code hanim} figures: skeletons and their skin
+ *   <li>{@code particle} particle systems
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers
  * </ul>
  *
