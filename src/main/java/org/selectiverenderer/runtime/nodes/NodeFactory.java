@@ -23,6 +23,7 @@ import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
 import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
+import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
@@ -30,6 +31,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.spline.Splines;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -43,6 +45,7 @@ public final class NodeFactory {
 
   public NodeFactory() {
     makers.putAll(Geospatial.MAKERS);
+    makers.putAll(Splines.MAKERS);
     put(
         GroupingNode::new,
         "Group",
@@ -54,6 +57,7 @@ public final class NodeFactory {
         "ViewpointGroup");
     put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
     put(HumanoidNode::new, "HAnimHumanoid");
+    put(MotionNode::new, "HAnimMotion");
     put(SegmentNode::new, "HAnimSegment");
     put(ParticleSystemNode::new, "ParticleSystem");
     put(CadFaceNode::new, "CADFace");
