@@ -8,6 +8,7 @@ import java.util.Set;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
@@ -44,6 +45,7 @@ record FrameNodes(
       inline.content().ifPresent(content -> loose.addAll(content.loose()));
     }
     add(placed, FrameNode.class, nodes);
+    add(formed(instances), FrameNode.class, nodes);
     add(loose, FrameNode.class, nodes);
     add(placed, ScriptNode.class, scripts);
     add(loose, ScriptNode.class, scripts);
@@ -58,8 +60,19 @@ record FrameNodes(
         touchable);
   }
 
-  private static <T> void add(Collection<Node> from, Class<T> kind, List<T> to) {
+  private static <T> void add(Collection<? extends Node> from, Class<T> kind, List<T> to) {
     from.stream().filter(kind::isInstance).forEach(node -> to.add(kind.cast(node)));
+  }
+
+  /** What is drawn and changes by itself, each once. */
+  private static Set<Node> formed(InstanceTree instances) {
+    Set<Node> formed = new LinkedHashSet<>();
+    for (ShapeInstance shape : instances.shapes()) {
+      if (shape.node() instanceof FrameNode) {
+        formed.add(shape.node());
+      }
+    }
+    return formed;
   }
 
   /** Collects Inlines; says whether there is an Anchor. */

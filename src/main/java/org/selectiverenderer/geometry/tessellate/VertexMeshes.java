@@ -10,6 +10,29 @@ public final class VertexMeshes {
   private VertexMeshes() {}
 
   /**
+   * The triangles of faces as an IndexedFaceSet has them; those that cannot be drawn are left out.
+   *
+   * @param points x, y, z each
+   * @param coordIndex points per face, -1 after each
+   * @return a mesh without normals
+   */
+  public static Mesh faces(float[] points, int[] coordIndex) {
+    Points all = Points.of(points);
+    IndexRuns runs = IndexRuns.separated(coordIndex);
+    TriangleList triangles = new TriangleList(coordIndex, coordIndex.length);
+    FaceSplitter splitter = new FaceSplitter(points, triangles);
+    FaceCorners check = new FaceCorners(coordIndex, all, 3);
+    for (int face = 0; face < runs.count(); face++) {
+      if (check.accepts(runs.from(face), runs.to(face))) {
+        splitter.split(runs.from(face), runs.to(face), face);
+      }
+    }
+    triangles.dropDegenerate(points);
+    return new Welder(points, triangles.points(), null, null, null)
+        .mesh(Mesh.Primitive.TRIANGLES, false, true);
+  }
+
+  /**
    * The mesh of triangles whose corners take all their values from one vertex. Triangles without
    * area are left out. Without normals, those are generated as for an IndexedFaceSet (X3D 4.0,
    * 11.2.3), equal positions counting as one point.

@@ -17,6 +17,7 @@ import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
@@ -219,7 +220,7 @@ public final class InstanceTree {
       }
       return instance;
     }
-    if (node.type().name().equals("Shape")) {
+    if (node.type().name().equals("Shape") || node instanceof Formed) {
       ShapeLook look = looks.computeIfAbsent(node, shape -> new ShapeLook(shape, assets, this));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.instances.add(instance);

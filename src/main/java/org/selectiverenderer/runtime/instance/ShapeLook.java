@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -38,6 +39,9 @@ final class ShapeLook implements NodeObserver {
     this.shape = shape;
     this.assets = assets;
     this.tree = tree;
+    if (shape instanceof Formed formed) {
+      formed.meshes(assets::mesh);
+    }
     observe();
     read();
   }
@@ -69,8 +73,14 @@ final class ShapeLook implements NodeObserver {
 
   private void read() {
     stroke = StrokeReader.read(shape.node("appearance"));
-    mesh = LineLengths.of(geometry == null ? null : assets.mesh(geometry).orElse(null), stroke);
-    anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
+    Mesh formed;
+    if (shape instanceof Formed own) {
+      formed = own.form().orElse(null);
+    } else {
+      formed = geometry == null ? null : assets.mesh(geometry).orElse(null);
+      anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
+    }
+    mesh = LineLengths.of(formed, stroke);
     surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
   }
 

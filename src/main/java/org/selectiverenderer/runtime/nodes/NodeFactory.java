@@ -25,14 +25,17 @@ import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
 import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
+import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
+import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.spline.Splines;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -46,6 +49,7 @@ public final class NodeFactory {
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
+    makers.putAll(Splines.MAKERS);
     put(
         GroupingNode::new,
         "Group",
@@ -57,7 +61,9 @@ public final class NodeFactory {
         "ViewpointGroup");
     put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
     put(HumanoidNode::new, "HAnimHumanoid");
+    put(MotionNode::new, "HAnimMotion");
     put(SegmentNode::new, "HAnimSegment");
+    put(ParticleSystemNode::new, "ParticleSystem");
     put(CadFaceNode::new, "CADFace");
     put(SwitchNode::new, "Switch");
     put(LodNode::new, "LOD");

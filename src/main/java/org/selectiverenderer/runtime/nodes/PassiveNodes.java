@@ -89,6 +89,18 @@ final class PassiveNodes {
           "TextureCoordinate4D",
           "TextureCoordinateGenerator");
 
+  private static final Set<String> PARTICLES =
+      Set.of(
+          "BoundedPhysicsModel",
+          "ConeEmitter",
+          "ExplosionEmitter",
+          "ForcePhysicsModel",
+          "PointEmitter",
+          "PolylineEmitter",
+          "SurfaceEmitter",
+          "VolumeEmitter",
+          "WindPhysicsModel");
+
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
   private static final Set<String> EFFECTS = Set.of("LocalFog", "ClipPlane");
@@ -111,6 +123,7 @@ final class PassiveNodes {
         || TEXTURES.contains(typeName)
         || GEOMETRY.contains(typeName)
         || GEOMETRY_DATA.contains(typeName)
+        || PARTICLES.contains(typeName)
         || LIGHTS.contains(typeName)
         || EFFECTS.contains(typeName)
         || DESCRIPTIONS.contains(typeName);

@@ -17,6 +17,8 @@
  *   <li>{@code script} Scripts, whose programs {@code runtime.script} runs
  *   <li>{@code geo} what is placed on the earth
  *   <li>{@code hanim} figures: skeletons and their skin
+ *   <li>{@code particle} particle systems
+ *   <li>{@code spline} interpolators along smooth curves
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers
  * </ul>
  *

@@ -40,7 +40,9 @@ public final class Containment {
       case "Switch" -> Optional.of("children").filter(now -> name.equals("choice"));
       case "LOD" -> Optional.of("children").filter(now -> name.equals("level"));
       case "LoadSensor" -> Optional.of("children").filter(now -> name.equals("watchList"));
-      case "ParticleSystem" -> Optional.of("color").filter(now -> name.equals("colorRamp"));
+      case "ParticleSystem" ->
+          Optional.of(name.replace("Ramp", ""))
+              .filter(now -> name.equals("colorRamp") || name.equals("texCoordRamp"));
       case "ComposedCubeMapTexture" ->
           Optional.of(name + "Texture").filter(now -> parent.field(now).isPresent());
       default -> Optional.empty();

@@ -8,11 +8,11 @@ import java.util.Set;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
-import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -25,6 +25,7 @@ public final class HumanoidNode extends TransformNode implements Deforming {
   private final int skin;
   private final int viewpoints;
   private final int motions;
+  private final int motionsEnabled;
   private final int skinCoord;
   private final int skinNormal;
   private final NodeObserver watch = this::watched;
@@ -39,6 +40,7 @@ public final class HumanoidNode extends TransformNode implements Deforming {
     skin = type.indexOf("skin");
     viewpoints = type.indexOf("viewpoints");
     motions = type.indexOf("motions");
+    motionsEnabled = type.indexOf("motionsEnabled");
     skinCoord = type.indexOf("skinCoord");
     skinNormal = type.indexOf("skinNormal");
     addObserver(watch);
@@ -60,7 +62,7 @@ public final class HumanoidNode extends TransformNode implements Deforming {
 
   private void watched(Node node, int field) {
     if (node == this) {
-      if (field != skeleton) {
+      if (field != skeleton && field != motions && field != motionsEnabled) {
         return;
       }
       joints = null;
@@ -87,6 +89,7 @@ public final class HumanoidNode extends TransformNode implements Deforming {
       known = Skeleton.of(nodes("skeleton"));
       joints = known;
       observe(known);
+      motions(known);
     }
     if (points == null) {
       return;
@@ -97,6 +100,16 @@ public final class HumanoidNode extends TransformNode implements Deforming {
     points.show(Skinning.of(known.joints(), placements, rest, false));
     if (normals != null && normals.rest().length == rest.length) {
       normals.show(Skinning.of(known.joints(), placements, normals.rest(), true));
+    }
+  }
+
+  private void motions(Skeleton known) {
+    boolean[] enabled = (boolean[]) value("motionsEnabled");
+    List<Node> all = nodes("motions");
+    for (int i = 0; i < all.size(); i++) {
+      if (all.get(i) instanceof MotionNode motion) {
+        motion.joints(known.joints(), i >= enabled.length || enabled[i]);
+      }
     }
   }
 

@@ -1,0 +1,87 @@
+package org.selectiverenderer.runtime.nodes.particle;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.tree.MeshTree;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * What acts on the particles of a system (X3D 4.0, 40.2.2): forces, wind, and surfaces that they
+ * bounce off. Forces and wind move what has a mass; wind what has an area too.
+ */
+final class Physics {
+  private final List<Node> forces = new ArrayList<>();
+  private final List<Node> winds = new ArrayList<>();
+  private final List<MeshTree> bounds = new ArrayList<>();
+  private final Vector3d acceleration = new Vector3d();
+  private final double mass;
+  private final double area;
+
+  Physics(List<Node> models, Node emitter, KnownMeshes meshes) {
+    mass = emitter.number("mass");
+    area = emitter.number("surfaceArea");
+    for (Node model : models) {
+      if (model.type().field("enabled").isPresent() && !model.bool("enabled")) {
+        continue;
+      }
+      switch (model.type().name()) {
+        case "ForcePhysicsModel" -> forces.add(model);
+        case "WindPhysicsModel" -> winds.add(model);
+        case "BoundedPhysicsModel" ->
+            meshes.surface(model.node("geometry")).ifPresent(found -> bounds.add(found.tree()));
+        default -> {} // Of another edition: said once when the scene was loaded.
+      }
+    }
+    addForces();
+  }
+
+  private void addForces() {
+    for (Node force : forces) {
+      if (mass > 0) {
+        acceleration.fma(1.0 / mass, Emitters.vector(force, "force"));
+      }
+    }
+  }
+
+  /** Changes a velocity by a step. */
+  void accelerate(Vector3d velocity, double seconds, Chance chance) {
+    velocity.fma(seconds, acceleration);
+    if (!(mass > 0) || !(area > 0)) {
+      return;
+    }
+    for (Node wind : winds) {
+      double speed = chance.around(wind.number("speed"), wind.number("gustiness"));
+      // 40.4.13: pressure = 10 ^ (2 log speed) * 0.64615, in newtons per square metre.
+      double pressure = speed * speed * 0.64615;
+      Vector3d way = Emitters.vector(wind, "direction");
+      way = way.lengthSquared() > 0 ? way.normalize() : chance.direction();
+      double turbulence = wind.number("turbulence");
+      way = turbulence > 0 ? chance.cone(way, Math.PI * turbulence) : way;
+      velocity.fma(seconds * pressure * area / mass, way);
+    }
+  }
+
+  /** Moves a particle by a step, turning its way where it meets a surface. */
+  void move(Vector3d position, Vector3d velocity, double seconds) {
+    for (MeshTree bound : bounds) {
+      if (velocity.lengthSquared() == 0) {
+        break;
+      }
+      Optional<MeshTree.MeshHit> hit =
+          bound.nearest(position, velocity, seconds, MeshTree.Sides.BOTH);
+      if (hit.isPresent()) {
+        int triangle = hit.get().triangle();
+        Vector3d a = bound.corner(triangle, 0, new Vector3d());
+        Vector3d b = bound.corner(triangle, 1, new Vector3d()).sub(a);
+        Vector3d c = bound.corner(triangle, 2, new Vector3d()).sub(a);
+        Vector3d normal = b.cross(c).normalize();
+        position.fma(hit.get().distance() * 0.999, velocity);
+        velocity.reflect(normal);
+        return;
+      }
+    }
+    position.fma(seconds, velocity);
+  }
+}

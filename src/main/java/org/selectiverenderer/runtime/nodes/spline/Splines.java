@@ -1,0 +1,131 @@
+package org.selectiverenderer.runtime.nodes.spline;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.nurbs.RationalSurface;
+import org.selectiverenderer.geometry.tessellate.NurbsFields;
+import org.selectiverenderer.runtime.nodes.event.KeyFrames;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeMaker;
+import org.selectiverenderer.runtime.scene.Rotations;
+
+/**
+ * The interpolators along splines. A node whose keys or control points give no curve sends nothing;
+ * outside the keys the first or last value is sent.
+ */
+public final class Splines {
+  public static final Map<String, NodeMaker> MAKERS = makers();
+
+  private Splines() {}
+
+  private static Map<String, NodeMaker> makers() {
+    Map<String, NodeMaker> all = new HashMap<>();
+    all.put("SplinePositionInterpolator", answering(spline(3)));
+    all.put("SplinePositionInterpolator2D", answering(spline(2)));
+    all.put("SplineScalarInterpolator", answering(spline(1)));
+    all.put("SquadOrientationInterpolator", answering(Splines::squad));
+    all.put("NurbsPositionInterpolator", answering(Splines::position));
+    all.put("NurbsOrientationInterpolator", answering(Splines::orientation));
+    all.put("NurbsSurfaceInterpolator", answering(Splines::surface));
+    return Map.copyOf(all);
+  }
+
+  private static NodeMaker answering(FractionNode.Answer answer) {
+    return (type, name, location) -> new FractionNode(type, name, location, answer);
+  }
+
+  private static void send(Node node, String field, Object value, Cascade cascade) {
+    node.emit(node.type().indexOf(field), value, cascade);
+  }
+
+  private static FractionNode.Answer spline(int components) {
+    return (fraction, node, cascade) -> {
+      float at = (Float) fraction;
+      float[] keys = node.floats("key");
+      float[] values = node.floats("keyValue");
+      int count = Math.min(keys.length, values.length / components);
+      if (count == 0) {
+        return;
+      }
+      int low = KeyFrames.at(keys, count, at);
+      float[] result;
+      if (low == count - 1 || at <= keys[low]) {
+        result = Arrays.copyOfRange(values, low * components, (low + 1) * components);
+      } else {
+        double part = ((double) at - keys[low]) / ((double) keys[low + 1] - keys[low]);
+        result =
+            new Hermite(keys, values, components, count, node.bool("closed"))
+                .between(low, part, node.floats("keyVelocity"), node.bool("normalizeVelocity"));
+      }
+      send(node, "value_changed", components == 1 ? (Object) result[0] : result, cascade);
+    };
+  }
+
+  private static void squad(Object fraction, Node node, Cascade cascade) {
+    float at = (Float) fraction;
+    float[] keys = node.floats("key");
+    float[] values = node.floats("keyValue");
+    int count = Math.min(keys.length, values.length / 4);
+    if (count == 0) {
+      return;
+    }
+    int low = KeyFrames.at(keys, count, at);
+    float[] result = Arrays.copyOfRange(values, 4 * low, 4 * low + 4);
+    if (low < count - 1 && at > keys[low]) {
+      Quaterniond[] all = new Quaterniond[count];
+      for (int i = 0; i < count; i++) {
+        all[i] = Rotations.read(values, 4 * i, new Quaterniond());
+      }
+      double part = ((double) at - keys[low]) / ((double) keys[low + 1] - keys[low]);
+      Rotations.write(Squad.between(all, low, part), result);
+    }
+    send(node, "value_changed", result, cascade);
+  }
+
+  private static void position(Object fraction, Node node, Cascade cascade) {
+    NurbsFields.curve(node, problem -> {})
+        .map(curve -> curve.at(curve.basis().at((Float) fraction)))
+        .ifPresent(at -> send(node, "value_changed", floats(at, 0), cascade));
+  }
+
+  /** 27.4.6: +Z along the curve. */
+  private static void orientation(Object fraction, Node node, Cascade cascade) {
+    NurbsFields.curve(node, problem -> {})
+        .map(curve -> curve.at(curve.basis().at((Float) fraction)))
+        .map(at -> new Vector3d(at[3], at[4], at[5]))
+        .filter(way -> way.lengthSquared() > 0 && way.isFinite())
+        .ifPresent(
+            way -> {
+              float[] result = new float[4];
+              Rotations.write(new Quaterniond().rotationTo(new Vector3d(0, 0, 1), way), result);
+              send(node, "value_changed", result, cascade);
+            });
+  }
+
+  private static void surface(Object fraction, Node node, Cascade cascade) {
+    float[] part = (float[]) fraction;
+    RationalSurface surface = NurbsFields.surface(node, problem -> {}).orElse(null);
+    if (surface == null || Float.isNaN(part[0]) || Float.isNaN(part[1])) {
+      return;
+    }
+    double[] at = surface.at(surface.u().at(part[0]), surface.v().at(part[1]));
+    Vector3d normal = new Vector3d(at[3], at[4], at[5]).cross(at[6], at[7], at[8]);
+    if (normal.lengthSquared() > 0) {
+      normal.normalize();
+    }
+    send(node, "position_changed", floats(at, 0), cascade);
+    send(
+        node,
+        "normal_changed",
+        new float[] {(float) normal.x, (float) normal.y, (float) normal.z},
+        cascade);
+  }
+
+  private static float[] floats(double[] from, int at) {
+    return new float[] {(float) from[at], (float) from[at + 1], (float) from[at + 2]};
+  }
+}
