@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
@@ -24,11 +25,20 @@ import org.selectiverenderer.runtime.scene.Scene;
 record FrameNodes(List<FrameNode> frameNodes, List<InlineNode> inlines, boolean touchable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
+    return of(Optional.of(scene), instances);
+  }
+
+  /**
+   * The nodes of a part of a scene.
+   *
+   * @param scene whose nodes in no group count too
+   */
+  static FrameNodes of(Optional<Scene> scene, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
     boolean anchors = collect(instances.root(), inlines);
     List<FrameNode> nodes = new ArrayList<>();
     addFrameNodes(instances.otherNodes(), nodes);
-    addFrameNodes(scene.loose(), nodes);
+    scene.ifPresent(of -> addFrameNodes(of.loose(), nodes));
     for (InlineNode inline : inlines) {
       inline.content().ifPresent(content -> addFrameNodes(content.loose(), nodes));
     }

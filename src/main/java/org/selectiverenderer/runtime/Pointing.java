@@ -4,8 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.joml.Vector2d;
-import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.collide.RayCaster;
@@ -13,6 +11,7 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.TouchDispatch;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.viewer.ViewRay;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -60,14 +59,20 @@ final class Pointing {
     }
   }
 
+  /** Whether it is over any shape. */
+  boolean meets(Pointer pointer, Viewer viewer) {
+    return pointer.direction().isPresent() && hit(pointer, viewer).isPresent();
+  }
+
+  private Optional<RayCaster.Hit> hit(Pointer pointer, Viewer viewer) {
+    return pointer
+        .direction()
+        .map(direction -> ViewRay.of(viewer, direction, pointer.aspect()))
+        .flatMap(ray -> rays().cast(ray.origin(), ray.direction(), Double.POSITIVE_INFINITY));
+  }
+
   private void point(Pointer pointer, Viewer viewer, Cascade cascade) {
-    Optional<TouchDispatch.Hit> hit =
-        pointer
-            .direction()
-            .map(direction -> viewer.orientation().transform(direction, new Vector3d()))
-            .flatMap(
-                (Vector3dc ray) -> rays().cast(viewer.position(), ray, Double.POSITIVE_INFINITY))
-            .map(Pointing::touched);
+    Optional<TouchDispatch.Hit> hit = hit(pointer, viewer).map(Pointing::touched);
     touch.point(hit, pointer.pressed(), cascade);
     Optional<GroupInstance> anchor = hit.flatMap(at -> TouchDispatch.anchor(at.shape()));
     if (pointer.pressed() && !last.pressed()) {

@@ -43,6 +43,7 @@ public final class NodeFactory {
         "CADAssembly",
         "CADLayer",
         "PickableGroup",
+        "Layer",
         "ViewpointGroup");
     put(TransformNode::new, "Transform", "CADPart");
     put(CadFaceNode::new, "CADFace");

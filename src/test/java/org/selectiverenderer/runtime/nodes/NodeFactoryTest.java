@@ -48,7 +48,6 @@ class NodeFactoryTest {
             Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
             SplineScalarInterpolator SquadOrientationInterpolator
             KeyDeviceSensor: all
-            Layering: all
             Layout: all
             NURBS: all
             Networking: LoadSensor
