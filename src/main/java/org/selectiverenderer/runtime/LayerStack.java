@@ -35,7 +35,10 @@ final class LayerStack {
   private final Map<Node, SceneLayer> known = new IdentityHashMap<>();
   private List<Node> rootNodes = List.of();
   private @Nullable Node layerSet;
+
+  /** The layers as the LayerSet has them: their numbers count, also of those not acted on. */
   private List<Node> given = List.of();
+
   private List<Node> layerNodes = List.of();
   private SceneLayer active;
   private Pointer pointed = Pointer.AWAY;
@@ -128,9 +131,9 @@ final class LayerStack {
     if (number == 0) {
       return Optional.of(base);
     }
-    return number < 0 || number > layerNodes.size()
+    return number < 0 || number > given.size()
         ? Optional.empty()
-        : Optional.of(known.get(layerNodes.get(number - 1)));
+        : Optional.ofNullable(known.get(given.get(number - 1)));
   }
 
   /** The layers in the order of drawing, the lowest first; each once. */
