@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
@@ -34,13 +35,22 @@ record FrameNodes(
     boolean touchable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
+    return of(Optional.of(scene), instances);
+  }
+
+  /**
+   * The nodes of a part of a scene.
+   *
+   * @param scene whose nodes in no group count too
+   */
+  static FrameNodes of(Optional<Scene> scene, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
     boolean anchors = collect(instances.root(), inlines);
     List<FrameNode> nodes = new ArrayList<>();
     List<ScriptNode> scripts = new ArrayList<>();
     List<KeyDeviceSensorNode> keySensors = new ArrayList<>();
     List<Node> placed = instances.otherNodes();
-    List<Node> loose = new ArrayList<>(scene.loose());
+    List<Node> loose = new ArrayList<>(scene.map(Scene::loose).orElse(Set.of()));
     for (InlineNode inline : inlines) {
       inline.content().ifPresent(content -> loose.addAll(content.loose()));
     }

@@ -10,10 +10,16 @@ import org.joml.Vector3dc;
  * @param direction where it points, in the viewer's frame (looking along -Z, Y up), of any length;
  *     empty when it is over nothing of the scene, outside the window for instance
  * @param pressed whether its button is down
+ * @param aspect width of the picture that it points into, to its height
  */
-public record Pointer(Optional<Vector3dc> direction, boolean pressed) {
+public record Pointer(Optional<Vector3dc> direction, boolean pressed, double aspect) {
   /** Over nothing. */
   public static final Pointer AWAY = new Pointer(Optional.empty(), false);
+
+  /** In a picture as wide as high. */
+  public Pointer(Optional<Vector3dc> direction, boolean pressed) {
+    this(direction, pressed, 1);
+  }
 
   public Pointer {
     direction = direction.map(Vector3d::new);

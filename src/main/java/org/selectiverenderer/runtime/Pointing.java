@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.joml.Vector2d;
-import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.collide.RayCaster;
@@ -12,6 +11,7 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.TouchDispatch;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.viewer.ViewRay;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -79,15 +79,25 @@ final class Pointing {
     }
   }
 
+  /** Whether it is over any shape. */
+  boolean meets(Pointer pointer, Viewer viewer) {
+    return ray(pointer, viewer).flatMap(this::cast).isPresent();
+  }
+
+  private static Optional<TouchDispatch.Ray> ray(Pointer pointer, Viewer viewer) {
+    return pointer
+        .direction()
+        .map(direction -> ViewRay.of(viewer, direction, pointer.aspect()))
+        .map(ray -> new TouchDispatch.Ray(ray.origin(), ray.direction()));
+  }
+
+  private Optional<RayCaster.Hit> cast(TouchDispatch.Ray ray) {
+    return rays().cast(ray.origin(), ray.direction(), Double.POSITIVE_INFINITY);
+  }
+
   private void point(Pointer pointer, Viewer viewer, Cascade cascade) {
-    Optional<TouchDispatch.Ray> ray =
-        pointer
-            .direction()
-            .map(direction -> viewer.orientation().transform(direction, new Vector3d()))
-            .map(to -> new TouchDispatch.Ray(new Vector3d(viewer.position()), to));
-    Optional<TouchDispatch.Hit> hit =
-        ray.flatMap(to -> rays().cast(to.origin(), to.direction(), Double.POSITIVE_INFINITY))
-            .map(Pointing::touched);
+    Optional<TouchDispatch.Ray> ray = ray(pointer, viewer);
+    Optional<TouchDispatch.Hit> hit = ray.flatMap(this::cast).map(Pointing::touched);
     touch.point(hit, ray, pointer.pressed(), cascade);
     Optional<GroupInstance> anchor = hit.flatMap(at -> TouchDispatch.anchor(at.shape()));
     pointedAnchor = anchor;

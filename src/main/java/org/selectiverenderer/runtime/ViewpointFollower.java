@@ -10,6 +10,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
@@ -25,7 +26,8 @@ final class ViewpointFollower {
 
   private final InstanceTree instances;
   private final BindStacks bindables;
-  private final Viewer viewer;
+  private final ViewpointGroups groups;
+  private Viewer viewer;
   private @Nullable Node followed;
   private final Matrix4d pose = new Matrix4d();
   private boolean started;
@@ -34,7 +36,13 @@ final class ViewpointFollower {
     this.instances = instances;
     this.bindables = bindables;
     this.viewer = viewer;
+    groups = new ViewpointGroups(instances);
     follow();
+  }
+
+  /** Leads another viewer from now on, who stands where the one before stood. */
+  void lead(Viewer other) {
+    viewer = other;
   }
 
   /** Takes the viewer to the bound viewpoint, whatever the user walked. */
@@ -57,6 +65,7 @@ final class ViewpointFollower {
       if (!started) {
         place(DEFAULT);
         viewer.fieldOfView(Math.PI / 4);
+        viewer.extent(Optional.empty());
         pose.set(DEFAULT);
       }
     } else {
@@ -64,18 +73,24 @@ final class ViewpointFollower {
       if (!started) {
         place(now);
       } else if (another && viewpoint.jump()) {
-        place(viewpoint.bool("retainUserOffsets") ? keepingOffset(now) : now);
+        place(retainsOffset(viewpoint) ? keepingOffset(now) : now);
       } else if (!another && !now.equals(pose)) {
         place(keepingOffset(now));
       }
       // Without a jump the viewer stays and sees as before, until it is moved.
       if (!another || !started || viewpoint.jump()) {
         viewer.fieldOfView(viewpoint.fieldOfView());
+        double scale = NavigationFrame.of(placeOf(viewpoint)).scale();
+        viewer.extent(viewpoint.extent().map(Extent::of).map(extent -> extent.times(scale)));
       }
       pose.set(now);
     }
     started = true;
     followed = viewpoint;
+  }
+
+  private boolean retainsOffset(ViewpointNode viewpoint) {
+    return viewpoint.bool("retainUserOffsets") || groups.retainsOffsets(viewpoint);
   }
 
   /** The viewer's pose with the viewpoint there instead of where it was. */
@@ -87,6 +102,11 @@ final class ViewpointFollower {
   private void place(Matrix4dc to) {
     viewer.moveTo(to.getTranslation(new Vector3d()));
     viewer.turnTo(to.getUnnormalizedRotation(new Quaterniond()));
+  }
+
+  /** Whether the ViewpointGroups above a viewpoint offer it to the user now. */
+  boolean offers(Node viewpoint) {
+    return groups.offers(viewpoint, viewer.position());
   }
 
   /** Where a viewpoint looks from: a rigid transformation, the scale above it left out. */

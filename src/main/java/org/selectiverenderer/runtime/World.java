@@ -7,19 +7,16 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4dc;
-import org.joml.Vector3d;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
-import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
-import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -53,17 +50,11 @@ public final class World {
   private final ConcurrentLinkedQueue<Runnable> deferred = new ConcurrentLinkedQueue<>();
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private Scene scene;
-  private InstanceTree instances;
-  private BindStacks bindables;
-  private ViewpointFollower follower;
+  private LayerStack layers;
   private LiveFiles files;
-  private Pointing pointing;
   private Scripts scripts;
   private final KeyDevice keys = new KeyDevice();
-  private BackdropReader backdrops;
   private final MeshTrees meshes = new MeshTrees();
-  private FrameRound round = new FrameRound(List.of());
-  private long frameNodesOf;
   private boolean cutOff;
   private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
 
@@ -91,33 +82,30 @@ public final class World {
     scene = loaded.scene();
     LiveFiles live = new LiveFiles(loaded, problems, this::post);
     files = live;
-    instances = new InstanceTree((GroupingNode) scene.root(), files.assets());
-    instances.onMoved(node -> round.moved(node));
-    backdrops = new BackdropReader(live.assets());
-    bindables = new BindStacks(scene.root(), cascade);
-    follower = new ViewpointFollower(instances, bindables, viewer);
     AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
-    pointing = new Pointing(instances, meshes, links::follow);
+    if (layers != null) {
+      layers.close();
+    }
+    layers =
+        new LayerStack(
+            scene, new LayerStack.Parts(live.assets(), meshes, links::follow, cascade), viewer);
     if (scripts != null) {
       scripts.close();
     }
     scripts = new Scripts(scriptWorld(live, links));
-    round.close();
-    round = new FrameRound(List.of());
     keys.follow(List.of(), cascade);
-    frameNodesOf = -1;
     cutOff = false;
     reportCutOff();
   }
 
   /** Says once that a part of the scene is left out. */
   private void reportCutOff() {
-    if (instances.cutOff() && !cutOff) {
+    if (instances().cutOff() && !cutOff) {
       cutOff = true;
       problems.error(
           Location.of(scene.url()),
           "the scene contains itself or has more than %s instances; the rest is left out"
-              .formatted(instances.maxInstances()));
+              .formatted(instances().maxInstances()));
     }
   }
 
@@ -161,7 +149,7 @@ public final class World {
     return new AnchorLinks.Target() {
       @Override
       public void bind(Node viewpoint) {
-        bindables.bind(viewpoint, cascade);
+        bindables().bind(viewpoint, cascade);
       }
 
       @Override
@@ -181,8 +169,9 @@ public final class World {
     return scene;
   }
 
+  /** What is in the scene; in one with layers, in the one that the user walks in. */
   public InstanceTree instances() {
-    return instances;
+    return layers.active().instances;
   }
 
   /** The meshes and images of the scene's nodes. */
@@ -199,9 +188,9 @@ public final class World {
     return viewer;
   }
 
-  /** Which Viewpoint, NavigationInfo, Background and Fog are bound. */
+  /** Which Viewpoint, NavigationInfo, Background and Fog are bound, in the active layer. */
   public BindStacks bindables() {
-    return bindables;
+    return layers.active().bindables;
   }
 
   /** Carries events; fields are set through it. */
@@ -215,15 +204,19 @@ public final class World {
 
   /** What is to be seen behind everything. */
   public Backdrop backdrop() {
-    return bindables
-        .bound("X3DBackgroundNode")
-        .map(node -> backdrops.read(node, placeOf(node)))
-        .orElse(Backdrop.BLACK);
+    return layers.active().backdrop().orElse(Backdrop.BLACK);
   }
 
   /** The fog that the bound Fog makes. */
   public Fog fog() {
-    return bindables.bound("Fog").map(node -> Fog.read(node, placeOf(node))).orElse(Fog.NONE);
+    return layers.active().fog();
+  }
+
+  /**
+   * The layers that are seen, the lowest first (X3D 4.0, 35.2): one for a scene without a LayerSet.
+   */
+  public List<LayerView> layers() {
+    return layers.views();
   }
 
   /**
@@ -244,12 +237,12 @@ public final class World {
    * then dragging is not the viewer's. As of the last step.
    */
   public boolean wantsDrag() {
-    return pointing.wantsDrag();
+    return layers.anyPointing(Pointing::wantsDrag);
   }
 
   /** Whether the pointing device is held for a drag. As of the last step. */
   public boolean dragging() {
-    return pointing.dragging();
+    return layers.anyPointing(Pointing::dragging);
   }
 
   /**
@@ -257,7 +250,7 @@ public final class World {
    * Anchor (X3D 4.0, 20.2.1). As of the last step.
    */
   public List<String> descriptions() {
-    return pointing.descriptions();
+    return layers.descriptions();
   }
 
   /**
@@ -374,17 +367,15 @@ public final class World {
     if (!running) {
       return;
     }
-    follower.follow();
+    layers.active().follower.follow();
+    layers.lead();
     motion.move(viewer, now, dt);
-    Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
-    instances.view(viewer.position(), up, cascade);
-    instances.update();
+    layers.look(cascade);
     keys.frame(cascade);
-    pointing.frame(drain(pointed), viewer, cascade);
-    WorldFrame frame = new WorldFrame(epoch + now, viewer, instances);
+    layers.point(drain(pointed), cascade);
     frameNodes();
     scripts.prepare(epoch + now, viewer.position());
-    round.frame(frame, cascade);
+    layers.sense(epoch + now, cascade);
     settle();
   }
 
@@ -401,10 +392,11 @@ public final class World {
   /** Carries the events sent, and brings up to date what follows the scene. */
   private void settle() {
     carry();
-    instances.update();
-    bindables.update(cascade);
+    layers.follow();
+    layers.update();
+    layers.bind(cascade);
     carry(); // Nodes that came or went may have been bound or unbound.
-    instances.update();
+    layers.update();
     frameNodes();
     reportCutOff();
     files.update();
@@ -430,17 +422,10 @@ public final class World {
 
   /** Follows the structure of the scene with the nodes that look at every frame. */
   private void frameNodes() {
-    if (frameNodesOf != instances.structureVersion()) {
-      frameNodesOf = instances.structureVersion();
-      FrameNodes walk = FrameNodes.of(scene, instances);
-      if (!round.isOf(walk.frameNodes())) {
-        round.close();
-        round = new FrameRound(walk.frameNodes());
-      }
-      files.watch(walk.inlines());
-      scripts.watch(walk.scripts());
-      keys.follow(walk.keySensors(), cascade);
-      pointing.touchable(walk.touchable());
+    if (layers.frameNodes()) {
+      files.watch(layers.gathered(SceneLayer::inlines));
+      scripts.watch(layers.gathered(SceneLayer::scripts));
+      keys.follow(layers.gathered(SceneLayer::keySensors), cascade);
     }
   }
 
@@ -448,15 +433,20 @@ public final class World {
   public void goTo(Node viewpoint) {
     hold(
         () -> {
-          bindables.bind(viewpoint, cascade);
+          bindables().bind(viewpoint, cascade);
           cascade.run();
-          follower.jump();
+          layers.active().follower.jump();
         });
   }
 
-  /** All viewpoints of the scene in document order. */
+  /**
+   * The viewpoints of the scene, or of its active layer, in document order; those that a
+   * ViewpointGroup hides are left out.
+   */
   public List<Node> viewpoints() {
-    return bindables.all("X3DViewpointNode");
+    return bindables().all("X3DViewpointNode").stream()
+        .filter(layers.active().follower::offers)
+        .toList();
   }
 
   /**
@@ -467,13 +457,13 @@ public final class World {
   public void goToViewpoint(int steps) {
     List<Node> all = viewpoints();
     if (!all.isEmpty()) {
-      int at = bindables.bound("X3DViewpointNode").map(all::indexOf).orElse(-1);
+      int at = bindables().bound("X3DViewpointNode").map(all::indexOf).orElse(-1);
       goTo(all.get(Math.floorMod(at + steps, all.size())));
     }
   }
 
   /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */
   public Matrix4dc placeOf(Node viewpoint) {
-    return follower.placeOf(viewpoint);
+    return layers.active().follower.placeOf(viewpoint);
   }
 }

@@ -51,7 +51,15 @@ final class WorldFrame implements Frame {
   public FrustumIntersection frustum() {
     if (frustum == null) {
       Matrix4d projection =
-          new Matrix4d().perspective(viewer.fieldOfView(), ASPECT, NEAR, FAR).mul(viewer.view());
+          viewer
+              .extent()
+              .map(extent -> extent.filling(ASPECT))
+              .map(
+                  seen ->
+                      new Matrix4d()
+                          .ortho(seen.left(), seen.right(), seen.bottom(), seen.top(), NEAR, FAR))
+              .orElseGet(() -> new Matrix4d().perspective(viewer.fieldOfView(), ASPECT, NEAR, FAR))
+              .mul(viewer.view());
       frustum = new FrustumIntersection(new Matrix4f(projection));
     }
     return frustum;

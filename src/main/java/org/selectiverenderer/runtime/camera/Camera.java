@@ -1,9 +1,11 @@
 package org.selectiverenderer.runtime.camera;
 
+import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -18,15 +20,26 @@ import org.selectiverenderer.runtime.viewer.Viewer;
  */
 public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int width, int height) {
 
+  /** Depths of a parallel view: sizes of floats hide the angle that is left. */
+  private static final double FAR_BACK = 1e7;
+
   /**
    * The viewer's view over a whole target of that size. Its field of view is the smaller of the two
-   * viewing angles (X3D 4.0, 23.3.5).
+   * viewing angles (X3D 4.0, 23.3.5); in a parallel view both grow that it fills the target.
    *
    * @param near distance of the near plane, above 0
    * @param far distance of the far plane, above {@code near}
    */
   public static Camera of(Viewer viewer, int width, int height, double near, double far) {
     double aspect = width / (double) height;
+    Optional<Extent> parallel = viewer.extent();
+    if (parallel.isPresent()) {
+      Extent shown = parallel.get().filling(aspect);
+      Matrix4d flat =
+          new Matrix4d()
+              .setOrtho(shown.left(), shown.right(), shown.bottom(), shown.top(), near, far);
+      return new Camera(viewer.view(), flat, 0, 0, width, height);
+    }
     double half = Math.tan(viewer.fieldOfView() / 2);
     double halfHeight = aspect >= 1 ? half : half / aspect;
     Matrix4d projection =
@@ -41,8 +54,21 @@ public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int wid
     return new Camera(viewer.view(), projection, 0, 0, width, height);
   }
 
-  /** The eye in world coordinates. */
+  /** Whether lines of sight are parallel. */
+  public boolean parallel() {
+    return projection.m33() != 0;
+  }
+
+  /** The eye in world coordinates; that of a parallel view is so far back that it sees likewise. */
   public Vector3dc eye() {
-    return view.originAffine(new Vector3d());
+    return parallel()
+        ? view.invertAffine(new Matrix4d())
+            .transformPosition(new Vector3d(0, 0, FAR_BACK * depth()))
+        : view.originAffine(new Vector3d());
+  }
+
+  /** How deep a parallel view reaches. */
+  private double depth() {
+    return Math.abs(2 / projection.m22());
   }
 }

@@ -10,6 +10,11 @@
  * The sum of the triangles shown is kept along. Drawing, sensors, rays, collisions and counting all
  * read this one tree.
  *
+ * <p>A LocalFog or ClipPlane is an {@link org.selectiverenderer.runtime.instance.EffectInstance};
+ * the {@link org.selectiverenderer.runtime.instance.Surroundings} of a shape are those whose scope it
+ * is in. How its lines, points and areas are drawn is its {@link
+ * org.selectiverenderer.runtime.instance.Stroke}.
+ *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
  * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh},
  * {@code x3d.catalogue} and {@code x3d.field}; no GL.

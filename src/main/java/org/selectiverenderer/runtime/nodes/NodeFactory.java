@@ -58,6 +58,7 @@ public final class NodeFactory {
         "CADAssembly",
         "CADLayer",
         "PickableGroup",
+        "Layer",
         "ViewpointGroup");
     put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
     put(HumanoidNode::new, "HAnimHumanoid");

@@ -103,7 +103,8 @@ final class PassiveNodes {
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
-  private static final Set<String> EFFECTS = Set.of("LocalFog", "ClipPlane");
+  private static final Set<String> EFFECTS =
+      Set.of("LocalFog", "ClipPlane", "LayerSet", "Viewport");
 
   private static final Set<String> DESCRIPTIONS =
       Set.of(

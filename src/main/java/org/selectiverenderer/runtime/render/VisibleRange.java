@@ -1,9 +1,12 @@
 package org.selectiverenderer.runtime.render;
 
 import java.util.Optional;
+import org.selectiverenderer.runtime.LayerView;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.walk.Navigation;
 
 /**
@@ -14,11 +17,19 @@ import org.selectiverenderer.runtime.walk.Navigation;
  */
 public record VisibleRange(DepthRange range, boolean headlight) {
   public static VisibleRange of(World world) {
-    Optional<Node> info = world.bindables().bound("NavigationInfo");
+    return of(world.instances(), world.viewer(), world.bindables().bound("NavigationInfo"));
+  }
+
+  /** That of one of a world's layers. */
+  public static VisibleRange of(LayerView layer) {
+    return of(layer.instances(), layer.viewer(), layer.navigationInfo());
+  }
+
+  private static VisibleRange of(InstanceTree tree, Viewer viewer, Optional<Node> info) {
     DepthRange range =
         DepthRange.of(
-            world.instances(),
-            world.viewer().position(),
+            tree,
+            viewer.position(),
             info.map(Navigation::of).orElse(Navigation.WALKING).radius(),
             info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
     return new VisibleRange(range, info.map(node -> node.bool("headlight")).orElse(true));

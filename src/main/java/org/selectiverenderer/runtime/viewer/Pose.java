@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.viewer;
 
+import java.util.Optional;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
@@ -21,10 +22,12 @@ public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfV
     return new Pose(viewer.position(), viewer.orientation(), viewer.fieldOfView());
   }
 
+  /** The viewer is there and sees in perspective. */
   public void applyTo(Viewer viewer) {
     viewer.moveTo(position);
     viewer.turnTo(orientation);
     viewer.fieldOfView(fieldOfView);
+    viewer.extent(Optional.empty());
   }
 
   /** Between this pose (0) and another (1): straight ahead, turning the short way round. */

@@ -1,10 +1,12 @@
 package org.selectiverenderer.runtime.viewer;
 
+import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The viewer's eye in world coordinates: right handed, Y up, lengths in the scene's unit. It looks
@@ -14,6 +16,7 @@ public final class Viewer {
   private final Vector3d position = new Vector3d(0, 0, 10);
   private final Quaterniond orientation = new Quaterniond();
   private double fieldOfView = Math.PI / 4;
+  private @Nullable Extent extent;
 
   public Vector3dc position() {
     return position;
@@ -27,6 +30,24 @@ public final class Viewer {
   /** The smaller of the two viewing angles, in radians (X3D 4.0, 23.3.5). */
   public double fieldOfView() {
     return fieldOfView;
+  }
+
+  /** What is shown if the view is parallel; empty for one in perspective. */
+  public Optional<Extent> extent() {
+    return Optional.ofNullable(extent);
+  }
+
+  /** Sees in parallel from now on, or in perspective. */
+  public void extent(Optional<Extent> parallel) {
+    extent = parallel.orElse(null);
+  }
+
+  /** Stands and sees as another does. */
+  public void become(Viewer other) {
+    moveTo(other.position);
+    turnTo(other.orientation);
+    fieldOfView = other.fieldOfView;
+    extent = other.extent;
   }
 
   public void moveTo(Vector3dc eye) {

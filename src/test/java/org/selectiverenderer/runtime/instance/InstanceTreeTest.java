@@ -306,8 +306,9 @@ class InstanceTreeTest {
 
   @Test
   void theBackdropLeavesOutWhatHasNoPartner() {
+    BackdropReader reader = new BackdropReader(assets);
     Backdrop backdrop =
-        BackdropReader.read(
+        reader.read(
             nodes.node(
                 "Background",
                 "skyColor",
@@ -315,12 +316,15 @@ class InstanceTreeTest {
                 "skyAngle",
                 new float[] {1, 2, 3},
                 "groundColor",
-                new float[] {0, 0, 1, 1, 1, 1}));
+                new float[] {0, 0, 1, 1, 1, 1}),
+            new Matrix4d());
     assertThat(backdrop.skyColor()).hasSize(6);
     assertThat(backdrop.skyAngle()).containsExactly(1);
     assertThat(backdrop.groundColor()).containsExactly(0, 0, 1);
     assertThat(backdrop.groundAngle()).isEmpty();
-    assertThat(BackdropReader.read(nodes.node("TextureBackground", "skyColor", new float[0])))
+    assertThat(
+            reader.read(
+                nodes.node("TextureBackground", "skyColor", new float[0]), new Matrix4d()))
         .extracting(Backdrop::plain)
         .isEqualTo(true);
   }

@@ -46,7 +46,6 @@ class NodeFactoryTest {
             HAnim: all
             Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
             SplineScalarInterpolator SquadOrientationInterpolator
-            Layering: all
             Layout: all
             NURBS: all
             Networking: LoadSensor

@@ -62,6 +62,14 @@ public class ViewpointNode extends BindableNode {
     return value(fieldOfView) instanceof Float angle ? angle : DEFAULT_FIELD_OF_VIEW;
   }
 
+  /**
+   * What an OrthoViewpoint shows, in its own unit: left, bottom, right, top as its field has them.
+   * Empty for a Viewpoint.
+   */
+  public Optional<float[]> extent() {
+    return value(fieldOfView) instanceof float[] numbers ? Optional.of(numbers) : Optional.empty();
+  }
+
   /** Whether binding it takes the viewer there. */
   public boolean jump() {
     return bool("jump");

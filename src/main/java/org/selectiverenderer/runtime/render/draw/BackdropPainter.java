@@ -49,6 +49,20 @@ final class BackdropPainter {
     gl.glDepthFunc(GL.GL_LESS);
   }
 
+  /** Paints a transparent backdrop over what is in the picture, before anything is before it. */
+  void paintOver(GL3 gl, Backdrop backdrop, Camera camera) {
+    gl.glDisable(GL.GL_DEPTH_TEST);
+    gl.glDisable(GL.GL_CULL_FACE);
+    Matrix4d toClip = toClip(backdrop, camera);
+    // Its colours are multiplied by its opacity already.
+    gl.glEnable(GL.GL_BLEND);
+    gl.glBlendColor(0, 0, 0, 1 - backdrop.transparency());
+    gl.glBlendFunc(GL.GL_ONE, GL3.GL_ONE_MINUS_CONSTANT_ALPHA);
+    gradient(gl, backdrop, toClip);
+    gl.glDisable(GL.GL_BLEND);
+    skybox.paint(gl, backdrop, toClip);
+  }
+
   private void gradient(GL3 gl, Backdrop backdrop, Matrix4d toClip) {
     if (program == null) {
       program = new Program(gl, "backdrop", List.of("MAX_STOPS " + MAX_STOPS));

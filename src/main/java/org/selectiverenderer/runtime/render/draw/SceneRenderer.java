@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.draw;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
@@ -90,20 +91,30 @@ public final class SceneRenderer {
 
   /** Clears the camera's viewport and draws into it. */
   public void draw(GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
-    draw(gl, seen, camera, backdrop, headlight, Fog.NONE);
+    draw(gl, seen, camera, new Setting(Optional.of(backdrop), headlight, Fog.NONE, false));
   }
 
-  /**
-   * Clears the camera's viewport and draws into it.
-   *
-   * @param fog where no LocalFog reaches
-   */
-  public void draw(
-      GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight, Fog fog) {
+  /** Makes a camera's viewport black. */
+  public static void blacken(GL3 gl, Camera camera) {
+    gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
+    gl.glEnable(GL.GL_SCISSOR_TEST);
+    BackdropPainter.clear(gl, Backdrop.BLACK);
+    gl.glDisable(GL.GL_SCISSOR_TEST);
+  }
+
+  /** Draws into the camera's viewport, over what is there if the setting says so. */
+  public void draw(GL3 gl, Visible seen, Camera camera, Setting setting) {
+    boolean opaque =
+        !setting.over() || setting.backdrop().map(b -> b.transparency() == 0).orElse(false);
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glEnable(GL.GL_SCISSOR_TEST);
-    BackdropPainter.clear(gl, backdrop);
+    if (opaque) {
+      BackdropPainter.clear(gl, setting.backdrop().orElse(Backdrop.BLACK));
+    } else {
+      gl.glClear(GL.GL_DEPTH_BUFFER_BIT);
+      setting.backdrop().ifPresent(backdrop -> backdropPainter.paintOver(gl, backdrop, camera));
+    }
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
@@ -112,14 +123,16 @@ public final class SceneRenderer {
             gl,
             seen,
             camera,
-            new EyeLights(camera, headlight),
-            new EyeScenery(camera, fog, pointSize),
+            new EyeLights(camera, setting.headlight()),
+            new EyeScenery(camera, setting.fog(), pointSize),
             pointSize,
             portions);
     portions.begin(seen.count(0, seen.ranges));
     painter.paint(0, seen.opaque);
     painter.end();
-    backdropPainter.paint(gl, backdrop, camera);
+    if (opaque) {
+      backdropPainter.paint(gl, setting.backdrop().orElse(Backdrop.BLACK), camera);
+    }
     if (seen.opaque < seen.calls.size()) {
       gl.glEnable(GL.GL_BLEND);
       gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);

@@ -5,6 +5,7 @@ import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Camera;
@@ -15,6 +16,7 @@ import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
+import org.selectiverenderer.runtime.render.draw.Setting;
 import org.selectiverenderer.runtime.render.draw.Visible;
 
 /**
@@ -92,7 +94,14 @@ public final class MarkedView implements AutoCloseable {
       gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
     }
     renderer.draw(
-        gl, seen, camera, marking.backdrop().orElseGet(world::backdrop), sight.headlight());
+        gl,
+        seen,
+        camera,
+        new Setting(
+            Optional.of(marking.backdrop().orElseGet(world::backdrop)),
+            sight.headlight(),
+            world.fog(),
+            false));
     gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
     marks.boxes(gl, marking.boxes(), camera);
     marks.mask(gl, renderer.items(), marking.masked(), camera);

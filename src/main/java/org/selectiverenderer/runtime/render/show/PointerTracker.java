@@ -31,6 +31,7 @@ final class PointerTracker {
     double smaller = Math.min(size.width(), size.height());
     double right = (2 * (x + 0.5) - size.width()) / smaller * half;
     double up = (size.height() - 2 * (y + 0.5)) / smaller * half;
-    world.point(new Pointer(Optional.of(new Vector3d(right, up, -1)), pressed));
+    double aspect = size.width() / (double) size.height();
+    world.point(new Pointer(Optional.of(new Vector3d(right, up, -1)), pressed, aspect));
   }
 }

@@ -13,7 +13,6 @@ import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
-import org.selectiverenderer.runtime.render.draw.Visible;
 import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 
 /**
@@ -21,14 +20,19 @@ import org.selectiverenderer.runtime.render.sketch.SketchPainter;
  * range, the bound Background about what is behind. Belongs to the thread that owns the context.
  */
 final class WorldPainter {
+  /** Side of a point of a PointSet in pixels. */
+  private static final float POINT_SIZE = 2;
+
   private final SceneRenderer renderer;
+  private final LayersPainter layers;
   private final SketchPainter sketch = new SketchPainter(new TextMesher());
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
   WorldPainter(ViewLayout layout, Shading shading) {
     this.layout = layout;
-    renderer = new SceneRenderer(2, shading);
+    renderer = new SceneRenderer(POINT_SIZE, shading);
+    layers = new LayersPainter(renderer, () -> new SceneRenderer(POINT_SIZE, shading));
   }
 
   /** Sends all meshes and textures of the world to the graphics card. */
@@ -51,10 +55,10 @@ final class WorldPainter {
   }
 
   private Drawn paintHeld(GL3 gl, World world, int width, int height) {
-    renderer.follow(gl, world.instances());
     VisibleRange sight = VisibleRange.of(world);
     List<EyeView> views = layout.views(world, width, height, sight.range());
-    Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());
+    layers.begin(
+        gl, world, views.stream().map(EyeView::camera).toList(), layout == ViewLayout.MONO);
     if (!layout.showsWorld() || !covered(views, width, height)) {
       gl.glClearColor(0, 0, 0, 1);
       gl.glClear(GL.GL_COLOR_BUFFER_BIT);
@@ -63,13 +67,13 @@ final class WorldPainter {
       Camera camera = views.get(i).camera();
       direct(gl, views.get(i).channel());
       if (layout.showsWorld()) {
-        renderer.draw(gl, seen, camera, world.backdrop(), sight.headlight(), world.fog());
+        layers.draw(gl, i);
       }
       List<Mark> marks = layout.marks(i, camera.width(), camera.height());
       sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());
     }
     undirect(gl, views.get(views.size() - 1).channel());
-    return new Drawn(seen.shapes(), views.size() * seen.indices() / 3);
+    return new Drawn(layers.shapes(), views.size() * layers.indices() / 3);
   }
 
   /** Whether some view or all of them together fill the target; else the rest is to be cleared. */
@@ -101,6 +105,7 @@ final class WorldPainter {
   }
 
   void dispose(GL3 gl) {
+    layers.dispose(gl);
     renderer.dispose(gl);
     sketch.dispose(gl);
   }

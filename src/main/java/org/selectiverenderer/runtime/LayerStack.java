@@ -1,0 +1,248 @@
+package org.selectiverenderer.runtime;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.collide.MeshTrees;
+import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.viewer.Viewer;
+
+/**
+ * The layers of a scene (X3D 4.0, 35.2 and 35.4.2): what stands in no layer is layer 0, the others
+ * are those of the LayerSet among the scene's root nodes, from 1. The user walks in the active one
+ * and sees those of the order, the first at the bottom. A scene without a LayerSet is layer 0 and
+ * costs nothing more. Belongs to the thread that steps the world.
+ */
+final class LayerStack {
+  /** What all layers share. */
+  record Parts(
+      Assets assets, MeshTrees meshes, Consumer<GroupInstance> activated, Cascade cascade) {}
+
+  private final Parts parts;
+  private final Scene scene;
+  private final Viewer user;
+  private final SceneLayer base;
+  private final Map<Node, SceneLayer> known = new IdentityHashMap<>();
+  private List<Node> rootNodes = List.of();
+  private @Nullable Node layerSet;
+
+  /** The layers as the LayerSet has them: their numbers count, also of those not acted on. */
+  private List<Node> given = List.of();
+
+  private List<Node> layerNodes = List.of();
+  private SceneLayer active;
+  private Pointer pointed = Pointer.AWAY;
+
+  /**
+   * @param user who walks in the active layer
+   */
+  LayerStack(Scene scene, Parts parts, Viewer user) {
+    this.scene = scene;
+    this.parts = parts;
+    this.user = user;
+    base = new SceneLayer((GroupingNode) scene.root(), parts, user);
+    active = base;
+    follow();
+  }
+
+  /** The layer that the user walks in. */
+  SceneLayer active() {
+    return active;
+  }
+
+  private boolean alone() {
+    return layerSet == null;
+  }
+
+  /** All layers, the scene's own first. */
+  Collection<SceneLayer> all() {
+    if (alone()) {
+      return List.of(base);
+    }
+    List<SceneLayer> all = new ArrayList<>(List.of(base));
+    layerNodes.forEach(node -> all.add(known.get(node)));
+    return all;
+  }
+
+  /** Follows the LayerSet: layers that came or went, and which of them is active. */
+  void follow() {
+    List<Node> roots = base.root.children();
+    if (roots != rootNodes) {
+      rootNodes = roots;
+      layerSet =
+          roots.stream()
+              .filter(node -> node.type().name().equals("LayerSet"))
+              .findFirst()
+              .orElse(null);
+    }
+    if (layerSet == null && layerNodes.isEmpty()) {
+      return;
+    }
+    List<Node> now = layerSet == null ? List.of() : layerSet.nodes("layers");
+    if (now != given) {
+      given = now;
+      relayer(now);
+    }
+    SceneLayer wanted = wanted();
+    if (wanted != active) {
+      Viewer own = new Viewer();
+      active.seenBy(own);
+      wanted.seenBy(user);
+      active = wanted;
+    }
+  }
+
+  private void relayer(List<Node> now) {
+    layerNodes = now.stream().filter(GroupingNode.class::isInstance).distinct().toList();
+    for (Node node : layerNodes) {
+      known.computeIfAbsent(
+          node, layer -> new SceneLayer((GroupingNode) layer, parts, new Viewer()));
+    }
+    known
+        .entrySet()
+        .removeIf(
+            entry -> {
+              boolean gone = !layerNodes.contains(entry.getKey());
+              if (gone) {
+                entry.getValue().close();
+              }
+              return gone;
+            });
+  }
+
+  /** The layer that is to be active: a number of no layer means the scene's own. */
+  private SceneLayer wanted() {
+    return layerSet == null
+        ? base
+        : numbered((Integer) layerSet.value(layerSet.type().indexOf("activeLayer"))).orElse(base);
+  }
+
+  private Optional<SceneLayer> numbered(int number) {
+    if (number == 0) {
+      return Optional.of(base);
+    }
+    return number < 0 || number > given.size()
+        ? Optional.empty()
+        : Optional.ofNullable(known.get(given.get(number - 1)));
+  }
+
+  /** The layers in the order of drawing, the lowest first; each once. */
+  private List<SceneLayer> order() {
+    if (layerSet == null) {
+      return List.of(base);
+    }
+    List<SceneLayer> order = new ArrayList<>();
+    for (int number : layerSet.ints("order")) {
+      numbered(number).filter(layer -> !order.contains(layer)).ifPresent(order::add);
+    }
+    return order;
+  }
+
+  /** The layers that are seen, the lowest first. */
+  List<LayerView> views() {
+    return order().stream().map(layer -> layer.view(part(layer), layer == active)).toList();
+  }
+
+  private static LayerView.Part part(SceneLayer layer) {
+    return layer.root.type().field("viewport").isEmpty()
+        ? LayerView.Part.WHOLE
+        : Optional.ofNullable(layer.root.node("viewport"))
+            .filter(node -> node.type().name().equals("Viewport"))
+            .map(node -> LayerView.Part.of(node.floats("clipBoundary")))
+            .orElse(LayerView.Part.WHOLE);
+  }
+
+  private static boolean pickable(SceneLayer layer) {
+    return layer.root.type().field("pickable").isEmpty() || layer.root.bool("pickable");
+  }
+
+  /** The other viewers follow their viewpoints; the user is led by the world. */
+  void lead() {
+    if (!alone()) {
+      all().stream().filter(layer -> layer != active).forEach(layer -> layer.follower.follow());
+    }
+  }
+
+  void look(Cascade cascade) {
+    all().forEach(layer -> layer.look(cascade));
+  }
+
+  /**
+   * Takes the pointing device to the layers, from the top: what it is over in one hides those
+   * below.
+   *
+   * @param since what the device said since the last frame, oldest first
+   */
+  void point(List<Pointer> since, Cascade cascade) {
+    if (alone()) {
+      base.pointing.frame(since, user, cascade);
+      return;
+    }
+    List<Pointer> left = since.isEmpty() ? List.of(pointed) : since;
+    pointed = left.get(left.size() - 1);
+    List<SceneLayer> order = order();
+    for (int i = order.size() - 1; i >= 0; i--) {
+      SceneLayer layer = order.get(i);
+      left = layer.point(left, part(layer), pickable(layer), user, cascade);
+    }
+  }
+
+  void sense(double time, Cascade cascade) {
+    all().forEach(layer -> layer.sense(time, cascade));
+  }
+
+  void update() {
+    all().forEach(layer -> layer.instances.update());
+  }
+
+  void bind(Cascade cascade) {
+    all().forEach(layer -> layer.bindables.update(cascade));
+  }
+
+  /** What all layers have of a kind. */
+  <T> List<T> gathered(Function<SceneLayer, List<T>> kind) {
+    return alone() ? kind.apply(base) : all().stream().flatMap(l -> kind.apply(l).stream()).toList();
+  }
+
+  /** Whether something is so of what is pointed at in any layer. */
+  boolean anyPointing(Predicate<Pointing> so) {
+    return all().stream().anyMatch(layer -> so.test(layer.pointing));
+  }
+
+  /** What the scene says of what is pointed at, the highest layer first. */
+  List<String> descriptions() {
+    List<SceneLayer> order = order();
+    for (int i = order.size() - 1; i >= 0; i--) {
+      List<String> said = order.get(i).pointing.descriptions();
+      if (!said.isEmpty()) {
+        return said;
+      }
+    }
+    return List.of();
+  }
+
+  /** Follows the structure of all layers; says whether anything was new. */
+  boolean frameNodes() {
+    boolean changed = false;
+    for (SceneLayer layer : all()) {
+      changed |= layer.frameNodes(layer == base ? Optional.of(scene) : Optional.empty());
+    }
+    return changed;
+  }
+
+  void close() {
+    all().forEach(SceneLayer::close);
+  }
+}

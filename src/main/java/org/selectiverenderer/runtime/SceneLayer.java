@@ -1,0 +1,155 @@
+package org.selectiverenderer.runtime;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.BackdropReader;
+import org.selectiverenderer.runtime.instance.Fog;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.nodes.bind.BindStacks;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.viewer.Viewer;
+
+/**
+ * A layer of a scene with all that a frame does in it: its instances, what is bound in it, who sees
+ * it, what is pointed at, its sensors (X3D 4.0, 35.2). Belongs to the thread that steps the world.
+ */
+final class SceneLayer {
+  final GroupingNode root;
+  final InstanceTree instances;
+  final BindStacks bindables;
+  final ViewpointFollower follower;
+  final Pointing pointing;
+  final BackdropReader backdrops;
+  private Viewer viewer;
+  private FrameRound round = new FrameRound(List.of());
+  private long frameNodesOf = -1;
+  private List<InlineNode> inlines = List.of();
+  private List<ScriptNode> scripts = List.of();
+  private List<KeyDeviceSensorNode> keySensors = List.of();
+
+  /**
+   * @param viewer who sees it
+   */
+  SceneLayer(GroupingNode root, LayerStack.Parts parts, Viewer viewer) {
+    this.root = root;
+    this.viewer = viewer;
+    instances = new InstanceTree(root, parts.assets());
+    instances.onMoved(node -> round.moved(node));
+    backdrops = new BackdropReader(parts.assets());
+    bindables = new BindStacks(root, parts.cascade());
+    follower = new ViewpointFollower(instances, bindables, viewer);
+    pointing = new Pointing(instances, parts.meshes(), parts.activated());
+  }
+
+  Viewer viewer() {
+    return viewer;
+  }
+
+  /** Another viewer sees it from now on, who takes the place of the one before. */
+  void seenBy(Viewer other) {
+    other.become(viewer);
+    viewer = other;
+    follower.lead(other);
+  }
+
+  List<InlineNode> inlines() {
+    return inlines;
+  }
+
+  List<ScriptNode> scripts() {
+    return scripts;
+  }
+
+  List<KeyDeviceSensorNode> keySensors() {
+    return keySensors;
+  }
+
+  Optional<Backdrop> backdrop() {
+    return bindables
+        .bound("X3DBackgroundNode")
+        .map(node -> backdrops.read(node, follower.placeOf(node)));
+  }
+
+  Fog fog() {
+    return bindables
+        .bound("Fog")
+        .map(node -> Fog.read(node, follower.placeOf(node)))
+        .orElse(Fog.NONE);
+  }
+
+  LayerView view(LayerView.Part part, boolean active) {
+    return new LayerView(
+        instances, viewer, backdrop(), fog(), bindables.bound("NavigationInfo"), part, active);
+  }
+
+  /** Adapts LOD and Billboard nodes to its viewer. */
+  void look(Cascade cascade) {
+    Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
+    instances.view(viewer.position(), up, cascade);
+    instances.update();
+  }
+
+  /** Its sensors and clocks look at the frame. */
+  void sense(double time, Cascade cascade) {
+    round.frame(new WorldFrame(time, viewer, instances), cascade);
+  }
+
+  /**
+   * Follows the structure with the nodes that look at every frame.
+   *
+   * @param scene whose nodes outside of all groups count with the layer
+   * @return whether anything was new
+   */
+  boolean frameNodes(Optional<Scene> scene) {
+    if (frameNodesOf == instances.structureVersion()) {
+      return false;
+    }
+    frameNodesOf = instances.structureVersion();
+    FrameNodes walk = FrameNodes.of(scene, instances);
+    if (!round.isOf(walk.frameNodes())) {
+      round.close();
+      round = new FrameRound(walk.frameNodes());
+    }
+    inlines = walk.inlines();
+    scripts = walk.scripts();
+    keySensors = walk.keySensors();
+    pointing.touchable(walk.touchable());
+    return true;
+  }
+
+  /**
+   * Takes the pointing device to what is in it.
+   *
+   * @return what it says to the layers below: away where it is over something of this one
+   */
+  List<Pointer> point(
+      List<Pointer> since, LayerView.Part part, boolean pickable, Viewer whole, Cascade cascade) {
+    List<Pointer> here = new ArrayList<>(since.size());
+    List<Pointer> below = new ArrayList<>(since.size());
+    for (Pointer pointer : since) {
+      Pointer inside =
+          pickable
+              ? LayerPointing.in(part, viewer, pointer, whole)
+              : new Pointer(Optional.empty(), pointer.pressed());
+      here.add(inside);
+      below.add(
+          pointing.meets(inside, viewer)
+              ? new Pointer(Optional.empty(), pointer.pressed(), pointer.aspect())
+              : pointer);
+    }
+    pointing.frame(here, viewer, cascade);
+    return below;
+  }
+
+  void close() {
+    round.close();
+  }
+}

@@ -1,0 +1,122 @@
+package org.selectiverenderer.runtime.render.show;
+
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.selectiverenderer.runtime.LayerView;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.LayerCamera;
+import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.render.VisibleRange;
+import org.selectiverenderer.runtime.render.draw.SceneRenderer;
+import org.selectiverenderer.runtime.render.draw.Setting;
+import org.selectiverenderer.runtime.render.draw.Visible;
+
+/**
+ * Draws the layers of a world over one another, the lowest first (X3D 4.0, 35.2.2). Each has a
+ * renderer of its own; the active layer's is the one that worlds without layers use. Belongs to the
+ * thread that owns the context.
+ */
+final class LayersPainter {
+  private final SceneRenderer main;
+  private final Supplier<SceneRenderer> maker;
+  private final Map<InstanceTree, SceneRenderer> others = new IdentityHashMap<>();
+  private final List<Drawing> drawings = new ArrayList<>();
+  private List<Camera> views = List.of();
+
+  private record Drawing(
+      SceneRenderer renderer, Setting setting, List<Camera> cameras, Visible seen) {}
+
+  LayersPainter(SceneRenderer main, Supplier<SceneRenderer> maker) {
+    this.main = main;
+    this.maker = maker;
+  }
+
+  /**
+   * Prepares the layers of a frame.
+   *
+   * @param whole the cameras of the user's views over the whole picture
+   * @param mono whether these are the viewer's own view
+   */
+  void begin(GL3 gl, World world, List<Camera> whole, boolean mono) {
+    List<LayerView> layers = world.layers();
+    forget(gl, layers);
+    drawings.clear();
+    views = whole;
+    for (LayerView layer : layers) {
+      SceneRenderer renderer =
+          layer.active() ? main : others.computeIfAbsent(layer.instances(), tree -> maker.get());
+      renderer.follow(gl, layer.instances());
+      VisibleRange sight = VisibleRange.of(layer);
+      List<Camera> cameras =
+          layer.active() && layer.part().equals(LayerView.Part.WHOLE)
+              ? whole
+              : whole.stream()
+                  .map(of -> LayerCamera.of(of, world.viewer(), layer, mono, sight.range()))
+                  .toList();
+      boolean lowest = drawings.isEmpty();
+      Optional<Backdrop> backdrop =
+          lowest ? layer.backdrop().or(() -> Optional.of(Backdrop.BLACK)) : layer.backdrop();
+      drawings.add(
+          new Drawing(
+              renderer,
+              new Setting(backdrop, sight.headlight(), layer.fog(), !lowest),
+              cameras,
+              renderer.cull(cameras)));
+    }
+  }
+
+  /**
+   * Draws the layers of a view.
+   *
+   * @param view its number among the cameras
+   */
+  void draw(GL3 gl, int view) {
+    Camera all = views.get(view);
+    if (drawings.isEmpty() || !fills(drawings.get(0).cameras().get(view), all)) {
+      SceneRenderer.blacken(gl, all);
+    }
+    for (Drawing drawing : drawings) {
+      drawing.renderer().draw(gl, drawing.seen(), drawing.cameras().get(view), drawing.setting());
+    }
+  }
+
+  private static boolean fills(Camera part, Camera whole) {
+    return part.width() == whole.width() && part.height() == whole.height();
+  }
+
+  /** Shapes that are drawn for a view. */
+  int shapes() {
+    return drawings.stream().mapToInt(drawing -> drawing.seen().shapes()).sum();
+  }
+
+  /** Indices that are drawn for a view. */
+  long indices() {
+    return drawings.stream().mapToLong(drawing -> drawing.seen().indices()).sum();
+  }
+
+  private void forget(GL3 gl, List<LayerView> layers) {
+    others
+        .entrySet()
+        .removeIf(
+            entry -> {
+              boolean gone =
+                  layers.stream()
+                      .noneMatch(layer -> !layer.active() && layer.instances() == entry.getKey());
+              if (gone) {
+                entry.getValue().dispose(gl);
+              }
+              return gone;
+            });
+  }
+
+  void dispose(GL3 gl) {
+    forget(gl, List.of());
+  }
+}

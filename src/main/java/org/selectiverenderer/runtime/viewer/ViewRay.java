@@ -1,0 +1,42 @@
+package org.selectiverenderer.runtime.viewer;
+
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * A line of sight, in the world.
+ *
+ * @param direction of any length
+ */
+public record ViewRay(Vector3dc origin, Vector3dc direction) {
+
+  /**
+   * The line of sight through a place in the picture: from the eye, or in a parallel view from
+   * beside it.
+   *
+   * @param direction in the viewer's frame, where a viewer with the same field of view who sees in
+   *     perspective finds that place
+   * @param aspect width of the picture to its height
+   */
+  public static ViewRay of(Viewer viewer, Vector3dc direction, double aspect) {
+    Optional<Extent> parallel = viewer.extent();
+    if (parallel.isEmpty()) {
+      return new ViewRay(
+          new Vector3d(viewer.position()),
+          viewer.orientation().transform(direction, new Vector3d()));
+    }
+    Extent shown = parallel.get().filling(aspect);
+    // Of the smaller half of the picture, from its middle.
+    double unit = Math.tan(viewer.fieldOfView() / 2) * -direction.z();
+    double half = Math.min(shown.right() - shown.left(), shown.top() - shown.bottom()) / 2;
+    Vector3d beside =
+        new Vector3d(
+            (shown.left() + shown.right()) / 2 + direction.x() / unit * half,
+            (shown.bottom() + shown.top()) / 2 + direction.y() / unit * half,
+            0);
+    return new ViewRay(
+        viewer.orientation().transform(beside).add(viewer.position()),
+        viewer.orientation().transform(new Vector3d(0, 0, -1)));
+  }
+}

@@ -1,0 +1,40 @@
+package org.selectiverenderer.runtime.instance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.geometry.mesh.Mesh;
+
+class LineLengthsTest {
+  /** Two lines that meet: one of two stretches with a corner, one back from its middle. */
+  private static final float[] POSITIONS = {0, 0, 0, 3, 0, 0, 3, 4, 0, 3, 0, 2};
+
+  private static final int[] ENDS = {0, 1, 1, 2, 3, 1};
+
+  private final Mesh lines =
+      new Mesh(
+          Mesh.Primitive.LINES,
+          POSITIONS,
+          null,
+          null,
+          null,
+          ENDS,
+          false,
+          Mesh.boundsOf(POSITIONS, ENDS));
+
+  @Test
+  void lengthsGoOnAroundCornersAndBeginAnewWithEachLine() {
+    Mesh measured = LineLengths.measure(lines);
+    assertThat(measured.texCoords()).containsExactly(0, 0, 3, 0, 7, 0, 0, 0, 2, 0);
+    assertThat(measured.indices()).containsExactly(0, 1, 1, 2, 3, 4);
+    assertThat(measured.positions())
+        .containsExactly(0, 0, 0, 3, 0, 0, 3, 4, 0, 3, 0, 2, 3, 0, 0);
+  }
+
+  @Test
+  void onlyLinesWithAPatternAreMeasured() {
+    Stroke wide = new Stroke(new Stroke.Line(1, 5), null, null);
+    assertThat(LineLengths.of(lines, Stroke.PLAIN)).isSameAs(lines);
+    assertThat(LineLengths.of(lines, wide)).isSameAs(lines);
+  }
+}
