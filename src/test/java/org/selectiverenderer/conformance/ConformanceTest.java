@@ -106,7 +106,7 @@ class ConformanceTest {
     double[] numbers = Stream.of(expected.split("\\s+")).mapToDouble(Double::parseDouble).toArray();
     double tolerance = numbers.length > 5 ? numbers[5] : TOLERANCE;
     int column = (int) Math.min(SIZE - 1, numbers[0] * SIZE);
-    int row = (int) Math.min(SIZE - 1, numbers[1] * SIZE);
+    int row = SIZE - 1 - (int) Math.min(SIZE - 1, numbers[1] * SIZE); // Pictures begin below.
     int rgb = shot.rgb(column, row);
     int[] seen = {rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff};
     for (int i = 0; i < 3; i++) {

@@ -44,7 +44,7 @@ final class ImageFiles {
   Optional<Texture.Image> read(NodeView texture, Path folder, Problems problems) {
     return switch (texture.type().name()) {
       case "PixelTexture", "PixelTexture3D" -> pixels(texture, problems);
-      case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D" -> {
+      case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D", "MovieTexture" -> {
         UrlChoice choice = UrlChoice.of(texture, root, folder, CONSEQUENCE);
         if (choice instanceof UrlChoice.File file) {
           yield file(texture, file.path(), problems);
@@ -84,6 +84,10 @@ final class ImageFiles {
       problems.error(
           texture.location(),
           "%s %s; %s".formatted(root.display(file), decoded.fault, CONSEQUENCE));
+    } else if (texture.type().name().equals("MovieTexture")) {
+      problems.info(
+          texture.location(),
+          root.display(file) + " is shown as a still picture: movies do not run");
     } else if (isNoCube(texture, decoded.image)) {
       problems.error(
           texture.location(),
