@@ -39,7 +39,7 @@ class NodeFactoryTest {
         .isEqualTo(
             """
             Core: ProtoInstance
-            CubeMapTexturing: all
+            CubeMapTexturing: GeneratedCubeMapTexture
             DIS: all
             EnvironmentalEffects: Fog FogCoordinate LocalFog
             Followers: all
@@ -62,9 +62,6 @@ class NodeFactoryTest {
             Shape: AcousticProperties FillProperties LineProperties PointProperties
             Sound: all
             TextureProjection: all
-            Texturing: MovieTexture MultiTextureCoordinate MultiTextureTransform \
-            TextureCoordinateGenerator TextureProperties
-            Texturing3D: all
             VolumeRendering: all
             """);
   }
