@@ -79,8 +79,11 @@ final class SurfaceMesher {
     List<VertexAttribute> more = new ArrayList<>();
     for (VertexAttribute given : PropertyValues.moreTexCoords(job)) {
       int size = given.components();
+      // One without any points is there to keep a place.
       VertexAttribute usable =
-          attribute("texture coordinates", given.values(), size, index, true, "all 0");
+          given.count() == 0
+              ? null
+              : attribute("texture coordinates", given.values(), size, index, true, "all 0");
       more.add(
           usable != null
               ? usable

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.instance;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Matrix4f;
@@ -73,7 +74,7 @@ final class TextureUnits {
   }
 
   private static boolean isIdentity(float[] matrix) {
-    return java.util.Arrays.equals(matrix, new Matrix4f().get(new float[16]));
+    return Arrays.equals(matrix, new Matrix4f().get(new float[16]));
   }
 
   private @Nullable TextureUnit main() {
@@ -126,7 +127,8 @@ final class TextureUnits {
   private void ofAppearance(@Nullable Node texture) {
     if (texture == null || !texture.type().name().equals("MultiTexture")) {
       if (texture != null && add(Role.MAIN, texture, "", 0)) {
-        mainTints = units.get(units.size() - 1).source().components() <= 2 || assets.multiplies(texture);
+        mainTints =
+            units.get(units.size() - 1).source().components() <= 2 || assets.multiplies(texture);
       }
       return;
     }

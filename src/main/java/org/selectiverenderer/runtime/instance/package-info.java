@@ -15,9 +15,13 @@
  * is in. How its lines, points and areas are drawn is its {@link
  * org.selectiverenderer.runtime.instance.Stroke}.
  *
+ * <p>A {@link Surface} is a shape's look. Most are one material and at most one image; what goes
+ * beyond is its {@link SurfaceDetail}, with a {@link TextureUnit} for every texture, whose
+ * coordinates are numbered as {@code geometry.tessellate} numbers those of the mesh.
+ *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
  * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh},
- * {@code x3d.catalogue} and {@code x3d.field}; no GL.
+ * {@code geometry.tessellate}, {@code x3d.catalogue} and {@code x3d.field}; no GL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.instance;

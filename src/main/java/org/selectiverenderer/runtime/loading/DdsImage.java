@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.instance.Texture;
  */
 final class DdsImage {
   private static final int MAGIC = 0x20534444;
+
   /** Bytes before the first pixel. */
   static final int HEADER = 128;
 
@@ -86,7 +87,9 @@ final class DdsImage {
   static Texture.Image read(byte[] file, AtomicLong budget) throws IOException {
     DdsImage image = new DdsImage(file);
     int layers = image.cube ? CubeTexture.FACES : image.depth;
-    ImageDecoder.spend((long) image.width * image.height * layers, budget);
+    // Sizes may be absurd: their product is no long then.
+    double pixels = (double) image.width * image.height * layers;
+    ImageDecoder.spend((long) Math.min(pixels, 1e15), budget);
     return image.read(layers);
   }
 
@@ -126,9 +129,7 @@ final class DdsImage {
   }
 
   private long size(int w, int h) {
-    return block == 0
-        ? (long) w * h * bits / 8
-        : (long) ((w + 3) / 4) * ((h + 3) / 4) * block;
+    return block == 0 ? (long) w * h * bits / 8 : (long) ((w + 3) / 4) * ((h + 3) / 4) * block;
   }
 
   /** Bytes of a face's smaller versions. */
@@ -177,8 +178,7 @@ final class DdsImage {
     for (int y = 0; y < (side ? height : height / 2); y++) {
       for (int x = 0; x < (side ? width / 2 : width); x++) {
         int a = from + 4 * (y * width + x);
-        int b =
-            from + 4 * (side ? y * width + width - 1 - x : (height - 1 - y) * width + x);
+        int b = from + 4 * (side ? y * width + width - 1 - x : (height - 1 - y) * width + x);
         for (int c = 0; c < 4; c++) {
           byte kept = rgba[a + c];
           rgba[a + c] = rgba[b + c];

@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.Raster;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -15,8 +17,8 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.Content;
 
 /**
- * Reads image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels that texture nodes hold. Needs no
- * display.
+ * Reads image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels that texture nodes hold. Needs
+ * no display.
  */
 final class ImageDecoder {
   /** Pixels above which an image is refused, before memory is spent on it: 8192 x 8192. */
@@ -52,7 +54,9 @@ final class ImageDecoder {
       try {
         reader.setInput(stream, true, true);
         spend((long) reader.getWidth(0) * reader.getHeight(0), budget);
-        return convert(reader.read(0));
+        return CmykJpeg.is(reader, file)
+            ? CmykJpeg.read(reader.readRaster(0, null), file)
+            : convert(reader.read(0));
       } catch (IIOException | EOFException | RuntimeException e) {
         // The library's readers throw what they like at damaged files.
         throw new IOException("is a damaged image", e);
@@ -85,6 +89,10 @@ final class ImageDecoder {
   }
 
   private static Texture.Image convert(BufferedImage image) {
+    boolean samples = image.getColorModel() instanceof ComponentColorModel;
+    if (samples && image.getColorModel().getNumColorComponents() == 1) {
+      return grey(image.getRaster(), image.getColorModel().getComponentSize(0));
+    }
     int width = image.getWidth();
     int height = image.getHeight();
     byte[] rgba = new byte[width * height * 4];
@@ -99,10 +107,39 @@ final class ImageDecoder {
         rgba[at++] = (byte) (argb >> 24);
       }
     }
-    // Grey images have one sample per pixel, or two with an opacity.
+    // A palette of greys makes a grey image.
     boolean grey = image.getRaster().getNumDataElements() <= 2 && isGrey(rgba);
     int components = (grey ? 1 : 3) + (image.getColorModel().hasAlpha() ? 1 : 0);
     return new Texture.Image(width, height, components, rgba);
+  }
+
+  /**
+   * Grey samples as the file has them: the library takes them for linear and would make them
+   * brighter.
+   */
+  private static Texture.Image grey(Raster raster, int bits) {
+    int width = raster.getWidth();
+    int height = raster.getHeight();
+    int bands = raster.getNumBands();
+    byte[] rgba = new byte[width * height * 4];
+    int[] row = new int[width * bands];
+    int most = (1 << bits) - 1;
+    for (int y = 0; y < height; y++) {
+      raster.getPixels(0, y, width, 1, row);
+      int at = (height - 1 - y) * width * 4;
+      for (int x = 0; x < width; x++, at += 4) {
+        byte value = byteOf(row[x * bands], most);
+        rgba[at] = value;
+        rgba[at + 1] = value;
+        rgba[at + 2] = value;
+        rgba[at + 3] = bands == 1 ? (byte) 255 : byteOf(row[x * bands + 1], most);
+      }
+    }
+    return new Texture.Image(width, height, Math.min(2, bands), rgba);
+  }
+
+  private static byte byteOf(int sample, int most) {
+    return (byte) ((sample * 255L + most / 2) / most);
   }
 
   private static boolean isGrey(byte[] rgba) {
@@ -146,8 +183,7 @@ final class ImageDecoder {
   }
 
   private static Texture.Image pixels(
-      int[] image, int from, int width, int height, int layers, int components)
-      throws IOException {
+      int[] image, int from, int width, int height, int layers, int components) throws IOException {
     double pixels = (double) width * height * layers;
     if (pixels > MAX_PIXELS || image.length - from < pixels) {
       throw new IOException(

@@ -45,7 +45,7 @@ final class ImageFiles {
   Optional<Texture.Image> read(NodeView texture, ContentBase base, Problems problems) {
     return switch (texture.type().name()) {
       case "PixelTexture", "PixelTexture3D" -> pixels(texture, problems);
-      case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D" -> {
+      case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D", "MovieTexture" -> {
         UrlChoice choice = UrlChoice.of(texture, root, base, CONSEQUENCE);
         if (choice instanceof UrlChoice.Found found) {
           yield file(texture, found.content(), problems);
@@ -84,6 +84,9 @@ final class ImageFiles {
     if (!decoded.fault.isEmpty()) {
       problems.error(
           texture.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
+    } else if (texture.type().name().equals("MovieTexture")) {
+      problems.info(
+          texture.location(), file.name() + " is shown as a still picture: movies do not run");
     } else if (isNoCube(texture, decoded.image)) {
       problems.error(
           texture.location(),

@@ -25,6 +25,7 @@ final class PassiveNodes {
           "ComposedTexture3D",
           "ImageCubeMapTexture",
           "ImageTexture3D",
+          "MovieTexture",
           "MultiTexture",
           "MultiTextureTransform",
           "PixelTexture3D",

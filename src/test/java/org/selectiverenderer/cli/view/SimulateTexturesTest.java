@@ -72,9 +72,11 @@ class SimulateTexturesTest {
   void aTextureThatIsNoImageIsLeftOut() {
     folder.write("a.png", "<svg/>").write("empty.png", "");
     assertLeftOut(
-        image("a.png"), "a.png is not an image of a known format (PNG, JPEG, GIF or BMP)");
+        image("a.png"),
+        "a.png is not an image of a known format (PNG, JPEG, GIF, BMP, TGA or DDS)");
     assertLeftOut(
-        image("empty.png"), "empty.png is not an image of a known format (PNG, JPEG, GIF or BMP)");
+        image("empty.png"),
+        "empty.png is not an image of a known format (PNG, JPEG, GIF, BMP, TGA or DDS)");
   }
 
   @Test
@@ -125,9 +127,9 @@ class SimulateTexturesTest {
     folder.scene("scene.x3d", textured(image("a.png")) + textured(image("a.png")));
     assertThat(folder.simulate("scene.x3d").messages())
         .containsExactly(
-            "scene.x3d:2:20: a.png is not an image of a known format (PNG, JPEG, GIF "
-                + "or BMP); the texture is left out",
-            "scene.x3d:3:20: a.png is not an image of a known format (PNG, JPEG, GIF "
-                + "or BMP); the texture is left out");
+            "scene.x3d:2:20: a.png is not an image of a known format (PNG, JPEG, GIF, "
+                + "BMP, TGA or DDS); the texture is left out",
+            "scene.x3d:3:20: a.png is not an image of a known format (PNG, JPEG, GIF, "
+                + "BMP, TGA or DDS); the texture is left out");
   }
 }

@@ -4,10 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicLong;
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
@@ -37,6 +43,44 @@ class ImageDecoderTest {
   void componentsAreCountedAsTheFileHasThem() throws IOException {
     assertThat(decode(BufferedImage.TYPE_INT_ARGB, 0x80FF0000, -1).components()).isEqualTo(4);
     assertThat(decode(BufferedImage.TYPE_BYTE_GRAY, 0xFF808080, -1).components()).isEqualTo(1);
+  }
+
+  private Texture.Image decodeGrey(int type, int sample) throws IOException {
+    BufferedImage image = new BufferedImage(1, 1, type);
+    image.getRaster().setSample(0, 0, 0, sample);
+    Path file = folder.resolve("grey.png");
+    ImageIO.write(image, "png", file.toFile());
+    return ImageDecoder.read(file, new AtomicLong(Long.MAX_VALUE));
+  }
+
+  @Test
+  void greySamplesAreAsTheFileHasThem() throws IOException {
+    assertThat(decodeGrey(BufferedImage.TYPE_BYTE_GRAY, 0x80).rgba())
+        .containsExactly(0x80, 0x80, 0x80, -1);
+    assertThat(decodeGrey(BufferedImage.TYPE_USHORT_GRAY, 0x8034).rgba())
+        .containsExactly(0x80, 0x80, 0x80, -1);
+  }
+
+  @Test
+  void aJpegOfFourInksIsRead() throws IOException {
+    WritableRaster inks = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 8, 8, 4, null);
+    for (int i = 0; i < 64; i++) {
+      inks.setPixel(i % 8, i / 8, new int[] {255, 0, 0, 51});
+    }
+    Path file = folder.resolve("inks.jpg");
+    ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+    try (ImageOutputStream out = ImageIO.createImageOutputStream(file.toFile())) {
+      writer.setOutput(out);
+      writer.write(new IIOImage(inks, null, null));
+    } finally {
+      writer.dispose();
+    }
+    Texture.Image image = ImageDecoder.read(file, new AtomicLong(Long.MAX_VALUE));
+    // Cyan, and a fifth of black.
+    assertThat(image.components()).isEqualTo(3);
+    assertThat(image.rgba()[0] & 0xff).isLessThan(4);
+    assertThat(image.rgba()[1] & 0xff).isBetween(200, 208);
+    assertThat(image.rgba()[2] & 0xff).isBetween(200, 208);
   }
 
   @Test

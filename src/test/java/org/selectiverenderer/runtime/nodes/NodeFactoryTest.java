@@ -39,7 +39,7 @@ class NodeFactoryTest {
         .isEqualTo(
             """
             Core: ProtoInstance
-            CubeMapTexturing: all
+            CubeMapTexturing: GeneratedCubeMapTexture
             DIS: all
             EnvironmentalEffects: FogCoordinate
             Geospatial: all
@@ -57,9 +57,6 @@ class NodeFactoryTest {
             Shape: AcousticProperties
             Sound: all
             TextureProjection: all
-            Texturing: MovieTexture MultiTextureCoordinate MultiTextureTransform \
-            TextureCoordinateGenerator TextureProperties
-            Texturing3D: all
             VolumeRendering: all
             """);
   }

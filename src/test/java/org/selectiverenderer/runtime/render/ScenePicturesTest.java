@@ -81,11 +81,13 @@ class ScenePicturesTest {
   }
 
   @Test
-  void aGreyTextureTintsAndAColourTextureReplaces() {
-    String grey = "<PixelTexture image='1 1 1 0x80'/>";
-    String blue = "<PixelTexture image='1 1 3 0x0000ff'/>";
-    assertThat(shoot(square(RED + grey, "")).rgb(40, 40)).isEqualTo(0x800000);
-    assertThat(shoot(square(RED + blue, "")).rgb(40, 40)).isEqualTo(0x0000ff);
+  void aGreyTextureTintsAndAColourTextureReplacesBeforeX3d4() {
+    String grey = square(RED + "<PixelTexture image='1 1 1 0x80'/>", "");
+    String pink = square(RED + "<PixelTexture image='1 1 3 0x8000ff'/>", "");
+    assertThat(studio.shoot(TestScene.of("3.3", grey)).rgb(40, 40)).isEqualTo(0x800000);
+    assertThat(studio.shoot(TestScene.of("3.3", pink)).rgb(40, 40)).isEqualTo(0x8000ff);
+    assertThat(shoot(grey).rgb(40, 40)).isEqualTo(0x800000);
+    assertThat(shoot(pink).rgb(40, 40)).isEqualTo(0x800000);
   }
 
   @Test

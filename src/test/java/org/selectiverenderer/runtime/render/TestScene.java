@@ -21,7 +21,13 @@ public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) 
 
   /** The scene with these nodes, in X3D's XML encoding. */
   public static TestScene of(String nodes) {
-    String text = "<X3D profile='Full' version='4.0'><Scene>" + nodes + "</Scene></X3D>";
+    return of("4.0", nodes);
+  }
+
+  /** Likewise, in a version of X3D. */
+  public static TestScene of(String version, String nodes) {
+    String text =
+        "<X3D profile='Full' version='%s'><Scene>%s</Scene></X3D>".formatted(version, nodes);
     Problems problems = new Problems();
     try (SceneLoader loader = loader(problems)) {
       byte[] bytes = text.getBytes(StandardCharsets.UTF_8);

@@ -2,7 +2,6 @@ package org.selectiverenderer.runtime.render.gpu;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import org.selectiverenderer.runtime.instance.CubeTexture;
@@ -184,7 +183,6 @@ public final class DetailDefines {
   }
 
   private static String mode(String given) {
-    String name = given.toUpperCase(Locale.ROOT);
-    return MODES.contains(name) ? name : "MODULATE";
+    return MODES.contains(given) ? given : "MODULATE";
   }
 }

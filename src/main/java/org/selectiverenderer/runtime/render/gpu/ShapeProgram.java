@@ -22,7 +22,7 @@ public final class ShapeProgram {
   private final int stroke;
   private final int fog;
   private final int planes;
-  private final Details details;
+  private final @Nullable Details details;
   private float @Nullable [] currentMaterial;
   private float @Nullable [] currentLights;
   private float @Nullable [] currentStroke;
@@ -44,7 +44,7 @@ public final class ShapeProgram {
     planes = program.uniform(gl, "planes");
     program.use(gl);
     gl.glUniform1i(program.uniform(gl, "image"), 0);
-    details = new Details(gl, program);
+    details = variant.detail().isEmpty() ? null : new Details(gl, program);
   }
 
   /** What only detailed surfaces have. */
@@ -60,11 +60,8 @@ public final class ShapeProgram {
       detail = program.uniform(gl, "detail");
       back = program.uniform(gl, "backMaterial");
       toWorld = program.uniform(gl, "toWorld");
-      for (int i = 0; i <= SurfaceDetail.MOST_UNITS; i++) {
-        int sampler = program.uniform(gl, "image" + i);
-        if (sampler >= 0) {
-          gl.glUniform1i(sampler, i);
-        }
+      for (int i = 0; i < SurfaceDetail.MOST_UNITS; i++) {
+        gl.glUniform1i(program.uniform(gl, "image" + i), i); // GL passes over those not there.
       }
     }
 
@@ -94,7 +91,9 @@ public final class ShapeProgram {
    * @param view from the world to the eye
    */
   public void detail(GL3 gl, DetailTextures detailed, Matrix4dc view) {
-    details.set(gl, detailed, view);
+    if (details != null) {
+      details.set(gl, detailed, view);
+    }
   }
 
   /**
