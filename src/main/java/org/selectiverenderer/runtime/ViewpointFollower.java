@@ -29,6 +29,7 @@ final class ViewpointFollower {
   private @Nullable Node followed;
   private final Matrix4d pose = new Matrix4d();
   private boolean started;
+  private int jumps;
 
   ViewpointFollower(InstanceTree instances, BindStacks bindables, Viewer viewer) {
     this.instances = instances;
@@ -41,6 +42,11 @@ final class ViewpointFollower {
   void jump() {
     started = false;
     follow();
+  }
+
+  /** How often another viewpoint was bound that took the viewer there. */
+  int jumps() {
+    return jumps;
   }
 
   /** Once per frame, before the user's own motion. */
@@ -64,6 +70,7 @@ final class ViewpointFollower {
       if (!started) {
         place(now);
       } else if (another && viewpoint.jump()) {
+        jumps++;
         place(viewpoint.bool("retainUserOffsets") ? keepingOffset(now) : now);
       } else if (!another && !now.equals(pose)) {
         place(keepingOffset(now));

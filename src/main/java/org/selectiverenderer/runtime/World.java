@@ -18,6 +18,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
@@ -386,6 +387,14 @@ public final class World {
         });
   }
 
+  /**
+   * How often the viewer was taken to another viewpoint that an event has bound. Who moves the
+   * viewer may make a transition of it (X3D 4.0, 23.3.1).
+   */
+  public int jumps() {
+    return follower.jumps();
+  }
+
   /** All viewpoints of the scene in document order. */
   public List<Node> viewpoints() {
     return bindables.all("X3DViewpointNode");
@@ -402,6 +411,13 @@ public final class World {
       int at = bindables.bound("X3DViewpointNode").map(all::indexOf).orElse(-1);
       goTo(all.get(Math.floorMod(at + steps, all.size())));
     }
+  }
+
+  /** Where a viewpoint looks from: takes the viewer's frame, looking along -Z, to the world. */
+  public Matrix4dc poseOf(Node viewpoint) {
+    return viewpoint instanceof ViewpointNode known
+        ? follower.poseOf(known)
+        : follower.placeOf(viewpoint);
   }
 
   /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */

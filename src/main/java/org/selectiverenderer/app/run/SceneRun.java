@@ -17,6 +17,7 @@ import org.selectiverenderer.app.head.HeadSession;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.operator.OverlayText;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.walk.Viewpoints;
 import org.selectiverenderer.app.walk.Walking;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.runtime.World;
@@ -188,7 +189,10 @@ final class SceneRun implements WorldHost, AutoCloseable {
     try {
       Walkthrough walk = opening.await();
       World world = walk.world();
-      Walking walking = new Walking(world, controls);
+      if (settings.motion().viewpoint().isPresent()) {
+        Viewpoints.start(world, settings.motion().viewpoint().get());
+      }
+      Walking walking = new Walking(world, controls, settings.motion().collisions());
       guide.opened(walk);
       scene =
           new LiveScene(

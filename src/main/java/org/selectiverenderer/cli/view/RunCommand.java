@@ -37,7 +37,6 @@ import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
-import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -72,12 +71,6 @@ public final class RunCommand extends CliCommand {
     off
   }
 
-  private enum Place {
-    auto,
-    vertex,
-    pixel
-  }
-
   @Mixin private SceneArgument scene = new SceneArgument();
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
@@ -104,6 +97,8 @@ public final class RunCommand extends CliCommand {
       description = "draws without a window, as fast as possible; still needs a display")
   private boolean offscreen;
 
+  @Mixin private ViewOptions view = new ViewOptions();
+
   @Mixin private DisplayOptions display = new DisplayOptions();
 
   @Mixin private HeadOptions head = new HeadOptions();
@@ -127,15 +122,6 @@ public final class RunCommand extends CliCommand {
               + "moving pictures without a graphics card)")
   private @Nullable Integer samples;
 
-  @Option(
-      names = "--shading",
-      defaultValue = "auto",
-      description =
-          "place where light is computed: pixel, vertex (at the corners of polygons where "
-              + "that looks the same, which is faster without a graphics card) or auto, which "
-              + "chooses by the machine (default: ${DEFAULT-VALUE})")
-  private Place shading = Place.auto;
-
   @Mixin private RecordOptions records = new RecordOptions();
 
   public RunCommand(Console console) {
@@ -144,6 +130,9 @@ public final class RunCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
+    if (view.listed()) {
+      return ViewOptions.list(scene.file(), console());
+    }
     TrackerSpec tracker = head.tracker();
     check(tracker);
     Problems pathProblems = new Problems(console()::problem);
@@ -186,14 +175,16 @@ public final class RunCommand extends CliCommand {
     return new MotionSettings(
         MouseMapping.valueOf(mouse.name().toUpperCase(Locale.ROOT)),
         walked.map(
-            path -> session ? FollowedPath.rows(path) : FollowedPath.at(FollowedPath.RATE, path)));
+            path -> session ? FollowedPath.rows(path) : FollowedPath.at(FollowedPath.RATE, path)),
+        view.viewpoint(),
+        view.collisions());
   }
 
   private DisplaySettings display(Presentation wanted) {
     DisplaySettings suited =
         DisplaySettings.of(shown(wanted))
             .samples(samples == null ? OptionalInt.empty() : OptionalInt.of(samples))
-            .shading(Shading.valueOf(shading.name().toUpperCase(Locale.ROOT)))
+            .style(view.style())
             .operator(display.operator());
     return size == null ? suited : suited.sized(size.width(), size.height());
   }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.FollowedPath;
@@ -60,6 +61,12 @@ public final class SimulateCommand extends CliCommand {
       description = "frames per second of the path's time (default: ${DEFAULT-VALUE})")
   private double rate;
 
+  @Option(
+      names = "--viewpoint",
+      paramLabel = "NAME",
+      description = "viewpoint that is bound at first, by its DEF name or description")
+  private @Nullable String viewpoint;
+
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
   @Mixin private FormatOption format = new FormatOption();
@@ -81,6 +88,10 @@ public final class SimulateCommand extends CliCommand {
     FrameLimits.check(walked.get(), rate);
     ExitStatus status = simulate(scenes.files(), walked.get());
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;
+  }
+
+  private Optional<String> viewpoint() {
+    return Optional.ofNullable(viewpoint);
   }
 
   private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
@@ -110,7 +121,7 @@ public final class SimulateCommand extends CliCommand {
     Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
     RunSettings settings =
         new RunSettings(scene, condition.settings())
-            .with(MotionSettings.following(FollowedPath.at(rate, walked)));
+            .with(MotionSettings.following(FollowedPath.at(rate, walked)).from(viewpoint()));
     RunResult result =
         SceneRunner.simulated(
             settings, new RunOutput(to, event -> to.out().println(text.apply(event))));

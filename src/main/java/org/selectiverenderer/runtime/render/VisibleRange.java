@@ -7,7 +7,8 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.walk.Navigation;
 
 /**
- * What the bound NavigationInfo decides about a picture (X3D 4.0, 23.4.4).
+ * What the bound NavigationInfo decides about a picture (X3D 4.0, 23.4.4), and the bound
+ * viewpoint's {@code nearDistance} and {@code farDistance} where they are above 0 (23.3.1).
  *
  * @param range of depths that are drawn
  * @param headlight whether the viewer carries a light
@@ -21,6 +22,18 @@ public record VisibleRange(DepthRange range, boolean headlight) {
             world.viewer().position(),
             info.map(Navigation::of).orElse(Navigation.WALKING).radius(),
             info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
-    return new VisibleRange(range, info.map(node -> node.bool("headlight")).orElse(true));
+    double near = distance(world, "nearDistance").orElse(range.near());
+    double far = distance(world, "farDistance").orElse(Math.max(range.far(), 2 * near));
+    return new VisibleRange(
+        new DepthRange(near < far ? near : far / 2, far),
+        info.map(node -> node.bool("headlight")).orElse(true));
+  }
+
+  private static Optional<Double> distance(World world, String field) {
+    return world
+        .bindables()
+        .bound("X3DViewpointNode")
+        .map(viewpoint -> viewpoint.value(field) instanceof Float f ? (double) f : -1)
+        .filter(distance -> distance > 0);
   }
 }

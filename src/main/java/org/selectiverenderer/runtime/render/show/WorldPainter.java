@@ -10,7 +10,7 @@ import org.selectiverenderer.runtime.camera.EyeView;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.Drawn;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.draw.Visible;
@@ -24,11 +24,14 @@ final class WorldPainter {
   private final SceneRenderer renderer;
   private final SketchPainter sketch = new SketchPainter(new TextMesher());
   private final ViewLayout layout;
+  private final Style style;
   private Drawn drawn = new Drawn(0, 0);
 
-  WorldPainter(ViewLayout layout, Shading shading) {
+  WorldPainter(ViewLayout layout, Style style) {
     this.layout = layout;
-    renderer = new SceneRenderer(2, shading);
+    this.style = style;
+    renderer = new SceneRenderer(2, style.shading());
+    renderer.wireframe(style.wireframe());
   }
 
   /** Sends all meshes and textures of the world to the graphics card. */
@@ -54,7 +57,9 @@ final class WorldPainter {
     renderer.follow(gl, world.instances());
     VisibleRange sight = VisibleRange.of(world);
     List<EyeView> views = layout.views(world, width, height, sight.range());
-    Visible seen = renderer.cull(views.stream().map(EyeView::camera).toList());
+    List<Camera> cameras = views.stream().map(EyeView::camera).toList();
+    Visible seen = style.wireframe() ? renderer.cullToView(cameras) : renderer.cull(cameras);
+    boolean headlight = style.headlight().orElse(sight.headlight());
     if (!layout.showsWorld() || !covered(views, width, height)) {
       gl.glClearColor(0, 0, 0, 1);
       gl.glClear(GL.GL_COLOR_BUFFER_BIT);
@@ -63,7 +68,7 @@ final class WorldPainter {
       Camera camera = views.get(i).camera();
       direct(gl, views.get(i).channel());
       if (layout.showsWorld()) {
-        renderer.draw(gl, seen, camera, world.backdrop(), sight.headlight());
+        renderer.draw(gl, seen, camera, world.backdrop(), headlight);
       }
       List<Mark> marks = layout.marks(i, camera.width(), camera.height());
       sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());
