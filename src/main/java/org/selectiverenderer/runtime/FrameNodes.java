@@ -22,12 +22,14 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param inlines all Inlines, filled or not
  * @param keySensors sensors of the keyboard
  * @param touchable whether there is a sensor of the pointing device or an Anchor
+ * @param draggable whether there is a drag sensor
  */
 record FrameNodes(
     List<FrameNode> frameNodes,
     List<InlineNode> inlines,
     List<KeyDeviceSensorNode> keySensors,
-    boolean touchable) {
+    boolean touchable,
+    boolean draggable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
@@ -42,8 +44,10 @@ record FrameNodes(
       inline.content().ifPresent(content -> add(content.loose(), FrameNode.class, nodes));
     }
     boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
+    boolean draggable =
+        placed.stream().anyMatch(node -> node instanceof PointingSensorNode on && on.drags());
     return new FrameNodes(
-        List.copyOf(nodes), List.copyOf(inlines), List.copyOf(keySensors), touchable);
+        List.copyOf(nodes), List.copyOf(inlines), List.copyOf(keySensors), touchable, draggable);
   }
 
   private static <T> void add(Collection<Node> from, Class<T> kind, List<T> to) {

@@ -61,6 +61,7 @@ public final class World {
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf;
   private boolean cutOff;
+  private boolean draggable;
   private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
 
   /** Fair, since the stepping thread would else take it again before one that waits gets it. */
@@ -192,6 +193,11 @@ public final class World {
    */
   public boolean wantsDrag() {
     return pointing.wantsDrag();
+  }
+
+  /** Whether the scene has a drag sensor. */
+  public boolean draggable() {
+    return draggable;
   }
 
   /** Whether the pointing device is held for a drag. As of the last step. */
@@ -374,6 +380,7 @@ public final class World {
       files.watch(walk.inlines());
       keys.follow(walk.keySensors(), cascade);
       pointing.touchable(walk.touchable());
+      draggable = walk.draggable();
     }
   }
 

@@ -28,7 +28,6 @@ import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.Controls;
-import org.selectiverenderer.runtime.walk.MouseButton;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
@@ -48,6 +47,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final Controls controls;
   private final WindowInput windowInput;
   private final SceneKeys sceneKeys = new SceneKeys();
+  private final DragClaim drags = new DragClaim();
   private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
   private final OverlayText overlay = new OverlayText();
   private final OperatorConsole console;
@@ -120,12 +120,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   /** Whether the scene has something of its own to do with it, so that the viewer does not move. */
   private boolean claimed(InputEvent event, World world) {
-    boolean typed = sceneKeys.accept(event, world);
-    return typed
-        || event instanceof InputEvent.ButtonInput button
-            && button.button() == 1
-            && button.pressed()
-            && world.wantsDrag();
+    return sceneKeys.accept(event, world) || drags.takes(event, world);
   }
 
   @Override
@@ -178,9 +173,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls.looking(!head.steering());
     time.tick(guide.paused());
     advance(live, time.seconds());
-    if (live.walk().world().dragging()) {
-      controls.buttonUp(MouseButton.LEFT); // It went down before the scene knew where.
-    }
+    drags.decided(live.walk().world(), windowInput::accept);
     return Optional.of(live.walk().world());
   }
 
