@@ -26,13 +26,15 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param scripts all Scripts, those that stand in no group last
  * @param keySensors sensors of the keyboard
  * @param touchable whether there is a sensor of the pointing device or an Anchor
+ * @param draggable whether there is a drag sensor
  */
 record FrameNodes(
     List<FrameNode> frameNodes,
     List<InlineNode> inlines,
     List<ScriptNode> scripts,
     List<KeyDeviceSensorNode> keySensors,
-    boolean touchable) {
+    boolean touchable,
+    boolean draggable) {
 
   static FrameNodes of(Scene scene, InstanceTree instances) {
     return of(Optional.of(scene), instances);
@@ -62,12 +64,15 @@ record FrameNodes(
     add(placed, KeyDeviceSensorNode.class, keySensors);
     add(loose, KeyDeviceSensorNode.class, keySensors);
     boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
+    boolean draggable =
+        placed.stream().anyMatch(node -> node instanceof PointingSensorNode on && on.drags());
     return new FrameNodes(
         List.copyOf(nodes),
         List.copyOf(inlines),
         List.copyOf(scripts),
         List.copyOf(keySensors),
-        touchable);
+        touchable,
+        draggable);
   }
 
   private static <T> void add(Collection<? extends Node> from, Class<T> kind, List<T> to) {

@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.viewer.Viewer;
  * @param viewer who sees it; the user's own in the active layer
  * @param backdrop behind it; empty where the layers below are seen
  * @param navigationInfo that is bound in it
+ * @param viewpoint that is bound in it
  * @param part of the picture that it is drawn into
  * @param active whether it is the one that the user walks in
  */
@@ -23,6 +24,7 @@ public record LayerView(
     Optional<Backdrop> backdrop,
     Fog fog,
     Optional<Node> navigationInfo,
+    Optional<Node> viewpoint,
     Part part,
     boolean active) {
 

@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
@@ -34,6 +35,7 @@ final class SceneLayer {
   private List<InlineNode> inlines = List.of();
   private List<ScriptNode> scripts = List.of();
   private List<KeyDeviceSensorNode> keySensors = List.of();
+  private boolean draggable;
 
   /**
    * @param viewer who sees it
@@ -72,6 +74,11 @@ final class SceneLayer {
     return keySensors;
   }
 
+  /** Whether it has a drag sensor. */
+  boolean draggable() {
+    return draggable;
+  }
+
   Optional<Backdrop> backdrop() {
     return bindables
         .bound("X3DBackgroundNode")
@@ -87,7 +94,14 @@ final class SceneLayer {
 
   LayerView view(LayerView.Part part, boolean active) {
     return new LayerView(
-        instances, viewer, backdrop(), fog(), bindables.bound("NavigationInfo"), part, active);
+        instances,
+        viewer,
+        backdrop(),
+        fog(),
+        bindables.bound("NavigationInfo").map(Node.class::cast),
+        bindables.bound("X3DViewpointNode").map(Node.class::cast),
+        part,
+        active);
   }
 
   /** Adapts LOD and Billboard nodes to its viewer. */
@@ -121,6 +135,7 @@ final class SceneLayer {
     inlines = walk.inlines();
     scripts = walk.scripts();
     keySensors = walk.keySensors();
+    draggable = walk.draggable();
     pointing.touchable(walk.touchable());
     return true;
   }

@@ -31,6 +31,7 @@ final class ViewpointFollower {
   private @Nullable Node followed;
   private final Matrix4d pose = new Matrix4d();
   private boolean started;
+  private int jumps;
 
   ViewpointFollower(InstanceTree instances, BindStacks bindables, Viewer viewer) {
     this.instances = instances;
@@ -49,6 +50,11 @@ final class ViewpointFollower {
   void jump() {
     started = false;
     follow();
+  }
+
+  /** How often another viewpoint was bound that took the viewer there. */
+  int jumps() {
+    return jumps;
   }
 
   /** Once per frame, before the user's own motion. */
@@ -73,6 +79,7 @@ final class ViewpointFollower {
       if (!started) {
         place(now);
       } else if (another && viewpoint.jump()) {
+        jumps++;
         place(retainsOffset(viewpoint) ? keepingOffset(now) : now);
       } else if (!another && !now.equals(pose)) {
         place(keepingOffset(now));

@@ -17,6 +17,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -240,6 +241,11 @@ public final class World {
     return layers.anyPointing(Pointing::wantsDrag);
   }
 
+  /** Whether the scene has a drag sensor. */
+  public boolean draggable() {
+    return layers.all().stream().anyMatch(SceneLayer::draggable);
+  }
+
   /** Whether the pointing device is held for a drag. As of the last step. */
   public boolean dragging() {
     return layers.anyPointing(Pointing::dragging);
@@ -440,6 +446,14 @@ public final class World {
   }
 
   /**
+   * How often the viewer was taken to another viewpoint that an event has bound. Who moves the
+   * viewer may make a transition of it (X3D 4.0, 23.3.1).
+   */
+  public int jumps() {
+    return layers.active().follower.jumps();
+  }
+
+  /**
    * The viewpoints of the scene, or of its active layer, in document order; those that a
    * ViewpointGroup hides are left out.
    */
@@ -460,6 +474,14 @@ public final class World {
       int at = bindables().bound("X3DViewpointNode").map(all::indexOf).orElse(-1);
       goTo(all.get(Math.floorMod(at + steps, all.size())));
     }
+  }
+
+  /** Where a viewpoint looks from: takes the viewer's frame, looking along -Z, to the world. */
+  public Matrix4dc poseOf(Node viewpoint) {
+    ViewpointFollower follower = layers.active().follower;
+    return viewpoint instanceof ViewpointNode known
+        ? follower.poseOf(known)
+        : follower.placeOf(viewpoint);
   }
 
   /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */

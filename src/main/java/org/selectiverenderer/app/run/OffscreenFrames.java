@@ -27,7 +27,7 @@ final class OffscreenFrames implements FrameTarget {
             display.height(),
             samples(),
             display.presentation().layout(),
-            display.shading())) {
+            display.style())) {
       run.awaitScene();
       run.started();
       for (int frame = 0; !run.finished(); frame++) {

@@ -17,6 +17,7 @@ import org.selectiverenderer.app.head.HeadSession;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.operator.OverlayText;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.walk.Viewpoints;
 import org.selectiverenderer.app.walk.Walking;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.runtime.World;
@@ -27,7 +28,6 @@ import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.Controls;
-import org.selectiverenderer.runtime.walk.MouseButton;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
@@ -47,6 +47,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final Controls controls;
   private final WindowInput windowInput;
   private final SceneKeys sceneKeys = new SceneKeys();
+  private final DragClaim drags = new DragClaim();
   private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
   private final OverlayText overlay = new OverlayText();
   private final OperatorConsole console;
@@ -119,12 +120,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   /** Whether the scene has something of its own to do with it, so that the viewer does not move. */
   private boolean claimed(InputEvent event, World world) {
-    boolean typed = sceneKeys.accept(event, world);
-    return typed
-        || event instanceof InputEvent.ButtonInput button
-            && button.button() == 1
-            && button.pressed()
-            && world.wantsDrag();
+    return sceneKeys.accept(event, world) || drags.takes(event, world);
   }
 
   @Override
@@ -177,9 +173,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls.looking(!head.steering());
     time.tick(guide.paused());
     advance(live, time.seconds());
-    if (live.walk().world().dragging()) {
-      controls.buttonUp(MouseButton.LEFT); // It went down before the scene knew where.
-    }
+    drags.decided(live.walk().world(), windowInput::accept);
     return Optional.of(live.walk().world());
   }
 
@@ -188,7 +182,10 @@ final class SceneRun implements WorldHost, AutoCloseable {
     try {
       Walkthrough walk = opening.await();
       World world = walk.world();
-      Walking walking = new Walking(world, controls);
+      if (settings.motion().viewpoint().isPresent()) {
+        Viewpoints.start(world, settings.motion().viewpoint().get());
+      }
+      Walking walking = new Walking(world, controls, settings.motion().collisions());
       guide.opened(walk);
       scene =
           new LiveScene(

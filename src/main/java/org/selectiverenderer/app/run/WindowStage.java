@@ -106,7 +106,7 @@ final class WindowStage {
     return new RunWindows(
         new WindowOptions(title, settings.width(), settings.height(), samples, false),
         settings.presentation().layout(),
-        settings.shading(),
+        settings.style(),
         Optional.empty(),
         operator());
   }
@@ -145,7 +145,7 @@ final class WindowStage {
     return new RunWindows(
         WindowOptions.filling(left, "Left eye - " + title, samples),
         settings.presentation().layout(),
-        settings.shading(),
+        settings.style(),
         Optional.of(WindowOptions.filling(right, "Right eye - " + title, 0)),
         operatorBeside(monitors, left, right));
   }
@@ -173,7 +173,7 @@ final class WindowStage {
     return new RunWindows(
         stage.main().withQuadBuffers(),
         stage.layout(),
-        stage.shading(),
+        stage.style(),
         Optional.empty(),
         stage.operator());
   }

@@ -7,6 +7,7 @@ import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
 /**
@@ -17,7 +18,7 @@ import org.selectiverenderer.runtime.render.window.Monitor;
  * @param height of the picture in pixels
  * @param sized whether the size was asked for; else it is what suits the presentation
  * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
- * @param shading where light is computed
+ * @param style how the scene is drawn
  * @param operator whether there is a window for whoever runs the session
  * @param operatorMonitor on which it opens; empty for one that no eye uses
  */
@@ -27,7 +28,7 @@ public record DisplaySettings(
     int height,
     boolean sized,
     OptionalInt samples,
-    Shading shading,
+    Style style,
     boolean operator,
     Optional<Monitor> operatorMonitor) {
   /** A window on a desk. */
@@ -46,7 +47,7 @@ public record DisplaySettings(
         presentation.height(),
         false,
         OptionalInt.empty(),
-        Shading.AUTO,
+        Style.of(Shading.AUTO),
         false,
         Optional.empty());
   }
@@ -54,17 +55,22 @@ public record DisplaySettings(
   /** In a size that was asked for. */
   public DisplaySettings sized(int wantedWidth, int wantedHeight) {
     return new DisplaySettings(
-        presentation, wantedWidth, wantedHeight, true, samples, shading, operator, operatorMonitor);
+        presentation, wantedWidth, wantedHeight, true, samples, style, operator, operatorMonitor);
   }
 
   /** With so many samples per pixel. */
   public DisplaySettings samples(OptionalInt wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, wanted, shading, operator, operatorMonitor);
+        presentation, width, height, sized, wanted, style, operator, operatorMonitor);
   }
 
-  /** With light computed there. */
-  public DisplaySettings shading(Shading wanted) {
+  /** Where light is computed. */
+  public Shading shading() {
+    return style.shading();
+  }
+
+  /** Drawn in another way. */
+  public DisplaySettings style(Style wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, samples, wanted, operator, operatorMonitor);
   }
@@ -72,25 +78,25 @@ public record DisplaySettings(
   /** With a window for the operator or without. */
   public DisplaySettings operator(boolean wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, shading, wanted, operatorMonitor);
+        presentation, width, height, sized, samples, style, wanted, operatorMonitor);
   }
 
   /** With the operator's window on a monitor. */
   public DisplaySettings operatorOn(Optional<Monitor> wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, shading, operator, wanted);
+        presentation, width, height, sized, samples, style, operator, wanted);
   }
 
   /** Of the size that a monitor turned out to have. */
   public DisplaySettings filling(int foundWidth, int foundHeight) {
     return new DisplaySettings(
-        presentation, foundWidth, foundHeight, sized, samples, shading, operator, operatorMonitor);
+        presentation, foundWidth, foundHeight, sized, samples, style, operator, operatorMonitor);
   }
 
   /** Shown in another way; the size stays if it was asked for. */
   public DisplaySettings as(Presentation other) {
     DisplaySettings suited =
-        of(other).samples(samples).shading(shading).operator(operator).operatorOn(operatorMonitor);
+        of(other).samples(samples).style(style).operator(operator).operatorOn(operatorMonitor);
     return sized ? suited.sized(width, height) : suited;
   }
 }

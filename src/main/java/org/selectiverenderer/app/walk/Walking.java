@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.Colliders;
@@ -11,6 +12,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
 import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.runtime.viewer.Viewer;
@@ -24,48 +26,85 @@ import org.selectiverenderer.runtime.walk.Walker;
 
 /**
  * The user's walking through a world: follows the bound NavigationInfo and viewpoint, and goes from
- * viewpoint to viewpoint. Belongs to the thread that steps the world.
+ * viewpoint to viewpoint, by a transition whoever binds it. Belongs to the thread that steps the
+ * world.
  */
 public final class Walking implements ViewerMotion {
   private final World world;
   private final Controls controls;
+  private final NodeObserver watch = (node, field) -> stale = true;
   private @Nullable InstanceTree tree;
   private @Nullable Node info;
   private @Nullable Node viewpoint;
+  private boolean stale;
   private Walker walker;
+  private boolean collisions;
   private @Nullable ViewpointTransition transition;
+  private final Matrix4d offset = new Matrix4d();
+  private @Nullable Pose last;
+  private int jumps;
   private Set<CollisionNode> bumped = Set.of();
 
+  /** Held up by walls. */
   public Walking(World world, Controls controls) {
+    this(world, controls, true);
+  }
+
+  /**
+   * @param collisions whether walls hold the viewer up, until the user says otherwise
+   */
+  public Walking(World world, Controls controls, boolean collisions) {
     this.world = world;
     this.controls = controls;
-    walker = new Walker(new Colliders(world.instances(), world.assets(), world.meshes()), controls);
+    this.collisions = collisions;
+    walker = newWalker();
+    jumps = world.jumps();
+  }
+
+  private Walker newWalker() {
+    Walker made =
+        new Walker(new Colliders(world.instances(), world.assets(), world.meshes()), controls);
+    made.collisions(collisions);
+    return made;
   }
 
   /** Does what the user asked for, as far as it is about moving. */
   public void command(NavigationCommand command) {
     switch (command) {
-      case RESET_VIEWPOINT ->
-          world.bindables().bound("Viewpoint").ifPresent(bound -> go(() -> world.goTo(bound)));
-      case PREVIOUS_VIEWPOINT -> go(() -> world.goToViewpoint(-1));
-      case NEXT_VIEWPOINT -> go(() -> world.goToViewpoint(+1));
+      case RESET_VIEWPOINT -> world.bindables().bound("Viewpoint").ifPresent(this::go);
+      case PREVIOUS_VIEWPOINT -> go(-1);
+      case NEXT_VIEWPOINT -> go(+1);
       case LAST_VIEWPOINT -> {
         List<Node> all = world.viewpoints();
         if (!all.isEmpty()) {
-          go(() -> world.goTo(all.get(all.size() - 1)));
+          go(all.get(all.size() - 1));
         }
       }
       case NEXT_MODE -> nextMode();
-      case TOGGLE_COLLISIONS -> walker.collisions(!walker.collisions());
+      case TOGGLE_COLLISIONS -> {
+        collisions = !collisions;
+        walker.collisions(collisions);
+      }
       case TOGGLE_OVERLAY, TOGGLE_FULL_SCREEN, RESET_HEADING, LEAVE -> {
         // The window's and the tracker's own business.
       }
     }
   }
 
-  private void go(Runnable there) {
+  private void go(int steps) {
     Pose from = Pose.of(world.viewer());
-    there.run();
+    world.goToViewpoint(steps);
+    begin(from, world.time());
+  }
+
+  private void go(Node to) {
+    Pose from = Pose.of(world.viewer());
+    world.goTo(to);
+    begin(from, world.time());
+  }
+
+  /** Begins the way to where the viewer was just put. */
+  private void begin(Pose from, double time) {
     Optional<Node> bound = world.bindables().bound("NavigationInfo");
     transition =
         new ViewpointTransition(
@@ -73,9 +112,15 @@ public final class Walking implements ViewerMotion {
             Pose.of(world.viewer()),
             ViewpointTransition.Type.of(
                 bound.map(node -> node.strings("transitionType")).orElse(new String[0])),
-            world.time(),
+            time,
             bound.map(Walking::transitionTime).orElse(1.0));
+    world
+        .bindables()
+        .bound("Viewpoint")
+        .ifPresent(
+            node -> world.poseOf(node).invertAffine(offset).mul(Pose.of(world.viewer()).matrix()));
     from.applyTo(world.viewer());
+    last = from;
   }
 
   private void nextMode() {
@@ -88,6 +133,11 @@ public final class Walking implements ViewerMotion {
     }
   }
 
+  /** How the viewer moves now. */
+  public NavigationMode mode() {
+    return walker.mode();
+  }
+
   /** What the overlay says about it. */
   public String describe() {
     return "%s%s".formatted(walker.mode(), walker.collisions() ? "" : ", through walls");
@@ -96,15 +146,40 @@ public final class Walking implements ViewerMotion {
   @Override
   public void move(Viewer viewer, double time, double dt) {
     follow();
-    if (transition != null) {
-      transition.move(viewer, time, dt);
-      if (transition.done(time)) {
-        transition = null;
+    if (world.jumps() != jumps) {
+      jumps = world.jumps();
+      if (last != null) {
+        begin(last, time);
       }
-      return;
     }
-    walker.move(viewer, time, dt);
-    tellCollisions(walker.bumped());
+    if (transition != null) {
+      pass(transition, viewer, time, dt);
+    } else {
+      walker.move(viewer, time, dt);
+      tellCollisions(walker.bumped());
+    }
+    last = Pose.of(viewer);
+  }
+
+  private void pass(ViewpointTransition way, Viewer viewer, double time, double dt) {
+    ViewpointTransition going = target(way);
+    going.move(viewer, time, dt);
+    transition = going;
+    if (going.done(time)) {
+      transition = null;
+      world
+          .bindables()
+          .bound("NavigationInfo")
+          .ifPresent(
+              node -> world.cascade().emit(node, node.type().indexOf("transitionComplete"), true));
+    }
+  }
+
+  /** The way to where the viewpoint is by now: it may move meanwhile. */
+  private ViewpointTransition target(ViewpointTransition way) {
+    return viewpoint == null
+        ? way
+        : way.to(way.end().at(world.poseOf(viewpoint).mul(offset, new Matrix4d())));
   }
 
   /** Collision nodes hear when the viewer begins and ceases to bump into what is in them. */
@@ -122,35 +197,55 @@ public final class Walking implements ViewerMotion {
     return navigationInfo.value("transitionTime") instanceof Double seconds ? seconds : 1;
   }
 
-  /** Adapts to another scene, NavigationInfo or viewpoint. */
+  /** Adapts to another scene, NavigationInfo or viewpoint, and to what changes in these. */
   private void follow() {
-    if (tree != world.instances()) {
+    boolean another = tree != world.instances();
+    if (another) {
       tree = world.instances();
-      walker = new Walker(new Colliders(tree, world.assets(), world.meshes()), controls);
-      info = null;
-      viewpoint = null;
+      walker = newWalker();
       transition = null;
-      use(world.bindables().bound("NavigationInfo"), world.bindables().bound("Viewpoint"));
-      return;
+      last = null;
+      jumps = world.jumps();
     }
-    Optional<Node> boundInfo = world.bindables().bound("NavigationInfo");
-    Optional<Node> boundViewpoint = world.bindables().bound("Viewpoint");
-    if (boundInfo.orElse(null) != info || boundViewpoint.orElse(null) != viewpoint) {
-      use(boundInfo, boundViewpoint);
+    Node boundInfo = world.bindables().bound("NavigationInfo").orElse(null);
+    Node boundViewpoint = world.bindables().bound("Viewpoint").orElse(null);
+    boolean keeps = !another && boundInfo == info;
+    if (!keeps || boundViewpoint != viewpoint || stale) {
+      info = watched(boundInfo, info);
+      viewpoint = watched(boundViewpoint, viewpoint);
+      stale = false;
+      use(keeps);
     }
   }
 
-  private void use(Optional<Node> boundInfo, Optional<Node> boundViewpoint) {
-    info = boundInfo.orElse(null);
-    viewpoint = boundViewpoint.orElse(null);
-    walker.use(
-        boundInfo.map(Navigation::of).orElse(Navigation.WALKING),
-        boundViewpoint
-            .map(node -> NavigationFrame.of(world.placeOf(node)))
-            .orElse(NavigationFrame.WORLD));
-    boundViewpoint
-        .filter(ViewpointNode.class::isInstance)
-        .flatMap(node -> ((ViewpointNode) node).centerOfRotation())
-        .ifPresent(center -> walker.pivot(world.placeOf(viewpoint).transformPosition(center)));
+  private @Nullable Node watched(@Nullable Node now, @Nullable Node before) {
+    if (before != null) {
+      before.removeObserver(watch);
+    }
+    if (now != null) {
+      now.addObserver(watch);
+    }
+    return now;
+  }
+
+  /**
+   * @param keeps whether the NavigationInfo is the one of before: the user's mode stays then,
+   *     unless the author's modes are others
+   */
+  private void use(boolean keeps) {
+    Navigation navigation = info == null ? Navigation.WALKING : Navigation.of(info);
+    Node from = viewpoint;
+    NavigationFrame frame =
+        from == null ? NavigationFrame.WORLD : NavigationFrame.of(world.placeOf(from));
+    if (keeps && navigation.modes().equals(walker.navigation().modes())) {
+      walker.adapt(navigation, frame);
+    } else {
+      walker.use(navigation, frame);
+    }
+    if (from instanceof ViewpointNode known) {
+      known
+          .centerOfRotation()
+          .ifPresent(center -> walker.pivot(world.placeOf(known).transformPosition(center)));
+    }
   }
 }

@@ -38,7 +38,6 @@ import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
-import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -73,12 +72,6 @@ public final class RunCommand extends CliCommand {
     off
   }
 
-  private enum Place {
-    auto,
-    vertex,
-    pixel
-  }
-
   @Mixin private SceneArgument scene = new SceneArgument();
 
   @Mixin private AccessOptions access = new AccessOptions();
@@ -107,6 +100,8 @@ public final class RunCommand extends CliCommand {
       description = "draws without a window, as fast as possible; still needs a display")
   private boolean offscreen;
 
+  @Mixin private ViewOptions view = new ViewOptions();
+
   @Mixin private DisplayOptions display = new DisplayOptions();
 
   @Mixin private HeadOptions head = new HeadOptions();
@@ -130,15 +125,6 @@ public final class RunCommand extends CliCommand {
               + "moving pictures without a graphics card)")
   private @Nullable Integer samples;
 
-  @Option(
-      names = "--shading",
-      defaultValue = "auto",
-      description =
-          "place where light is computed: pixel, vertex (at the corners of polygons where "
-              + "that looks the same, which is faster without a graphics card) or auto, which "
-              + "chooses by the machine (default: ${DEFAULT-VALUE})")
-  private Place shading = Place.auto;
-
   @Mixin private RecordOptions records = new RecordOptions();
 
   public RunCommand(Console console) {
@@ -147,6 +133,9 @@ public final class RunCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
+    if (view.listed()) {
+      return ViewOptions.list(scene.file(), console());
+    }
     TrackerSpec tracker = head.tracker();
     check(tracker);
     Problems pathProblems = new Problems(console()::problem);
@@ -190,14 +179,16 @@ public final class RunCommand extends CliCommand {
     return new MotionSettings(
         MouseMapping.valueOf(mouse.name().toUpperCase(Locale.ROOT)),
         walked.map(
-            path -> session ? FollowedPath.rows(path) : FollowedPath.at(FollowedPath.RATE, path)));
+            path -> session ? FollowedPath.rows(path) : FollowedPath.at(FollowedPath.RATE, path)),
+        view.viewpoint(),
+        view.collisions());
   }
 
   private DisplaySettings display(Presentation wanted) {
     DisplaySettings suited =
         DisplaySettings.of(shown(wanted))
             .samples(samples == null ? OptionalInt.empty() : OptionalInt.of(samples))
-            .shading(Shading.valueOf(shading.name().toUpperCase(Locale.ROOT)))
+            .style(view.style())
             .operator(display.operator());
     return size == null ? suited : suited.sized(size.width(), size.height());
   }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.FollowedPath;
@@ -64,6 +65,12 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private AccessOptions access = new AccessOptions();
 
+  @Option(
+      names = "--viewpoint",
+      paramLabel = "NAME",
+      description = "viewpoint that is bound at first, by its DEF name or description")
+  private @Nullable String viewpoint;
+
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
   @Mixin private FormatOption format = new FormatOption();
@@ -88,6 +95,10 @@ public final class SimulateCommand extends CliCommand {
     allowed = access.access();
     ExitStatus status = simulate(scenes.files(), walked.get());
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;
+  }
+
+  private Optional<String> viewpoint() {
+    return Optional.ofNullable(viewpoint);
   }
 
   private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
@@ -118,7 +129,7 @@ public final class SimulateCommand extends CliCommand {
     RunSettings settings =
         new RunSettings(scene, condition.settings())
             .allowing(allowed)
-            .with(MotionSettings.following(FollowedPath.at(rate, walked)));
+            .with(MotionSettings.following(FollowedPath.at(rate, walked)).from(viewpoint()));
     RunResult result =
         SceneRunner.simulated(
             settings, new RunOutput(to, event -> to.out().println(text.apply(event))));

@@ -7,10 +7,9 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import javax.imageio.ImageReader;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.files.Content;
 
 /**
  * JPEG images of four inks, as programs for print write them, which the library reads as samples
@@ -25,14 +24,14 @@ final class CmykJpeg {
   private CmykJpeg() {}
 
   /** Whether an image that a reader is about to read has four inks. */
-  static boolean is(ImageReader reader, Path file) throws IOException {
+  static boolean is(ImageReader reader, Content file) throws IOException {
     return reader.getFormatName().equalsIgnoreCase("jpeg") && components(file) == 4;
   }
 
   /**
    * @param raster the samples, of four bands
    */
-  static Texture.Image read(Raster raster, Path file) throws IOException {
+  static Texture.Image read(Raster raster, Content file) throws IOException {
     int transform = adobe(file);
     int width = raster.getWidth();
     int height = raster.getHeight();
@@ -70,18 +69,18 @@ final class CmykJpeg {
     return (byte) Math.round((missing ? bright * black : (255 - bright) * (255 - black)) / 255);
   }
 
-  private static int components(Path file) throws IOException {
+  private static int components(Content file) throws IOException {
     return segments(file, true);
   }
 
   /** The colour transform that an Adobe segment names, or that there is none. */
-  private static int adobe(Path file) throws IOException {
+  private static int adobe(Content file) throws IOException {
     return segments(file, false);
   }
 
   /** Looks through the segments before the picture (ITU-T T.81, B.1.1). */
-  private static int segments(Path file, boolean frame) throws IOException {
-    try (InputStream stream = Files.newInputStream(file);
+  private static int segments(Content file, boolean frame) throws IOException {
+    try (InputStream stream = file.open();
         DataInputStream in = new DataInputStream(new BufferedInputStream(stream))) {
       in.readUnsignedShort();
       while (true) {

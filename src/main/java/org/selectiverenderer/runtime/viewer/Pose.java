@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.viewer;
 
 import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
@@ -28,6 +30,23 @@ public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfV
     viewer.turnTo(orientation);
     viewer.fieldOfView(fieldOfView);
     viewer.extent(Optional.empty());
+  }
+
+  /** Takes this viewer's frame to the world. */
+  public Matrix4d matrix() {
+    return new Matrix4d().translationRotate(position, orientation);
+  }
+
+  /**
+   * Likewise elsewhere.
+   *
+   * @param matrix takes the viewer's frame to the world; a rigid transformation
+   */
+  public Pose at(Matrix4dc matrix) {
+    return new Pose(
+        matrix.getTranslation(new Vector3d()),
+        matrix.getNormalizedRotation(new Quaterniond()),
+        fieldOfView);
   }
 
   /** Between this pose (0) and another (1): straight ahead, turning the short way round. */

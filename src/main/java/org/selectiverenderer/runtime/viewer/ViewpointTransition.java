@@ -45,6 +45,16 @@ public final class ViewpointTransition implements ViewerMotion {
     this.duration = duration > 0 ? duration : 0;
   }
 
+  /** The same way to another end: to a viewpoint that moves meanwhile. */
+  public ViewpointTransition to(Pose end) {
+    return new ViewpointTransition(from, end, type, start, duration);
+  }
+
+  /** Where it ends. */
+  public Pose end() {
+    return to;
+  }
+
   /** Whether the viewer has arrived by that time: then transitionComplete is to be sent. */
   public boolean done(double time) {
     return type == Type.TELEPORT || time >= start + duration;

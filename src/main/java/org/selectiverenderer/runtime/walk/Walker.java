@@ -62,6 +62,12 @@ public final class Walker implements ViewerMotion {
     mode(newNavigation.initial());
   }
 
+  /** Follows what has changed in the NavigationInfo or the viewpoint, in the mode that it is in. */
+  public void adapt(Navigation newNavigation, NavigationFrame newFrame) {
+    navigation = newNavigation;
+    frame = newFrame;
+  }
+
   public Navigation navigation() {
     return navigation;
   }

@@ -118,6 +118,22 @@ class SceneInputTest {
   }
 
   @Test
+  void aWholeDragBetweenTwoFramesDoesNotTurnTheViewerEither() throws IOException {
+    for (boolean sensed : new boolean[] {true, false}) {
+      try (SceneRun run = run("<PlaneSensor enabled='" + sensed + "'/>" + PLATE)) {
+        World world = step(run);
+        point(run, world, 0, false);
+        button(run, true);
+        world.point(new Pointer(Optional.of(new Vector3d(0, 0, -1)), true));
+        point(run, world, 0.5, true);
+        step(run);
+        step(run);
+        assertThat(looksAhead(world)).isEqualTo(sensed);
+      }
+    }
+  }
+
+  @Test
   void walkingIsNotEndedByAPointerThatPassesOverADragSensor() throws IOException {
     try (SceneRun run = run("<PlaneSensor/>" + PLATE)) {
       World world = step(run);

@@ -32,6 +32,7 @@ public final class SceneRenderer {
   private final Culler culler = new Culler(visible);
   private final Occlusion occlusion = new Occlusion();
   private final float pointSize;
+  private boolean wireframe;
 
   /**
    * @param pointSize side of a point of a PointSet in pixels
@@ -40,6 +41,11 @@ public final class SceneRenderer {
   public SceneRenderer(float pointSize, Shading shading) {
     this.shading = shading;
     this.pointSize = pointSize;
+  }
+
+  /** Whether only the edges of polygons are drawn. */
+  public void wireframe(boolean on) {
+    wireframe = on;
   }
 
   /**
@@ -128,8 +134,10 @@ public final class SceneRenderer {
             pointSize,
             portions);
     portions.begin(seen.count(0, seen.ranges));
+    edgesOnly(gl, wireframe);
     painter.paint(0, seen.opaque);
     painter.end();
+    edgesOnly(gl, false);
     if (opaque) {
       backdropPainter.paint(gl, setting.backdrop().orElse(Backdrop.BLACK), camera);
     }
@@ -137,8 +145,10 @@ public final class SceneRenderer {
       gl.glEnable(GL.GL_BLEND);
       gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
       gl.glDepthMask(false);
+      edgesOnly(gl, wireframe);
       painter.blend(seen.opaque, seen.calls.size());
       painter.end();
+      edgesOnly(gl, false);
       gl.glDepthMask(true);
       gl.glDisable(GL.GL_BLEND);
     }
@@ -148,6 +158,12 @@ public final class SceneRenderer {
     gl.glDisable(GL.GL_CULL_FACE);
     gl.glFrontFace(GL.GL_CCW);
     gl.glDisable(GL.GL_DEPTH_TEST);
+  }
+
+  private void edgesOnly(GL3 gl, boolean on) {
+    if (wireframe) {
+      gl.glPolygonMode(GL.GL_FRONT_AND_BACK, on ? GL3.GL_LINE : GL3.GL_FILL);
+    }
   }
 
   /** Meshes and textures sent to the graphics card since the start. */

@@ -13,6 +13,7 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.LayerCamera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.draw.Setting;
@@ -26,6 +27,7 @@ import org.selectiverenderer.runtime.render.draw.Visible;
 final class LayersPainter {
   private final SceneRenderer main;
   private final Supplier<SceneRenderer> maker;
+  private final Style style;
   private final Map<InstanceTree, SceneRenderer> others = new IdentityHashMap<>();
   private final List<Drawing> drawings = new ArrayList<>();
   private List<Camera> views = List.of();
@@ -33,9 +35,10 @@ final class LayersPainter {
   private record Drawing(
       SceneRenderer renderer, Setting setting, List<Camera> cameras, Visible seen) {}
 
-  LayersPainter(SceneRenderer main, Supplier<SceneRenderer> maker) {
+  LayersPainter(SceneRenderer main, Supplier<SceneRenderer> maker, Style style) {
     this.main = main;
     this.maker = maker;
+    this.style = style;
   }
 
   /**
@@ -66,9 +69,10 @@ final class LayersPainter {
       drawings.add(
           new Drawing(
               renderer,
-              new Setting(backdrop, sight.headlight(), layer.fog(), !lowest),
+              new Setting(
+                  backdrop, style.headlight().orElse(sight.headlight()), layer.fog(), !lowest),
               cameras,
-              renderer.cull(cameras)));
+              style.wireframe() ? renderer.cullToView(cameras) : renderer.cull(cameras)));
     }
   }
 

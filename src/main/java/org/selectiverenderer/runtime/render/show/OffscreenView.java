@@ -6,6 +6,7 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
@@ -30,10 +31,10 @@ public final class OffscreenView implements AutoCloseable {
   private long previousTriangles;
 
   private OffscreenView(
-      OffscreenContext context, OffscreenTarget target, ViewLayout layout, Shading shading) {
+      OffscreenContext context, OffscreenTarget target, ViewLayout layout, Style style) {
     this.context = context;
     this.target = target;
-    painter = new WorldPainter(layout, shading);
+    painter = new WorldPainter(layout, style);
   }
 
   /**
@@ -47,10 +48,16 @@ public final class OffscreenView implements AutoCloseable {
    */
   public static OffscreenView open(
       int width, int height, int samples, ViewLayout layout, Shading shading) {
+    return open(width, height, samples, layout, Style.of(shading));
+  }
+
+  /** The same, drawn in another way than the scene says. */
+  public static OffscreenView open(
+      int width, int height, int samples, ViewLayout layout, Style style) {
     OffscreenContext context = OffscreenContext.open();
     try {
       return new OffscreenView(
-          context, new OffscreenTarget(context.gl(), width, height, samples), layout, shading);
+          context, new OffscreenTarget(context.gl(), width, height, samples), layout, style);
     } catch (GLException e) {
       context.close();
       throw new GlUnavailableException(

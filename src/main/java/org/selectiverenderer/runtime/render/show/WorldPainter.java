@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.show;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
+import java.util.function.Supplier;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Camera;
@@ -10,7 +11,7 @@ import org.selectiverenderer.runtime.camera.EyeView;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.Drawn;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.sketch.SketchPainter;
@@ -29,10 +30,16 @@ final class WorldPainter {
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
-  WorldPainter(ViewLayout layout, Shading shading) {
+  WorldPainter(ViewLayout layout, Style style) {
     this.layout = layout;
-    renderer = new SceneRenderer(POINT_SIZE, shading);
-    layers = new LayersPainter(renderer, () -> new SceneRenderer(POINT_SIZE, shading));
+    Supplier<SceneRenderer> renderers =
+        () -> {
+          SceneRenderer made = new SceneRenderer(POINT_SIZE, style.shading());
+          made.wireframe(style.wireframe());
+          return made;
+        };
+    renderer = renderers.get();
+    layers = new LayersPainter(renderer, renderers, style);
   }
 
   /** Sends all meshes and textures of the world to the graphics card. */

@@ -83,7 +83,7 @@ public final class WorldWindow {
   }
 
   private final class Frames implements FrameSource {
-    private final WorldPainter painter = new WorldPainter(stage.layout(), stage.shading());
+    private final WorldPainter painter = new WorldPainter(stage.layout(), stage.style());
     private final EyeTarget eyes = new EyeTarget(stage.main().samples());
     private final boolean split = stage.rightEye().isPresent();
     private final Overlay overlay = new Overlay(new TextMesher());

@@ -26,10 +26,11 @@ public sealed interface InputEvent {
   /**
    * The mouse moved.
    *
-   * @param dx since the last motion; 0 when the pointer has just entered
+   * @param dx since the last motion, in the desktop's units, so that a hand's movement means the
+   *     same on a display of double density; 0 when the pointer has just entered
    * @param dy likewise, downwards
    */
-  record MotionInput(int x, int y, int dx, int dy) implements InputEvent {}
+  record MotionInput(int x, int y, double dx, double dy) implements InputEvent {}
 
   /**
    * The wheel turned.

@@ -6,6 +6,7 @@ import com.jogamp.newt.event.MouseEvent;
 import com.jogamp.newt.event.MouseListener;
 import com.jogamp.newt.event.WindowAdapter;
 import com.jogamp.newt.event.WindowEvent;
+import com.jogamp.newt.opengl.GLWindow;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -72,8 +73,9 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
 
   @Override
   public void mouseMoved(MouseEvent event) {
-    int dx = inside ? event.getX() - lastX : 0;
-    int dy = inside ? event.getY() - lastY : 0;
+    float scale = event.getSource() instanceof GLWindow window ? NativeWindows.scale(window) : 1;
+    double dx = inside ? (event.getX() - lastX) / scale : 0;
+    double dy = inside ? (event.getY() - lastY) / scale : 0;
     inside = true;
     lastX = event.getX();
     lastY = event.getY();
