@@ -52,7 +52,9 @@ final class ProtoDeclarationReader {
       reading.error(location, "a ProtoDeclare needs a name and a ProtoBody; this one is left out");
       return;
     }
-    scope.declare(new ProtoDeclaration(name, fields, body, scope, reading.base(), Set.of()));
+    scope.declare(
+        new ProtoDeclaration(
+            name, fields, body, scope, reading.base(), reading.angles(), Set.of()));
   }
 
   private ProtoDeclaration.@Nullable Field field(ElementCursor in) {
@@ -79,7 +81,10 @@ final class ProtoDeclarationReader {
       return null;
     }
     int value = in.indexOf("value");
-    Object parsed = value >= 0 && !type.isNode() ? in.attributeValue(value, type) : null;
+    Object parsed =
+        value >= 0 && !type.isNode()
+            ? reading.angles().radians(type, in.attributeValue(value, type))
+            : null;
     List<DocumentElement> children = in.record().children();
     return new ProtoDeclaration.Field(
         name, type, access, parsed, type.isNode() ? children : List.of());

@@ -1,5 +1,6 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -32,6 +33,8 @@ final class ReadState {
   private int depth;
 
   private @Nullable ContentBase base;
+  private AngleUnit angles = AngleUnit.RADIANS;
+  private final List<Problem> externFaults = new ArrayList<>();
 
   /**
    * @param libraries where prototypes of other files come from
@@ -63,6 +66,26 @@ final class ReadState {
 
   void base(@Nullable ContentBase ofBody) {
     base = ofBody;
+  }
+
+  /** The unit of the angles that are read now: of the file, or of a prototype's. */
+  AngleUnit angles() {
+    return angles;
+  }
+
+  void angles(AngleUnit stated) {
+    angles = stated;
+  }
+
+  /** Reports what is wrong with a prototype of another file, or with what is expected of it. */
+  void externFault(Problem.Severity severity, Location location, String message) {
+    Problem problem = new Problem(severity, location, message);
+    externFaults.add(problem);
+    report(problem);
+  }
+
+  List<Problem> externFaults() {
+    return externFaults;
   }
 
   /** Where relative urls start now: beside the prototype, or else beside the file that uses it. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.read;
 import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 
 /**
  * An X3D file as read: its head and its scene.
@@ -18,6 +19,7 @@ import org.selectiverenderer.base.problem.Location;
  * @param routes the ROUTE elements in document order
  * @param importedRoutes those of them that lead to or from an imported node
  * @param exportedInstances the fields of exported instances of prototypes, by the exported name
+ * @param externFaults what is wrong with prototypes of other files that it uses; told already
  */
 public record X3dFile(
     String source,
@@ -32,7 +34,8 @@ public record X3dFile(
     List<Import> imports,
     List<Export> exports,
     List<ImportedRoute> importedRoutes,
-    Map<String, InstanceFields> exportedInstances) {
+    Map<String, InstanceFields> exportedInstances,
+    List<Problem> externFaults) {
 
   /** The length factor that the units state: metres per unit (X3D 4.0, 4.3.6). */
   public double unitLength() {
@@ -58,7 +61,8 @@ public record X3dFile(
         List.of(),
         List.of(),
         List.of(),
-        Map.of());
+        Map.of(),
+        List.of());
   }
 
   public record Meta(String name, String content) {}
