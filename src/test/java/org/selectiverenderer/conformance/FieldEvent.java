@@ -1,0 +1,26 @@
+package org.selectiverenderer.conformance;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/** A value of a field at a time. */
+record FieldEvent(double time, String nodeAndField, FieldType type, @Nullable Object value) {
+  private static final double TIME_TOLERANCE = 1e-6;
+
+  /** Whether it is what {@code TIME NODE.field VALUE} says. */
+  boolean is(String expected) {
+    return Math.abs(time - Double.parseDouble(ConformanceScene.word(expected, 0))) < TIME_TOLERANCE
+        && isValue(ConformanceScene.rest(expected, 1));
+  }
+
+  /** Whether it is what {@code NODE.field VALUE} says, whenever it was. */
+  boolean isValue(String expected) {
+    return ConformanceScene.word(expected, 0).equals(nodeAndField)
+        && FieldValues.agree(type, value, ConformanceScene.rest(expected, 1));
+  }
+
+  @Override
+  public String toString() {
+    return time + " " + nodeAndField + " " + FieldValues.text(value);
+  }
+}
