@@ -282,6 +282,17 @@ class ExternPrototypesTest {
   }
 
   @Test
+  void aLibraryOfWhichNothingIsReadIsOneProblem() throws IOException {
+    Files.write(folder.resolve("picture.x3d"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, 3});
+    scene(extern("Red", "\"picture.x3d#Red\"") + "<ProtoInstance name='Red'/>");
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).toString())
+        .startsWith(
+            "test.x3d:2:1: the prototype Red cannot be had: url 'picture.x3d#Red' cannot be read (")
+        .endsWith("); its instances are left out");
+  }
+
+  @Test
   void aDamagedLibraryIsToldOnceWithItsPlace() throws IOException {
     Files.writeString(folder.resolve("bad.x3d"), text(RED).replace("</Scene>", "<Oops"));
     scene(
