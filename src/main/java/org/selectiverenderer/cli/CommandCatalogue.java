@@ -27,6 +27,7 @@ import org.selectiverenderer.cli.view.SaiCommand;
 import org.selectiverenderer.cli.view.SimulateCommand;
 import org.selectiverenderer.cli.view.TrackCommand;
 import org.selectiverenderer.enricher.EnricherApp;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /** The commands, in the order of {@code --help}. */
 final class CommandCatalogue {
@@ -73,7 +74,8 @@ final class CommandCatalogue {
     return all;
   }
 
-  private static ExitStatus enricher(Optional<Path> scene) throws IOException {
+  private static ExitStatus enricher(Optional<Path> scene, ContentAccess access)
+      throws IOException {
     LibraryProperties.swingFirst();
     Path settings =
         SettingsFolder.of(
@@ -81,7 +83,7 @@ final class CommandCatalogue {
             Path.of(System.getProperty("user.home", "")),
             System.getenv());
     try {
-      EnricherApp.run(scene, settings);
+      EnricherApp.run(scene, access, settings);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

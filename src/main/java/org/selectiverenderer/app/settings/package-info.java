@@ -3,7 +3,8 @@
  * log.
  *
  * <p>In: what the command line or a study says. Out: values; nothing here does anything. May use
- * {@code control}, {@code hmd}, {@code tracker} and {@code runtime} for their own settings.
+ * {@code control}, {@code hmd}, {@code tracker}, {@code runtime} and {@code x3d.files} for their
+ * own settings.
  */
 @NullMarked
 package org.selectiverenderer.app.settings;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
@@ -13,6 +14,7 @@ import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.document.headless.HeadlessEnrichment;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -34,8 +36,9 @@ public final class EnrichCommand extends CliCommand {
   public interface Window {
     /**
      * @param scene to open; empty for none
+     * @param access what it may name besides its own files
      */
-    ExitStatus open(Optional<Path> scene) throws IOException;
+    ExitStatus open(Optional<Path> scene, ContentAccess access) throws IOException;
   }
 
   private final Window window;
@@ -63,6 +66,8 @@ public final class EnrichCommand extends CliCommand {
       description = "writes the enriched scene to another file")
   private @Nullable Path output;
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   @Mixin private DryRunOption dryRun = new DryRunOption();
 
   public EnrichCommand(Console console, Window window) {
@@ -76,7 +81,7 @@ public final class EnrichCommand extends CliCommand {
       if (output != null || dryRun.asked()) {
         throw CommandFailure.usage("--output and --dry-run need --apply or --ratings");
       }
-      return window.open(Optional.ofNullable(scene));
+      return window.open(Optional.ofNullable(scene), access.access());
     }
     if (scene == null) {
       throw CommandFailure.usage("--apply and --ratings need a SCENE");

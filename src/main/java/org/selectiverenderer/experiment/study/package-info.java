@@ -8,7 +8,8 @@
  *
  * <p>Uses {@code experiment.questionnaire} for what may be asked, {@code control} for the
  * conditions, {@code hmd} for the ways of showing, {@code tracker} and {@code runtime.walk} for
- * their spellings, and {@code base} for files and problems. No GL, no AWT.
+ * their spellings, {@code x3d.files} for what scenes may name, and {@code base} for files and
+ * problems. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.study;

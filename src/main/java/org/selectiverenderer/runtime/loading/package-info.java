@@ -1,6 +1,7 @@
 /**
  * Files to running scenes: the scene's file and all Inlines and images it names, read and
- * tessellated in parallel, all versions up front. The network is never used.
+ * tessellated in parallel, all versions up front. Which files may be read, {@code x3d.files}
+ * decides.
  *
  * <p>In: a path. Out: a {@link org.selectiverenderer.runtime.loading.LoadedScene} and problems.
  * Uses {@code runtime.scene}, {@code runtime.nodes}, the assets' interface of {@code

@@ -3,6 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -15,9 +16,7 @@ final class PrototypeCheck implements ScopeCheck {
   public void check(DocumentElement element, Scopes scopes, Findings findings) {
     switch (element.name()) {
       case "ProtoDeclare" -> declaration(element, scopes, findings);
-      case "ExternProtoDeclare" ->
-          findings.add(
-              PrototypeRules.EXTERNAL, element, element.text("name").orElse("one without a name"));
+      case "ExternProtoDeclare" -> external(element, scopes, findings);
       case "ProtoInstance" -> instance(element, scopes, findings);
       case "field" -> field(element, findings);
       default -> {
@@ -35,6 +34,20 @@ final class PrototypeCheck implements ScopeCheck {
         findings.add(PrototypeRules.DECLARATION, element, "a ProtoBody");
       }
     }
+  }
+
+  /** What the reader has found of it and of its fields. */
+  private static void external(DocumentElement element, Scopes scopes, Findings findings) {
+    for (Problem fault : scopes.file().scene().externFaults()) {
+      boolean ofField = element.children().stream().anyMatch(field -> at(fault, field));
+      if (ofField || at(fault, element)) {
+        findings.addWithin(PrototypeRules.EXTERNAL, element, fault.location(), fault.message());
+      }
+    }
+  }
+
+  private static boolean at(Problem fault, DocumentElement element) {
+    return fault.location().equals(element.location());
   }
 
   private static void instance(DocumentElement element, Scopes scopes, Findings findings) {

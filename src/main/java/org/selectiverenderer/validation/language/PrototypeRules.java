@@ -60,11 +60,17 @@ final class PrototypeRules {
           .see("X3D 4.0, 4.4.4.2; X3D XML encoding, 4.3.8");
 
   static final Rule EXTERNAL =
-      Rule.info(
-              "SR156",
-              "this program does not load prototypes of other files; {name} is not checked")
-          .because("Its instances are left out here; other browsers show them.")
-          .bad("<ExternProtoDeclare name='Chair' url='\"chairs.x3d#Chair\"'/>")
+      Rule.error("SR156", "{fault}")
+          .about("a prototype of another file that cannot be had, or whose interface is another")
+          .because(
+              """
+              Instances of a prototype that cannot be read are left out. Where its file says \
+              otherwise than the declaration here, the file counts. A declaration that no \
+              instance uses is not followed.""")
+          .bad(
+              """
+              <ExternProtoDeclare name='Chair' url='"chiars.x3d#Chair"'/>
+              <ProtoInstance name='Chair'/>""")
           .good(GOOD)
           .see("X3D 4.0, 4.4.5");
 

@@ -3,7 +3,7 @@ package org.selectiverenderer.x3d.files;
 import java.net.URI;
 import java.nio.file.Path;
 
-/** Where relative urls start (X3D 4.0, 9.2.3). */
+/** Where relative urls start (X3D 4.0, 9.2). */
 public sealed interface ContentBase {
   /** A folder of this machine. */
   record Folder(Path path) implements ContentBase {}

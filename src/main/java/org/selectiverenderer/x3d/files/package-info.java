@@ -11,7 +11,7 @@
  * <p>In: a scene's folder, urls. Out: {@link org.selectiverenderer.x3d.files.Content} with a name,
  * bytes and a place where its own urls start, or why there is none. Nothing is fetched unless the
  * user allows the host; then by {@link org.selectiverenderer.x3d.files.Network}, the only place
- * that does. Uses {@code x3d.catalogue} and {@code base.problem}.
+ * that does. Uses {@code x3d.catalogue}, {@code base.json} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.x3d.files;

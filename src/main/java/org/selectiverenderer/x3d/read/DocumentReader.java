@@ -87,9 +87,11 @@ final class DocumentReader implements NodeReader.Links {
         case "unit" -> {
           int factor = in.indexOf("conversionFactor");
           Object value = factor < 0 ? null : in.attributeValue(factor, FieldType.SFDouble);
-          units.add(
-              new X3dFile.Unit(
-                  text(in, "category"), text(in, "name"), value == null ? 1 : (Double) value));
+          double stated = value == null ? 1 : (Double) value;
+          units.add(new X3dFile.Unit(text(in, "category"), text(in, "name"), stated));
+          if (text(in, "category").equals("angle")) {
+            reading.angles(AngleUnit.of(stated));
+          }
         }
         case "meta" -> meta.add(new X3dFile.Meta(text(in, "name"), text(in, "content")));
         default ->
@@ -184,6 +186,7 @@ final class DocumentReader implements NodeReader.Links {
         List.copyOf(imports),
         List.copyOf(exports),
         List.copyOf(routes.imported()),
-        instances());
+        instances(),
+        List.copyOf(reading.externFaults()));
   }
 }

@@ -85,7 +85,8 @@ final class ExternReader {
       ProtoDeclaration.Field field = declaration.fields().get(expected.name());
       if (field == null) {
         lacking.add(expected.name());
-        reading.error(
+        reading.externFault(
+            Problem.Severity.ERROR,
             expected.location(),
             "the prototype %s of %s has no field %s%s; values and routes of it are left out"
                 .formatted(
@@ -94,7 +95,8 @@ final class ExternReader {
                     expected.name(),
                     reading.question(expected.name(), declaration.fields().keySet())));
       } else if (field.type() != expected.type()) {
-        reading.error(
+        reading.externFault(
+            Problem.Severity.ERROR,
             expected.location(),
             "%s of the prototype %s is %s in %s, not %s; it is used as such"
                 .formatted(
@@ -104,7 +106,8 @@ final class ExternReader {
                     library.name(),
                     expected.type()));
       } else if (field.access() != expected.access()) {
-        reading.warning(
+        reading.externFault(
+            Problem.Severity.WARNING,
             expected.location(),
             "%s of the prototype %s is %s in %s, not %s; it is used as such"
                 .formatted(
@@ -119,7 +122,8 @@ final class ExternReader {
   }
 
   private void leaveOut(ExternDeclaration extern, String why) {
-    reading.error(
+    reading.externFault(
+        Problem.Severity.ERROR,
         extern.location(),
         "the prototype %s cannot be had: %s; its instances are left out"
             .formatted(extern.name(), why));

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.XmlDocument;
@@ -36,15 +37,28 @@ final class LibraryReader {
     }
     DocumentElement root = document.root().orElse(null);
     if (root != null && root.name().equals("X3D")) {
-      root.children().stream()
-          .filter(element -> element.name().equals("Scene"))
-          .forEach(this::visit);
+      for (DocumentElement child : root.children()) {
+        if (child.name().equals("head")) {
+          child.children().forEach(this::unit);
+        } else if (child.name().equals("Scene")) {
+          visit(child);
+        }
+      }
     } else if (!document.broken()) {
       reading.error(
           root == null ? Location.of(document.name()) : root.location(),
           "the file has no X3D element; it holds no prototypes");
     }
     return new PrototypeLibrary(document.name(), scope, first, problems.list());
+  }
+
+  private void unit(DocumentElement element) {
+    if (element.name().equals("unit") && element.text("category").orElse("").equals("angle")) {
+      element
+          .attribute("conversionFactor")
+          .map(factor -> (Double) factor.value(FieldType.SFDouble))
+          .ifPresent(factor -> reading.angles(AngleUnit.of(factor)));
+    }
   }
 
   private void visit(DocumentElement element) {

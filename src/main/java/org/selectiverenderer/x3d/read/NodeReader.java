@@ -203,7 +203,8 @@ final class NodeReader {
                 + type
                 + " is for events and cannot have a value in a file; it is left out");
       } else {
-        Object value = in.attributeValue(i, field.type());
+        Object value =
+            reading.angles().radians(type.name(), field, in.attributeValue(i, field.type()));
         if (value != null) {
           node.put(field.index(), value);
         }

@@ -14,6 +14,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  *
  * @param environment the scope that declares it, whose prototypes its body may use
  * @param base where relative urls in its body start; null for the file that is being read
+ * @param angles the unit of the angles in its body
  * @param lacking fields that somebody expects it to have and that it has not, which was told
  */
 record ProtoDeclaration(
@@ -22,6 +23,7 @@ record ProtoDeclaration(
     DocumentElement body,
     NameScope environment,
     @Nullable ContentBase base,
+    AngleUnit angles,
     Set<String> lacking)
     implements Prototype {
   /**
@@ -38,7 +40,7 @@ record ProtoDeclaration(
       List<DocumentElement> nodes) {}
 
   ProtoDeclaration without(Set<String> missing) {
-    return new ProtoDeclaration(name, fields, body, environment, base, Set.copyOf(missing));
+    return new ProtoDeclaration(name, fields, body, environment, base, angles, Set.copyOf(missing));
   }
 
   /** The field that takes or sends events under that name, by either spelling. */

@@ -51,7 +51,9 @@ final class ProtoDeclarationReader {
       reading.error(location, "a ProtoDeclare needs a name and a ProtoBody; this one is left out");
       return;
     }
-    scope.declare(new ProtoDeclaration(name, fields, body, scope, reading.base(), Set.of()));
+    scope.declare(
+        new ProtoDeclaration(
+            name, fields, body, scope, reading.base(), reading.angles(), Set.of()));
   }
 
   private ProtoDeclaration.@Nullable Field field(ElementCursor in) {
@@ -69,7 +71,10 @@ final class ProtoDeclarationReader {
     }
     int value = in.indexOf("value");
     FieldType type = declared.type();
-    Object parsed = value >= 0 && !type.isNode() ? in.attributeValue(value, type) : null;
+    Object parsed =
+        value >= 0 && !type.isNode()
+            ? reading.angles().radians(type, in.attributeValue(value, type))
+            : null;
     List<DocumentElement> children = in.record().children();
     return new ProtoDeclaration.Field(
         declared.name(), type, declared.access(), parsed, type.isNode() ? children : List.of());

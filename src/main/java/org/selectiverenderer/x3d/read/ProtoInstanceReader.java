@@ -138,7 +138,7 @@ final class ProtoInstanceReader {
     int attribute = in.indexOf("value");
     Object value =
         attribute >= 0 && !field.type().isNode()
-            ? in.attributeValue(attribute, field.type())
+            ? reading.angles().radians(field.type(), in.attributeValue(attribute, field.type()))
             : null;
     List<ParsedNode> given = new ArrayList<>();
     while (in.next()) {
@@ -166,7 +166,9 @@ final class ProtoInstanceReader {
     NameScope scope = new NameScope(declaration.environment(), instance);
     expanding.add(declaration.body());
     ContentBase outside = reading.base();
+    AngleUnit unitOutside = reading.angles();
     reading.base(declaration.base());
+    reading.angles(declaration.angles());
     reading.startReplay();
     ParsedNode first = null;
     defaults(instance, scope);
@@ -181,6 +183,7 @@ final class ProtoInstanceReader {
     routes.connect(scope);
     reading.endReplay();
     reading.base(outside);
+    reading.angles(unitOutside);
     expanding.remove(declaration.body());
     if (first == null) {
       reading.error(

@@ -34,6 +34,8 @@ final class ReadState {
   private int depth;
 
   private @Nullable ContentBase base;
+  private AngleUnit angles = AngleUnit.RADIANS;
+  private final List<Problem> externFaults = new ArrayList<>();
 
   /**
    * @param libraries where prototypes of other files come from
@@ -74,6 +76,26 @@ final class ReadState {
 
   void base(@Nullable ContentBase ofBody) {
     base = ofBody;
+  }
+
+  /** The unit of the angles that are read now: of the file, or of a prototype's. */
+  AngleUnit angles() {
+    return angles;
+  }
+
+  void angles(AngleUnit stated) {
+    angles = stated;
+  }
+
+  /** Reports what is wrong with a prototype of another file, or with what is expected of it. */
+  void externFault(Problem.Severity severity, Location location, String message) {
+    Problem problem = new Problem(severity, location, message);
+    externFaults.add(problem);
+    report(problem);
+  }
+
+  List<Problem> externFaults() {
+    return externFaults;
   }
 
   /** Where relative urls start now: beside the prototype, or else beside the file that uses it. */

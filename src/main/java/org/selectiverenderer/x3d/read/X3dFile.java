@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 
 /**
  * An X3D file as read: its head and its scene.
@@ -20,6 +21,7 @@ import org.selectiverenderer.base.problem.Location;
  * @param routes the ROUTE elements in document order
  * @param importedRoutes those of them that lead to or from an imported node
  * @param exportedInstances the fields of exported instances of prototypes, by the exported name
+ * @param externFaults what is wrong with prototypes of other files that it uses; told already
  */
 public record X3dFile(
     String source,
@@ -35,7 +37,8 @@ public record X3dFile(
     List<Import> imports,
     List<Export> exports,
     List<ImportedRoute> importedRoutes,
-    Map<String, InstanceFields> exportedInstances) {
+    Map<String, InstanceFields> exportedInstances,
+    List<Problem> externFaults) {
 
   /** The nodes at the top of the scene, then those that stand in no other node. */
   public List<ParsedNode> allNodes() {
@@ -72,7 +75,8 @@ public record X3dFile(
         List.of(),
         List.of(),
         List.of(),
-        Map.of());
+        Map.of(),
+        List.of());
   }
 
   public record Meta(String name, String content) {}

@@ -78,12 +78,17 @@ public final class X3dReader {
   /**
    * Reads the prototypes of a file.
    *
-   * @throws IOException if it cannot be read
+   * @throws IOException if it cannot be read, or nothing of it is to be
    */
   PrototypeLibrary library(Content content) throws IOException {
     XmlDocument document;
     try (InputStream in = content.open()) {
       document = document(content.name(), in, content.size());
+    }
+    for (DocumentFault fault : document.faults()) {
+      if (fault.kind() == DocumentFault.Kind.REFUSED) {
+        throw new IOException(fault.message());
+      }
     }
     Problems problems = new Problems();
     ReadState reading =
@@ -236,6 +241,6 @@ public final class X3dReader {
   private static X3dFile empty(String source) {
     return new X3dFile(
         source, "", "", Map.of(), List.of(), List.of(), List.of(), List.of(), Map.of(), List.of(),
-        List.of(), List.of(), List.of(), Map.of());
+        List.of(), List.of(), List.of(), Map.of(), List.of());
   }
 }

@@ -282,6 +282,17 @@ class ExternPrototypesTest {
   }
 
   @Test
+  void aLibraryOfWhichNothingIsReadIsOneProblem() throws IOException {
+    Files.write(folder.resolve("picture.x3d"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, 3});
+    scene(extern("Red", "\"picture.x3d#Red\"") + "<ProtoInstance name='Red'/>");
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).toString())
+        .startsWith(
+            "test.x3d:2:1: the prototype Red cannot be had: url 'picture.x3d#Red' cannot be read (")
+        .endsWith("); its instances are left out");
+  }
+
+  @Test
   void aDamagedLibraryIsToldOnceWithItsPlace() throws IOException {
     Files.writeString(folder.resolve("bad.x3d"), text(RED).replace("</Scene>", "<Oops"));
     scene(
@@ -294,6 +305,52 @@ class ExternPrototypesTest {
     assertThat(problems.list()).hasSize(1);
     assertThat(problems.list().get(0).location().file()).endsWith("bad.x3d");
     assertThat(problems.list().get(0).location().line()).isEqualTo(5);
+  }
+
+  @Test
+  void anglesAreOfTheUnitOfTheFileThatStatesThem() throws IOException {
+    String head =
+        "<X3D version='4.0'><head><unit category='angle' name='degree'"
+            + " conversionFactor='0.5'/></head><Scene>";
+    Files.writeString(
+        folder.resolve("halves.x3d"),
+        head
+            + """
+            <ProtoDeclare name='Turned'><ProtoInterface>
+              <field name='more' type='SFRotation' accessType='initializeOnly' value='0 1 0 4'/>
+            </ProtoInterface><ProtoBody>
+              <Transform rotation='0 0 1 2'><Transform>
+                <IS><connect nodeField='rotation' protoField='more'/></IS>
+              </Transform></Transform>
+            </ProtoBody></ProtoDeclare></Scene></X3D>
+            """);
+    X3dFile file =
+        scene(
+            extern("Turned", "\"halves.x3d\"")
+                + "<ProtoInstance name='Turned'/><Transform rotation='1 0 0 3'/>");
+    assertTold();
+    assertThat(file.nodes().get(0).floats("rotation")).containsExactly(0, 0, 1, 1);
+    assertThat(file.nodes().get(0).nodes("children").get(0).floats("rotation"))
+        .containsExactly(0, 1, 0, 2);
+    assertThat(file.nodes().get(1).floats("rotation")).containsExactly(1, 0, 0, 3);
+    X3dFile halves =
+        reader.read(
+            "test.x3d",
+            (head
+                    + """
+                    <Viewpoint fieldOfView='3' orientation='0 1 0 3'/>
+                    <OrthoViewpoint fieldOfView='-2 -2 2 2'/>
+                    <OrientationInterpolator key='0 1' keyValue='0 1 0 1, 1 0 0 2'/>
+                    <Background skyAngle='1 2'/></Scene></X3D>
+                    """)
+                .getBytes(UTF_8),
+            problems);
+    List<ParsedNode> nodes = halves.nodes();
+    assertThat(nodes.get(0).number("fieldOfView")).isEqualTo(1.5f);
+    assertThat(nodes.get(0).floats("orientation")).containsExactly(0, 1, 0, 1.5f);
+    assertThat(nodes.get(1).floats("fieldOfView")).containsExactly(-2, -2, 2, 2);
+    assertThat(nodes.get(2).floats("keyValue")).containsExactly(0, 1, 0, 0.5f, 1, 0, 0, 1);
+    assertThat(nodes.get(3).floats("skyAngle")).containsExactly(0.5f, 1);
   }
 
   @Test

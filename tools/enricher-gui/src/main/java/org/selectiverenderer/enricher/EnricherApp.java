@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /** The enricher as a program: a window until the author closes it. */
 public final class EnricherApp {
@@ -16,11 +17,12 @@ public final class EnricherApp {
    * Opens the window and waits until it is closed.
    *
    * @param scene to open; empty for none
+   * @param access what scenes may name besides their own files, beside what the settings allow
    * @param settings folder of the user's settings
    * @throws IOException with one line if there is no display
    * @throws InterruptedException if the waiting thread is interrupted
    */
-  public static void run(Optional<Path> scene, Path settings)
+  public static void run(Optional<Path> scene, ContentAccess access, Path settings)
       throws IOException, InterruptedException {
     if (!display()) {
       throw new IOException(
@@ -30,7 +32,7 @@ public final class EnricherApp {
     CountDownLatch closed = new CountDownLatch(1);
     EventQueue.invokeLater(
         () -> {
-          EnricherWindow window = new EnricherWindow(settings, closed::countDown);
+          EnricherWindow window = new EnricherWindow(settings, access, closed::countDown);
           window.show();
           window.begin(scene);
         });

@@ -25,12 +25,14 @@ import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /** The window with one document at a time. For the event dispatch thread. */
 final class EnricherWindow {
   private static final String NAME = "Enricher";
 
   private final EnricherSettings settings;
+  private final ContentAccess access;
   private final Recovery recovery;
   private final RecentFiles recent;
   private final WindowPlace place;
@@ -56,27 +58,39 @@ final class EnricherWindow {
    * @param closed hears when the window is gone
    */
   public EnricherWindow(Path folder, Runnable closed) {
-    this(themed(folder), folder, closed);
+    this(folder, ContentAccess.none(), closed);
+  }
+
+  /**
+   * @param folder of the user's settings
+   * @param access what scenes may name besides their own files, beside what the settings allow
+   * @param closed hears when the window is gone
+   */
+  public EnricherWindow(Path folder, ContentAccess access, Runnable closed) {
+    this(themed(folder, access), folder, closed);
   }
 
   /** Settings, and what is to be said of reading them. */
-  private record Remembered(EnricherSettings settings, String complaint) {}
+  private record Remembered(EnricherSettings settings, ContentAccess access, String complaint) {}
 
   /** Colours come before the first component is made. */
-  private static Remembered themed(Path folder) {
+  private static Remembered themed(Path folder, ContentAccess given) {
     EnricherSettings settings = new EnricherSettings(folder);
     String complaint = "";
+    ContentAccess access = given;
     try {
       settings.load();
-    } catch (IOException e) {
+      access = settings.access().and(given);
+    } catch (IOException | IllegalArgumentException e) {
       complaint = String.valueOf(e.getMessage());
     }
     Theme.of(settings.word("theme", "")).apply();
-    return new Remembered(settings, complaint);
+    return new Remembered(settings, access, complaint);
   }
 
   private EnricherWindow(Remembered remembered, Path folder, Runnable closed) {
     this.settings = remembered.settings();
+    this.access = remembered.access();
     this.recovery = new Recovery(folder.resolve("recovery"));
     this.recent = new RecentFiles(settings);
     this.place = new WindowPlace(settings);
@@ -185,7 +199,7 @@ final class EnricherWindow {
 
   private void adopt(DocumentFile file) {
     letGo(true);
-    EnricherSession session = new EnricherSession(file, catalogue, tasks, status::say);
+    EnricherSession session = new EnricherSession(file, catalogue, access, tasks, status::say);
     Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
     bench = opened;
     saving = new Saving(session, questions);

@@ -37,7 +37,7 @@ final class Workbench {
   private final SceneTreePanel tree;
   private final SourcePanel source;
   private final FormPanel form;
-  private final VersionPictures pictures = new VersionPictures();
+  private final VersionPictures pictures;
   private final PreviewPanel preview;
   private final OverviewPanel overview;
   private final HelpPanel help;
@@ -60,6 +60,7 @@ final class Workbench {
       Consumer<DocumentElement> makeVersions) {
     this.session = session;
     this.settings = settings;
+    pictures = new VersionPictures(session.access());
     autosave = new Autosave(session, recovery);
     problems = new ProblemsPanel(session, List.of(validator(session)));
     tree = new SceneTreePanel(session, problems::faulty);
@@ -103,7 +104,9 @@ final class Workbench {
 
   private static ValidatorCheck validator(EnricherSession session) {
     return new ValidatorCheck(
-        () -> session.file().path(), RuleCatalogue.standard(), ValidationSettings.standard());
+        () -> session.file().path(),
+        RuleCatalogue.standard(),
+        ValidationSettings.standard().allowing(session.access()));
   }
 
   private static JSplitPane split(

@@ -15,6 +15,7 @@ import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.preview.VersionSource;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -60,7 +61,7 @@ final class VersionLoading {
               .tasks()
               .run(
                   "Finding " + choice.url(),
-                  () -> file(scene, choice.url()),
+                  () -> file(scene, choice.url(), session.access()),
                   file -> ask(new VersionSource.OfFile(file)),
                   e -> failed.accept(String.valueOf(e.getMessage())));
       return;
@@ -69,9 +70,9 @@ final class VersionLoading {
         .ifPresentOrElse(this::ask, () -> failed.accept("No picture of a version in the scene"));
   }
 
-  private static Path file(Path scene, String url) throws IOException {
+  private static Path file(Path scene, String url, ContentAccess access) throws IOException {
     Path folder = Optional.ofNullable(scene.toAbsolutePath().getParent()).orElse(scene);
-    ContentRoot.Target target = new ContentRoot(folder).resolve(url, folder);
+    ContentRoot.Target target = new ContentRoot(folder, access).resolve(url, folder);
     if (target instanceof ContentRoot.Target.Refused refused) {
       throw new IOException("This version " + refused.reason());
     }

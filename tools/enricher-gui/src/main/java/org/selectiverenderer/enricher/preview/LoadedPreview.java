@@ -10,6 +10,7 @@ import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
@@ -22,10 +23,11 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
    * Reads the text of a document and the files that it names.
    *
    * @param folder against which urls are resolved
+   * @param access what the scene may name besides its own files
    * @throws IOException with a one-line message when it cannot be read at all
    */
-  static LoadedPreview of(Snapshot snapshot, Path folder) throws IOException {
-    return of(snapshot.name(), snapshot.bytes(), folder, snapshot.revision());
+  static LoadedPreview of(Snapshot snapshot, Path folder, ContentAccess access) throws IOException {
+    return of(snapshot.name(), snapshot.bytes(), folder, access, snapshot.revision());
   }
 
   /**
@@ -33,11 +35,13 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
    *
    * @throws IOException with a one-line message when it cannot be read at all
    */
-  static LoadedPreview of(String name, byte[] bytes, Path folder, long revision)
+  static LoadedPreview of(
+      String name, byte[] bytes, Path folder, ContentAccess access, long revision)
       throws IOException {
     Problems problems = new Problems(); // The document's own checks tell them.
     SceneLoader loader =
-        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+        new SceneLoader(
+            NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems);
     try {
       LoadedScene loaded = loader.load(name, new ByteArrayInputStream(bytes), folder);
       World world = new World(loaded, problems);

@@ -120,6 +120,7 @@ public final class PreviewPanel extends JPanel {
         new SceneFeed(
             session.document(),
             () -> session.file().path(),
+            session.access(),
             thread::show,
             new SceneFeed.Listener() {
               @Override

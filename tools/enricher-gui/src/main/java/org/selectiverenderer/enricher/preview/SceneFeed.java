@@ -12,6 +12,7 @@ import javax.swing.Timer;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
  * Loads the document as it is now, saved or not, after every pause in editing. For the event
@@ -34,6 +35,7 @@ final class SceneFeed implements AutoCloseable {
 
   private final SceneDocument document;
   private final Supplier<Path> file;
+  private final ContentAccess access;
   private final Consumer<LoadedPreview> target;
   private final Listener listener;
   private final DocumentListener onChange = change -> later();
@@ -49,15 +51,18 @@ final class SceneFeed implements AutoCloseable {
 
   /**
    * @param file where the document is saved: its folder is that of relative urls
+   * @param access what it may name besides its own files
    * @param target takes each state over, on the loader's thread
    */
   SceneFeed(
       SceneDocument document,
       Supplier<Path> file,
+      ContentAccess access,
       Consumer<LoadedPreview> target,
       Listener listener) {
     this.document = document;
     this.file = file;
+    this.access = access;
     this.target = target;
     this.listener = listener;
     timer.setRepeats(false);
@@ -91,7 +96,7 @@ final class SceneFeed implements AutoCloseable {
       return;
     }
     try {
-      LoadedPreview loaded = LoadedPreview.of(snapshot, folder);
+      LoadedPreview loaded = LoadedPreview.of(snapshot, folder, access);
       if (wanted.get() == mine) {
         target.accept(loaded);
         tell(mine, listener::loaded);

@@ -16,6 +16,7 @@ import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.mark.MarkedPicture;
 import org.selectiverenderer.runtime.render.mark.MarkedView;
 import org.selectiverenderer.runtime.render.mark.Marking;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
  * Takes small pictures of versions for forms and dialogs, one after the other on the thread {@code
@@ -64,12 +65,25 @@ public final class VersionPictures implements AutoCloseable {
           return size() > KEPT;
         }
       };
+  private final ContentAccess access;
   private final Orbit orbit = new Orbit();
   private @Nullable Thread thread;
   private @Nullable LoadedPreview last;
   private @Nullable Object lastState;
   private @Nullable VersionSource lastSource;
   private volatile boolean closed;
+
+  /** Of scenes that may name no more than their own files. */
+  public VersionPictures() {
+    this(ContentAccess.none());
+  }
+
+  /**
+   * @param access what scenes may name besides their own files
+   */
+  public VersionPictures(ContentAccess access) {
+    this.access = access;
+  }
 
   /**
    * Asks for a picture.
@@ -173,7 +187,7 @@ public final class VersionPictures implements AutoCloseable {
   private LoadedPreview load(VersionSource source, Object state) throws IOException {
     if (last == null || !source.equals(lastSource) || !state.equals(lastState)) {
       forget();
-      last = LoadedPreview.of(source.name(), source.bytes(), source.folder(), 0);
+      last = LoadedPreview.of(source.name(), source.bytes(), source.folder(), access, 0);
       lastSource = source;
       lastState = state;
     }

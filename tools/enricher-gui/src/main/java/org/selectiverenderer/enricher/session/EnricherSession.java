@@ -14,6 +14,7 @@ import org.selectiverenderer.document.enrichment.EnrichmentEdits;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.enricher.task.Tasks;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -25,6 +26,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 public final class EnricherSession {
   private final DocumentFile file;
   private final NodeCatalogue catalogue;
+  private final ContentAccess access;
   private final Tasks tasks;
   private final Consumer<String> messages;
   private final Enrichment enrichment;
@@ -34,13 +36,25 @@ public final class EnricherSession {
   private @Nullable DocumentElement selection;
   private @Nullable DocumentElement lost;
 
+  /** A session with a scene that may name no more than its own files. */
+  public EnricherSession(
+      DocumentFile file, NodeCatalogue catalogue, Tasks tasks, Consumer<String> messages) {
+    this(file, catalogue, ContentAccess.none(), tasks, messages);
+  }
+
   /**
+   * @param access what the scene may name besides its own files
    * @param tasks for work in the background
    * @param messages shows a sentence to the author
    */
   public EnricherSession(
-      DocumentFile file, NodeCatalogue catalogue, Tasks tasks, Consumer<String> messages) {
+      DocumentFile file,
+      NodeCatalogue catalogue,
+      ContentAccess access,
+      Tasks tasks,
+      Consumer<String> messages) {
     this.file = file;
+    this.access = access;
     this.catalogue = catalogue;
     this.tasks = tasks;
     this.messages = messages;
@@ -67,6 +81,11 @@ public final class EnricherSession {
 
   public EnrichmentEdits edits() {
     return edits;
+  }
+
+  /** What the scene may name besides its own files. */
+  public ContentAccess access() {
+    return access;
   }
 
   public Tasks tasks() {

@@ -1,13 +1,20 @@
 package org.selectiverenderer.enricher.settings;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.Reader;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Properties;
+import java.util.regex.Pattern;
 import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.HostPattern;
+import org.selectiverenderer.x3d.files.Network;
 
 /** What the window remembers, as words and numbers in one file of the user's. */
 public final class EnricherSettings {
@@ -45,6 +52,28 @@ public final class EnricherSettings {
     StringWriter text = new StringWriter();
     values.store(text, "Enricher");
     WholeFile.replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * What scenes may name besides their own files: the keys {@code allow}, folders separated as in
+   * the system's search paths, and {@code allow-net}, hosts separated by commas.
+   *
+   * @throws IllegalArgumentException with a sentence, if a host is none
+   */
+  public ContentAccess access() {
+    List<Path> folders = new ArrayList<>();
+    for (String folder : word("allow", "").split(Pattern.quote(File.pathSeparator))) {
+      if (!folder.isBlank()) {
+        folders.add(Path.of(folder.strip()));
+      }
+    }
+    List<HostPattern> hosts = new ArrayList<>();
+    for (String host : word("allow-net", "").split(",")) {
+      if (!host.isBlank()) {
+        hosts.add(new HostPattern(host));
+      }
+    }
+    return new ContentAccess(folders, new Network(hosts));
   }
 
   public String word(String key, String usual) {

@@ -35,14 +35,15 @@ record ComputedVersions(
     List<Optional<ObjectShape>> shapes = new ArrayList<>();
     if (edit.isPresent()) {
       for (ObjectVersion version : edit.get().versions()) {
-        shapes.add(shape(version.file(), edit.get(), catalogue));
+        shapes.add(shape(version.file(), edit.get(), catalogue, request));
       }
     }
     return new ComputedVersions(edit, shapes, problems.list());
   }
 
   /** Versions that are there already stay in their files; the others are only planned. */
-  private static Optional<ObjectShape> shape(Path file, VersionsEdit edit, NodeCatalogue catalogue)
+  private static Optional<ObjectShape> shape(
+      Path file, VersionsEdit edit, NodeCatalogue catalogue, VersionsEdit.Request request)
       throws IOException {
     Optional<byte[]> planned =
         edit.files().stream()
@@ -56,7 +57,7 @@ record ComputedVersions(
     Problems unheard = new Problems(); // the plan has reported what is wrong with the object
     X3dFile scene = new X3dReader(catalogue).read(file.toString(), content, unheard);
     Path folder = file.toAbsolutePath().getParent();
-    return new ModelReader(catalogue)
+    return new ModelReader(catalogue, request.access())
         .of(scene.nodes(), scene, folder, Location.of(file.toString()), "the version", unheard)
         .map(ObjectShape::of);
   }

@@ -53,10 +53,11 @@ final class VersionsWork {
     Snapshot snapshot = session.document().snapshot();
     VersionsEdit.Request request =
         new VersionsEdit.Request(
-            session.file().path(),
-            model.object(),
-            model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
-            FOLDER);
+                session.file().path(),
+                model.object(),
+                model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
+                FOLDER)
+            .allowing(session.access());
     task =
         session
             .tasks()
