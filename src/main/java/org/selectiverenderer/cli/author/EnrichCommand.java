@@ -40,7 +40,10 @@ public final class EnrichCommand extends CliCommand {
 
   private final Window window;
 
-  @Parameters(paramLabel = "SCENE", arity = "0..1", description = "X3D scene (.x3d, .x3dz)")
+  @Parameters(
+      paramLabel = "SCENE",
+      arity = "0..1",
+      description = "X3D scene (XML; others with --output)")
   private @Nullable Path scene;
 
   @Option(
