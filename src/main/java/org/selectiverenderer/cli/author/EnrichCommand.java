@@ -91,7 +91,7 @@ public final class EnrichCommand extends CliCommand {
     Problems problems = new Problems(console()::problem);
     Optional<HeadlessEnrichment> enriched =
         HeadlessEnrichment.of(
-            new HeadlessEnrichment.Request(scene, ratings, metadata),
+            new HeadlessEnrichment.Request(scene, ratings, metadata, target),
             NodeCatalogue.load(),
             problems);
     if (enriched.isEmpty()) {
