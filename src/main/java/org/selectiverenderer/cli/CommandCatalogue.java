@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.cli.author.ApartmentCommand;
+import org.selectiverenderer.cli.author.ConvertCommand;
 import org.selectiverenderer.cli.author.EnrichCommand;
 import org.selectiverenderer.cli.author.PolygonsCommand;
 import org.selectiverenderer.cli.author.RadiosityCommand;
@@ -62,6 +63,7 @@ final class CommandCatalogue {
     all.put("simulate", SimulateCommand::new);
     all.put("validate", console -> new ValidateCommand(console, System.in));
     all.put("enrich", console -> new EnrichCommand(console, CommandCatalogue::enricher));
+    all.put("convert", ConvertCommand::new);
     all.put("simplify", SimplifyCommand::new);
     all.put("versions", VersionsCommand::new);
     all.put("polygons", PolygonsCommand::new);

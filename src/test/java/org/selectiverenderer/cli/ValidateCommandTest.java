@@ -150,7 +150,7 @@ class ValidateCommandTest {
     out.reset();
     assertThat(execute("validate", folder + "/*.x3d", "--base", folder.toString())).isEqualTo(1);
     assertThat(text(out)).contains("3 files: 1 error, 1 warning");
-    assertFails("no scene (.x3d, .x3dz)", "rooms/*.x3dv");
+    assertFails("no scene (.x3d, .x3dz, .x3dv, .x3dvz, .wrl", "rooms/*.x3dv");
   }
 
   @Test

@@ -283,7 +283,7 @@ class RadiosityJobTest {
     assertThatThrownBy(() -> job(file, QUICK).run(problems, WorkProgress.NONE, (b, q) -> {}))
         .isInstanceOf(UnlitSceneException.class);
     assertThat(problems.list()).hasSize(1);
-    assertThat(problems.list().get(0).message()).contains("not an XML file");
+    assertThat(problems.list().get(0).message()).contains("neither XML nor VRML");
   }
 
   @Test

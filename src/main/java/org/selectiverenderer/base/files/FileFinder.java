@@ -25,8 +25,15 @@ import org.jspecify.annotations.Nullable;
 public record FileFinder(String noun, List<String> endings) {
   private static final Pattern PATTERN_LETTERS = Pattern.compile("[*?\\[{]");
 
-  /** X3D scenes in the XML encoding, gzipped or not. */
-  public static final FileFinder SCENES = new FileFinder("scene", List.of(".x3d", ".x3dz"));
+  /**
+   * X3D scenes in XML, ClassicVRML and JSON, and VRML97, gzipped or not. The one list of what
+   * scenes are called; a {@code .json} is a scene only where a user names it, as most are none.
+   */
+  public static final FileFinder SCENES =
+      new FileFinder(
+          "scene",
+          List.of(
+              ".x3d", ".x3dz", ".x3dv", ".x3dvz", ".wrl", ".wrz", ".wrl.gz", ".x3dj", ".x3djz"));
 
   /** Whether a name stands for any number of files: that of a folder, or a pattern. */
   public static boolean meansSeveral(String name) {

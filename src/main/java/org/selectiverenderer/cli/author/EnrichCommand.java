@@ -43,7 +43,10 @@ public final class EnrichCommand extends CliCommand {
 
   private final Window window;
 
-  @Parameters(paramLabel = "SCENE", arity = "0..1", description = "X3D scene (.x3d, .x3dz)")
+  @Parameters(
+      paramLabel = "SCENE",
+      arity = "0..1",
+      description = "X3D scene (XML; others with --output)")
   private @Nullable Path scene;
 
   @Option(
@@ -93,7 +96,7 @@ public final class EnrichCommand extends CliCommand {
     Problems problems = new Problems(console()::problem);
     Optional<HeadlessEnrichment> enriched =
         HeadlessEnrichment.of(
-            new HeadlessEnrichment.Request(scene, ratings, metadata),
+            new HeadlessEnrichment.Request(scene, ratings, metadata, target),
             NodeCatalogue.load(),
             problems);
     if (enriched.isEmpty()) {

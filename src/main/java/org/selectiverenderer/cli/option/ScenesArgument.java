@@ -8,7 +8,9 @@ public final class ScenesArgument {
   @Parameters(
       paramLabel = "SCENE",
       arity = "1..*",
-      description = "X3D scenes (.x3d, .x3dz), folders of scenes, patterns such as 'scenes/*.x3d'")
+      description =
+          "X3D scenes (.x3d, .x3dv, .wrl, .x3dj ...), folders of scenes, patterns such as"
+              + " 'scenes/*.x3d'")
   private List<String> names = List.of();
 
   public FileArguments files() {

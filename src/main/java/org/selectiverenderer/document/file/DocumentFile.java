@@ -1,6 +1,7 @@
 package org.selectiverenderer.document.file;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -59,6 +60,15 @@ public final class DocumentFile {
   static DocumentFile unsaved(Path path, SceneDocument document) {
     document.markUnsaved();
     return new DocumentFile(FileActions.REAL, document, path, null);
+  }
+
+  /**
+   * Opens a text that has been made of another file.
+   *
+   * @param path where it is to be saved
+   */
+  public static DocumentFile made(Path path, String text) throws IOException {
+    return unsaved(path, SceneDocument.of(path.toString(), text.getBytes(StandardCharsets.UTF_8)));
   }
 
   public SceneDocument document() {

@@ -17,6 +17,7 @@ import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.MetadataTable;
 import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.file.ForeignScene;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
@@ -44,8 +45,9 @@ public final class HeadlessEnrichment {
    *
    * @param ratings RATINGS.csv, or null
    * @param metadata METADATA.csv, or null
+   * @param output the file that is to be written: the scene itself, or another
    */
-  public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata) {}
+  public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {}
 
   /**
    * Enriches a scene in memory.
@@ -55,8 +57,11 @@ public final class HeadlessEnrichment {
    */
   public static Optional<HeadlessEnrichment> of(
       Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
-    HeadlessEnrichment run =
-        new HeadlessEnrichment(DocumentFile.open(request.scene()), catalogue, problems);
+    Optional<DocumentFile> opened = open(request, catalogue, problems);
+    if (opened.isEmpty()) {
+      return Optional.empty();
+    }
+    HeadlessEnrichment run = new HeadlessEnrichment(opened.get(), catalogue, problems);
     SceneDocument document = run.file.document();
     Optional<DocumentFault> fault = document.fault();
     if (fault.isPresent()) {
@@ -67,6 +72,26 @@ public final class HeadlessEnrichment {
         (request.ratings() == null || run.ratings(request.ratings()))
             && (request.metadata() == null || run.metadata(request.metadata()));
     return done ? Optional.of(run) : Optional.empty();
+  }
+
+  /** The scene; one that is no XML converted, so that it can be enriched into another file. */
+  private static Optional<DocumentFile> open(
+      Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
+    Optional<ForeignScene> foreign = ForeignScene.of(request.scene());
+    if (foreign.isEmpty()) {
+      return Optional.of(DocumentFile.open(request.scene()));
+    }
+    if (request.output().equals(request.scene())) {
+      problems.error(
+          Location.of(request.scene().toString()),
+          "this is a scene in %s, and metadata is written as X3D XML; name a file for that with --output"
+              .formatted(foreign.get().encoding()));
+      return Optional.empty();
+    }
+    Optional<String> xml = foreign.get().xml(catalogue, problems);
+    return xml.isEmpty()
+        ? Optional.empty()
+        : Optional.of(DocumentFile.made(request.scene(), xml.get()));
   }
 
   private boolean ratings(Path table) throws IOException {

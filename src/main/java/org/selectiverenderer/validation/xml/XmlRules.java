@@ -8,10 +8,10 @@ import org.selectiverenderer.validation.RuleGroup;
 public final class XmlRules {
   static final Rule NOT_WELL_FORMED =
       Rule.error("SR001", "{fault}")
-          .about("the XML is not well formed")
+          .about("the XML, VRML or JSON is not well formed")
           .because(
               """
-              Most programs refuse a file that is not well-formed XML. This program keeps \
+              Most programs refuse a file that is not well formed. This program keeps \
               the part before the error; all other findings of the file refer to that part.""")
           .bad("<Group><Shape></Group>")
           .good("<Group><Shape/></Group>")
@@ -19,12 +19,12 @@ public final class XmlRules {
 
   static final Rule NO_X3D =
       Rule.error("SR002", "{fault}")
-          .about("the file is not X3D in the XML encoding")
+          .about("the file is of no encoding of X3D that is read")
           .because(
               """
-              Only the XML encoding of X3D is read. Scenes in the Classic VRML or JSON encoding can \
-              be converted, for example by X3D-Edit or by view3dscene's tovrmlx3d.""")
-          .bad("#X3D V4.0 utf8\nPROFILE Immersive\nShape { geometry Box { } }")
+              X3D in XML, ClassicVRML and JSON is read, and VRML97. Scenes of VRML 1.0 and Inventor \
+              can be converted, for example by view3dscene.""")
+          .bad("#VRML V1.0 ascii\nSeparator { Cube { } }")
           .good(
               "<?xml version='1.0' encoding='UTF-8'?>\n<X3D profile='Immersive' version='4.0'>\n"
                   + "  <Scene><Shape><Box/></Shape></Scene>\n</X3D>")

@@ -58,7 +58,12 @@ final class JsonTokens implements AutoCloseable {
     boolean cut = e.getOriginalMessage().contains("end-of-input");
     return cut
         ? document.fault(document.text().length(), "the file is cut off here")
-        : document.fault(offset, "this is not valid JSON: " + JsonTree.sentence(e));
+        : document.fault(offset, "this is not valid JSON: " + sentence(e));
+  }
+
+  /** Without the parser's list of all that would be right. */
+  private static String sentence(JsonProcessingException e) {
+    return JsonTree.sentence(e).replaceFirst(": was expecting \\(JSON.*", "");
   }
 
   /** Looks that nothing follows. */

@@ -49,12 +49,15 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
         if (name.equals("X3D") && value == JsonToken.START_OBJECT && !found) {
           element(name, at, "");
           found = true;
+        } else if (name.equals("#comment")) {
+          document.comment(String.join("\n", strings()), at);
         } else {
           tokens.skip();
         }
       }
       if (!found) {
-        throw document.fault(0, "a scene in JSON is an object with a member \"X3D\"; there is none");
+        throw document.fault(
+            0, "a scene in JSON is an object with a member \"X3D\"; there is none");
       }
       tokens.end();
     }
@@ -83,7 +86,8 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
     private void member(String element, boolean node, String member, int at) throws XmlFault {
       String rest = member.isEmpty() ? "" : member.substring(1);
       switch (member.isEmpty() ? ' ' : member.charAt(0)) {
-        case '@' -> attribute(element, rest, at);
+        // What has a prefix belongs to another language, as in XML.
+        case '@' -> attribute(element, rest.indexOf(':') < 0 ? rest : "", at);
         case '-' -> contained(node ? rest : "", at);
         case '#' -> {
           int where = tokens.start();

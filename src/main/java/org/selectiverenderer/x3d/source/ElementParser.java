@@ -44,6 +44,13 @@ class ElementParser {
     ReadLimits limits =
         new ReadLimits(
             standard.maxBytes(), standard.maxRatio(), standard.maxDepth(), Integer.MAX_VALUE);
+    if (preflight.encoding() != Encoding.XML) {
+      String why =
+          "this is a scene in "
+              + preflight.encoding().title()
+              + ", and only X3D XML can be changed; convert it first";
+      throw new XmlFault(new DocumentFault(Kind.REFUSED, Location.of(name), why));
+    }
     XmlEvents xml = preflight.events();
     ElementParser parser = new ElementParser(xml, source, shift, revision, limits);
     DocumentFault cut = preflight.cut();

@@ -24,6 +24,11 @@ public final class SourceLines {
     return new SourceLines(SourceText.of(bytes.bytes(), bytes.length()));
   }
 
+  /** The first characters, for telling what the file is. */
+  public String head() {
+    return text.head(64);
+  }
+
   /**
    * A part of a line.
    *

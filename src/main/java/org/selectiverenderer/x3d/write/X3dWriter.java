@@ -29,8 +29,13 @@ public final class X3dWriter {
 
   /** Begins a file: its declaration and the X3D element. */
   public X3dWriter file(String profile, String version) {
+    return declaration().open("X3D", "profile", profile, "version", version);
+  }
+
+  /** The first line of a file. */
+  X3dWriter declaration() {
     text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    return open("X3D", "profile", profile, "version", version);
+    return this;
   }
 
   /** A component statement of the head. */
@@ -158,9 +163,19 @@ public final class X3dWriter {
     return this;
   }
 
+  /** A comment; two hyphens, which end one (XML 1.0, 2.5), are parted. */
   public X3dWriter comment(String words) {
     endTag();
-    indent().append("<!-- ").append(words).append(" -->\n");
+    String safe = words.replace("--", "- -").replace("--", "- -");
+    indent().append("<!-- ").append(safe).append(" -->\n");
+    return this;
+  }
+
+  /** Text in the element begun last, as it is. */
+  X3dWriter code(String code) {
+    endTag();
+    String safe = code.replace("]]>", "]]]]><![CDATA[>");
+    indent().append("<![CDATA[").append(safe).append("]]>\n");
     return this;
   }
 

@@ -195,14 +195,16 @@ class SimulateBadSceneTest {
   void rubbishShowsNothing() {
     byte[] rubbish = new byte[3000];
     new Random(1).nextBytes(rubbish);
-    assertNothingShown(rubbish, "scene.x3d: this is not an XML file; nothing can be shown");
+    assertNothingShown(rubbish, "scene.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
+            + "'#VRML V2.0' or '{'; nothing can be shown");
   }
 
   @Test
   void textThatIsNoXmlShowsNothing() {
     assertNothingShown(
         "hello".getBytes(StandardCharsets.UTF_8),
-        "scene.x3d: this is not an XML file; nothing can be shown");
+        "scene.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
+            + "'#VRML V2.0' or '{'; nothing can be shown");
   }
 
   @Test

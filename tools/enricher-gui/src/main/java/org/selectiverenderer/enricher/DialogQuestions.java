@@ -4,9 +4,11 @@ import java.awt.Window;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -56,6 +58,11 @@ final class DialogQuestions implements Questions {
   }
 
   @Override
+  public boolean convert(String sentence) {
+    return choose(sentence, "Cancel", "Convert") == 1;
+  }
+
+  @Override
   public boolean overwrite(String sentence) {
     return choose(sentence, "Cancel", "Overwrite") == 1;
   }
@@ -72,9 +79,17 @@ final class DialogQuestions implements Questions {
 
   private static JFileChooser chooser(Optional<Path> near) {
     JFileChooser chooser = new JFileChooser();
-    chooser.setFileFilter(new FileNameExtensionFilter("X3D scenes", "x3d", "x3dz", "xml"));
+    chooser.setFileFilter(new FileNameExtensionFilter("X3D scenes", endings()));
     near.ifPresent(path -> chooser.setSelectedFile(path.toAbsolutePath().toFile()));
     return chooser;
+  }
+
+  /** What scenes are called; these two only where somebody says that a file is one. */
+  private static String[] endings() {
+    return Stream.concat(FileFinder.SCENES.endings().stream(), Stream.of(".json", ".xml"))
+        .map(ending -> ending.substring(ending.lastIndexOf('.') + 1))
+        .distinct()
+        .toArray(String[]::new);
   }
 
   private static Optional<Path> chosen(JFileChooser chooser, int answer) {

@@ -44,6 +44,7 @@ final class EnricherWindow {
   private final JPanel content = new JPanel(new BorderLayout());
   private final Questions questions;
   private final KeptWork kept;
+  private final ConversionOffer conversion;
   private final SceneDialogs dialogs;
   private final WindowMenus menus;
 
@@ -97,6 +98,7 @@ final class EnricherWindow {
     this.closed = closed;
     status.say(remembered.complaint());
     questions = new DialogQuestions(frame);
+    conversion = new ConversionOffer(catalogue, tasks, questions, this::read);
     kept = new KeptWork(recovery, questions, status::say);
     dialogs = new SceneDialogs(frame, this::bench, status::say);
     menus = new WindowMenus(this, dialogs, settings);
@@ -176,7 +178,11 @@ final class EnricherWindow {
 
   /** Opens a scene in place of the one that is open, which the author may save first. */
   public void open(Path path) {
-    leaving(() -> load("Opening " + path.getFileName(), () -> DocumentFile.open(path)));
+    leaving(() -> conversion.open(path, () -> read(path)));
+  }
+
+  private void read(Path path) {
+    load("Opening " + path.getFileName(), () -> DocumentFile.open(path));
   }
 
   private void load(String name, Callable<DocumentFile> opening) {

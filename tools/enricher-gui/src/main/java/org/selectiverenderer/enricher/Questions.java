@@ -32,6 +32,13 @@ interface Questions {
    */
   Left left(String sentence);
 
+  /**
+   * Whether to convert a scene that cannot be edited as it is.
+   *
+   * @param sentence what it is, and what would be made of it
+   */
+  boolean convert(String sentence);
+
   /** Whether to overwrite what another program has written. */
   boolean overwrite(String sentence);
 

@@ -184,7 +184,7 @@ class EnricherWindowTest {
     assertThat(session.document().history().names()).hasSize(1);
     Path headless = folder.resolve("headless.x3d");
     HeadlessEnrichment.of(
-            new HeadlessEnrichment.Request(plain, ratings, null),
+            new HeadlessEnrichment.Request(plain, ratings, null, plain),
             NodeCatalogue.load(),
             new Problems())
         .orElseThrow()

@@ -40,6 +40,11 @@ class KeptWorkTest {
     }
 
     @Override
+    public boolean convert(String sentence) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
     public boolean overwrite(String sentence) {
       throw new AssertionError(sentence);
     }

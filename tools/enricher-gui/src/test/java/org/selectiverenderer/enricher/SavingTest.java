@@ -46,6 +46,11 @@ class SavingTest {
     }
 
     @Override
+    public boolean convert(String sentence) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
     public boolean overwrite(String sentence) {
       asked.add("overwrite");
       return agree;

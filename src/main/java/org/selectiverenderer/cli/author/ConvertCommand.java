@@ -1,0 +1,90 @@
+package org.selectiverenderer.cli.author;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.Gzip;
+import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.write.SceneFormat;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Parameters;
+
+@Command(
+    name = "convert",
+    description = {
+      "Writes a scene in another encoding: X3D XML, ClassicVRML or X3D JSON.",
+      "What the scene is written in is seen from its content: one of these, or VRML97. What OUT is "
+          + "written in follows from its ending; .x3dz, .x3dvz, .x3djz and .gz are compressed."
+    },
+    footer = {
+      "  ./selective-renderer convert house.wrl house.x3d",
+      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.x3dv"
+    })
+public final class ConvertCommand extends CliCommand {
+  @Parameters(paramLabel = "IN", index = "0", description = "scene to read")
+  private Path scene = Path.of("");
+
+  @Parameters(
+      paramLabel = "OUT",
+      index = "1",
+      description = "file to write: .x3d, .x3dz, .x3dv, .x3dvz, .x3dj, .x3djz or .json")
+  private Path output = Path.of("");
+
+  public ConvertCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    OutputFile.check("OUT", output, endings());
+    SceneFormat format = SceneFormat.of(output.toString()).orElse(SceneFormat.XML);
+    if (Files.exists(output) && Files.exists(scene) && Files.isSameFile(output, scene)) {
+      throw CommandFailure.environment(
+          "OUT " + output + ": is the scene itself, which would be lost; name another file");
+    }
+    NodeCatalogue catalogue = NodeCatalogue.load();
+    XmlDocument document;
+    try (InputStream in = Files.newInputStream(scene)) {
+      document = new X3dReader(catalogue).document(scene.toString(), in, Files.size(scene));
+    }
+    Problems problems = new Problems(console()::problem);
+    for (DocumentFault fault : document.faults()) {
+      if (fault.kind() == DocumentFault.Kind.ENCODING) {
+        problems.warning(fault.location(), fault.message());
+      } else {
+        problems.error(fault.location(), fault.message() + "; nothing is written");
+      }
+    }
+    if (document.broken()) {
+      return ExitStatus.PROBLEMS;
+    }
+    byte[] plain = format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
+    FileTransaction writing = new FileTransaction();
+    writing.add(output, SceneFormat.packed(output.toString()) ? Gzip.packed(plain) : plain);
+    LeftFiles.tell(writing.commit(), console());
+    return ExitStatus.of(problems);
+  }
+
+  private static String[] endings() {
+    List<String> all = new ArrayList<>();
+    Arrays.stream(SceneFormat.values()).forEach(format -> all.addAll(format.endings()));
+    List<String> packed = all.stream().map(ending -> ending + ".gz").toList();
+    all.addAll(packed);
+    return all.toArray(String[]::new);
+  }
+}

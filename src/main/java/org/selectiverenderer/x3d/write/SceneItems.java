@@ -1,0 +1,211 @@
+package org.selectiverenderer.x3d.write;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.Containment;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.write.SceneItem.Element;
+import org.selectiverenderer.x3d.write.SceneItem.Place;
+import org.selectiverenderer.x3d.write.SceneItem.Value;
+
+/**
+ * Finds what a document's elements say: which type each value has, in which field each node is, and
+ * where the comments stand. What says nothing is told and left out. Serves one document.
+ */
+final class SceneItems {
+  private final NodeCatalogue catalogue;
+  private final Problems problems;
+  private final List<XmlDocument.Comment> comments;
+  private final Map<String, DocumentElement> instances = new HashMap<>();
+  private int passed;
+
+  private SceneItems(XmlDocument document, NodeCatalogue catalogue, Problems problems) {
+    this.catalogue = catalogue;
+    this.problems = problems;
+    comments = new ArrayList<>(document.comments());
+    comments.sort(Comparator.comparingInt(XmlDocument.Comment::offset));
+  }
+
+  /** The document's root with the comments around it; without an element if it has no scene. */
+  static List<SceneItem> of(XmlDocument document, NodeCatalogue catalogue, Problems problems) {
+    SceneItems items = new SceneItems(document, catalogue, problems);
+    List<SceneItem> all = new ArrayList<>();
+    DocumentElement root = document.root().orElse(null);
+    if (root != null) {
+      items.comments(root.start(), all);
+      items.element(root, null, new Interfaces(null)).ifPresent(all::add);
+      items.comments(Integer.MAX_VALUE, all);
+    }
+    return all;
+  }
+
+  private void comments(int before, List<SceneItem> into) {
+    while (passed < comments.size() && comments.get(passed).offset() < before) {
+      into.add(new SceneItem.Words(comments.get(passed++).text().strip()));
+    }
+  }
+
+  private Optional<Element> element(
+      DocumentElement element, @Nullable NodeType parent, Interfaces known) {
+    String name = element.name();
+    NodeType type = catalogue.find(name).orElse(null);
+    if (type == null && !Statement.is(name)) {
+      leftOut(element.location(), "unknown element " + name + "; it and its children are left out");
+      skip(element);
+      return Optional.empty();
+    }
+    boolean instance = name.equals("ProtoInstance");
+    if (instance) {
+      element.def().ifPresent(def -> instances.put(def, element));
+    }
+    DocumentElement named = element.use().map(instances::get).orElse(element);
+    String prototype = named.text("name").orElse("");
+    NodeType stands = instance ? known.node(prototype, catalogue) : type;
+    Place place = SceneItem.NOWHERE;
+    if (parent != null && (instance || type != null)) {
+      Place found = place(element, parent, stands, instance);
+      if (found == null) {
+        leftOut(
+            element.location(),
+            "a %s is not allowed in a %s; it is left out".formatted(name, parent));
+        skip(element);
+        return Optional.empty();
+      }
+      place = found;
+    }
+    if (name.equals("fieldValue")) {
+      String instanceOf = element.parent().flatMap(around -> around.text("name")).orElse("");
+      FieldType field = known.type(instanceOf, element.text("name").orElse(""));
+      boolean several = field == null ? element.children().size() > 1 : field.multiple();
+      place = new Place("", several, true);
+    }
+    boolean declares = name.equals("ProtoDeclare") || name.equals("ExternProtoDeclare");
+    Interfaces inner = name.equals("ProtoDeclare") ? new Interfaces(known) : known;
+    List<Value> values = new ArrayList<>();
+    for (DocumentAttribute attribute : element.attributes()) {
+      // A field that is given twice, which VRML's grammar lets pass, has its last value.
+      values.removeIf(value -> value.name().equals(attribute.name()));
+      value(element, type, attribute, known).ifPresent(values::add);
+    }
+    List<SceneItem> items = new ArrayList<>();
+    for (DocumentElement child : element.children()) {
+      comments(child.start(), items);
+      element(child, type, inner).ifPresent(items::add);
+    }
+    comments(element.end() < 0 ? Integer.MAX_VALUE : element.end(), items);
+    if (declares) {
+      known.declare(element);
+    }
+    boolean code = type != null && type.field("sourceCode").isPresent();
+    String source = code ? SourceCode.of(type, values, element.text()) : "";
+    String def = element.def().orElse("");
+    String use = element.use().orElse("");
+    return Optional.of(new Element(name, type, def, use, place, values, items, source));
+  }
+
+  /** The comments of what is left out are, too. */
+  private void skip(DocumentElement element) {
+    comments(element.end() < 0 ? Integer.MAX_VALUE : element.end(), new ArrayList<>());
+  }
+
+  private void leftOut(Location at, String why) {
+    problems.warning(at, why);
+  }
+
+  private static @Nullable Place place(
+      DocumentElement child, NodeType parent, @Nullable NodeType type, boolean instance) {
+    String wanted = child.text("containerField").orElse(null);
+    FieldDefinition field =
+        type == null
+            ? parent.field(wanted == null ? "children" : wanted).orElse(null)
+            : Containment.wanted(parent, type, wanted)
+                .or(() -> Containment.wanted(parent, type, null))
+                .or(() -> Containment.fitting(parent, type).stream().findFirst())
+                .orElse(null);
+    if (field == null || !field.type().isNode()) {
+      return null;
+    }
+    // Readers differ in what an instance is without being told; only of children they are sure.
+    boolean usual =
+        instance || type == null
+            ? field.name().equals("children")
+            : Containment.wanted(parent, type, null).filter(f -> f == field).isPresent();
+    return new Place(field.name(), field.type().multiple(), usual);
+  }
+
+  private Optional<Value> value(
+      DocumentElement element,
+      @Nullable NodeType type,
+      DocumentAttribute attribute,
+      Interfaces known) {
+    String name = attribute.name();
+    switch (name) {
+      case "DEF", "USE", "containerField", "" -> {
+        return Optional.empty();
+      }
+      default -> {
+        // A value.
+      }
+    }
+    if (type == null) {
+      return Optional.of(typed(attribute, Statement.type(element, name, known)));
+    }
+    FieldDefinition field = type.field(name).orElse(null);
+    if (field == null) {
+      if (name.equals("class") || name.equals("id") || name.equals("style")) {
+        return Optional.of(new Value(name, null, attribute.text())); // XML's own
+      }
+      leftOut(attribute.location(), type + " has no field " + name + "; it is left out");
+      return Optional.empty();
+    }
+    if (field.type().isNode() || !field.access().initialisable()) {
+      leftOut(
+          attribute.location(),
+          name + " of " + type + " has no value that a file could give; it is left out");
+      return Optional.empty();
+    }
+    if (attribute.value(field.type()) == null) {
+      tell(attribute, field.type());
+      return Optional.empty();
+    }
+    return Optional.of(typed(attribute, field.type()));
+  }
+
+  private void tell(DocumentAttribute attribute, FieldType type) {
+    for (FieldParser.Flaw flaw : attribute.flaws(type)) {
+      problems.add(
+          new Problem(
+              flaw.severity(),
+              attribute.location(flaw.offset()),
+              attribute.name() + ": " + flaw.message()));
+    }
+  }
+
+  /** The text as it was written, if that is a value of the type; else what can be used of it. */
+  private Value typed(DocumentAttribute attribute, @Nullable FieldType type) {
+    String name = attribute.name();
+    if (type == null || type.isNode() || type == FieldType.SFString) {
+      return new Value(name, type, attribute.text());
+    }
+    Object value = attribute.value(type);
+    tell(attribute, type);
+    boolean asItIs = attribute.flaws(type).isEmpty() && type.kind() != FieldType.Kind.STRING;
+    String text = value == null || asItIs ? attribute.text().strip() : ValueText.of(value);
+    return new Value(name, type, value == null ? "" : text);
+  }
+}

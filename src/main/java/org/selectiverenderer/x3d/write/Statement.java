@@ -1,0 +1,52 @@
+package org.selectiverenderer.x3d.write;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** The elements of X3D that are no nodes, and the types of what they say. */
+final class Statement {
+  private Statement() {}
+
+  static boolean is(String element) {
+    return switch (element) {
+      case "X3D",
+          "head",
+          "component",
+          "meta",
+          "unit",
+          "Scene",
+          "ROUTE",
+          "IMPORT",
+          "EXPORT",
+          "IS",
+          "connect",
+          "ProtoDeclare",
+          "ProtoInterface",
+          "ProtoBody",
+          "ExternProtoDeclare",
+          "ProtoInstance",
+          "field",
+          "fieldValue" ->
+          true;
+      default -> false;
+    };
+  }
+
+  /** The type of an attribute; null for a value that nobody knows the type of. */
+  static @Nullable FieldType type(DocumentElement element, String attribute, Interfaces known) {
+    return switch (element.name() + " " + attribute) {
+      case "component level" -> FieldType.SFInt32;
+      case "unit conversionFactor" -> FieldType.SFDouble;
+      case "ExternProtoDeclare url" -> FieldType.MFString;
+      case "field value" -> Interfaces.type(element);
+      case "fieldValue value" ->
+          element
+              .parent()
+              .flatMap(instance -> instance.text("name"))
+              .map(name -> known.type(name, element.text("name").orElse("")))
+              .orElse(null);
+      default -> FieldType.SFString;
+    };
+  }
+}

@@ -1,0 +1,33 @@
+package org.selectiverenderer.x3d.write;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Names as VRML can write them (ISO/IEC 19776-2, 4.3.2): characters that would end a name become
+ * underscores, and no two names become one. For one file.
+ */
+final class VrmlNames {
+  private final Map<String, String> written = new HashMap<>();
+  private final Set<String> taken = new HashSet<>();
+
+  String of(String name) {
+    return written.computeIfAbsent(name, this::make);
+  }
+
+  private String make(String name) {
+    StringBuilder text = new StringBuilder();
+    for (char c : name.toCharArray()) {
+      boolean ends = c <= ' ' || "\"#',.[\\]{}\u007f".indexOf(c) >= 0;
+      text.append(ends ? '_' : c);
+    }
+    String plain = text.isEmpty() ? "_" : text.toString();
+    String unique = plain;
+    for (int i = 2; !taken.add(unique); i++) {
+      unique = plain + "_" + i;
+    }
+    return unique;
+  }
+}

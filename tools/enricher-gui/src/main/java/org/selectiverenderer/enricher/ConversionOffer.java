@@ -1,0 +1,98 @@
+package org.selectiverenderer.enricher;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.file.ForeignScene;
+import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+
+/** Offers to convert a scene that is no XML, as only XML is edited. On the window's thread. */
+final class ConversionOffer {
+  /** What a conversion has left out, as far as one dialog can say it. */
+  private static final int TOLD = 5;
+
+  private final NodeCatalogue catalogue;
+  private final Tasks tasks;
+  private final Questions questions;
+  private final Consumer<Path> opening;
+
+  /**
+   * @param opening opens a scene in XML
+   */
+  ConversionOffer(
+      NodeCatalogue catalogue, Tasks tasks, Questions questions, Consumer<Path> opening) {
+    this.catalogue = catalogue;
+    this.tasks = tasks;
+    this.questions = questions;
+    this.opening = opening;
+  }
+
+  /**
+   * Opens a scene, converted if that is needed and wanted.
+   *
+   * @param asItIs opens it as it is, and says why that fails if it does
+   */
+  void open(Path path, Runnable asItIs) {
+    tasks.run(
+        "Looking at " + path.getFileName(),
+        () -> ForeignScene.of(path),
+        foreign -> foreign.ifPresentOrElse(scene -> offer(path, scene), asItIs),
+        failed -> questions.tell(String.valueOf(failed.getMessage())));
+  }
+
+  private void offer(Path path, ForeignScene scene) {
+    Path target = scene.beside();
+    boolean wanted =
+        questions.convert(
+            path.getFileName()
+                + " is written in "
+                + scene.encoding()
+                + ", and the enricher changes X3D XML only. Convert it, with its comments, to "
+                + target.getFileName()
+                + " beside it, and open that? "
+                + path.getFileName()
+                + " stays as it is.");
+    if (!wanted
+        || Files.exists(target)
+            && !questions.overwrite(target.getFileName() + " exists already.")) {
+      return;
+    }
+    Problems problems = new Problems();
+    tasks.run(
+        "Converting " + path.getFileName(),
+        () -> write(scene, target, problems),
+        written -> {
+          tell(problems);
+          written.ifPresent(opening);
+        },
+        failed -> questions.tell(String.valueOf(failed.getMessage())));
+  }
+
+  private Optional<Path> write(ForeignScene scene, Path target, Problems problems)
+      throws IOException {
+    Optional<String> xml = scene.xml(catalogue, problems);
+    if (xml.isPresent()) {
+      WholeFile.replace(target, xml.get().getBytes(StandardCharsets.UTF_8));
+    }
+    return xml.map(text -> target);
+  }
+
+  private void tell(Problems problems) {
+    if (problems.list().isEmpty()) {
+      return;
+    }
+    StringBuilder sentence = new StringBuilder();
+    for (Problem problem : problems.list().subList(0, Math.min(TOLD, problems.list().size()))) {
+      sentence.append(problem).append(". ");
+    }
+    int more = problems.list().size() - TOLD;
+    questions.tell(sentence + (more > 0 ? "There are " + more + " more such problems." : ""));
+  }
+}
