@@ -1,12 +1,8 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -15,9 +11,6 @@ import org.selectiverenderer.x3d.script.ProgramChoice;
 
 /** Reads the programs of Scripts. */
 final class ScriptFiles {
-  /** Bytes of a program's file, far more than anybody writes. */
-  private static final int MAX_BYTES = 4 << 20;
-
   private final ContentRoot root;
 
   ScriptFiles(ContentRoot root) {
@@ -43,16 +36,15 @@ final class ScriptFiles {
 
   private Optional<Program> fromFile(ParsedNode script, Path path, Problems problems) {
     String name = root.display(path);
-    try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
-      if (bytes.length <= MAX_BYTES) {
-        String text = new String(bytes, StandardCharsets.UTF_8);
-        return Optional.of(new Program(text, new Location(name, 1, 1)));
+    try {
+      Optional<Program> program = Program.read(path, root);
+      if (program.isPresent()) {
+        return program;
       }
       problems.error(
           script.location(),
           "%s has more than %s MB, the limit of a program; the Script does nothing"
-              .formatted(name, MAX_BYTES >> 20));
+              .formatted(name, Program.MAX_BYTES >> 20));
     } catch (IOException e) {
       problems.error(
           script.location(), "%s %s; the Script does nothing".formatted(name, Failure.clause(e)));

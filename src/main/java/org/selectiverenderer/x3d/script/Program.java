@@ -1,8 +1,16 @@
 package org.selectiverenderer.x3d.script;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * The text of a Script's program.
@@ -11,9 +19,21 @@ import org.selectiverenderer.base.problem.Location;
  * @param start where its first character stands: in a scene, or in a file of its own
  */
 public record Program(String text, Location start) {
+  /** Far more than anybody writes. */
+  public static final int MAX_BYTES = 4 << 20;
+
   /** The schemes of programs that stand in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
   private static final Pattern SCHEME =
       Pattern.compile("\\A\\s*(?:ecmascript|javascript|vrmlscript):", Pattern.CASE_INSENSITIVE);
+
+  private static final Pattern OTHER =
+      Pattern.compile("\\A\\s*([a-z]+script|compiled):", Pattern.CASE_INSENSITIVE);
+
+  /** The language that a text says it is in, such as {@code castlescript}; empty for ours. */
+  static Optional<String> otherLanguage(String text) {
+    Matcher other = OTHER.matcher(text);
+    return other.lookingAt() && !isText(text) ? Optional.of(other.group(1)) : Optional.empty();
+  }
 
   /** Whether a url is a program itself. */
   static boolean isText(String url) {
@@ -24,6 +44,35 @@ public record Program(String text, Location start) {
   static Program of(String text, Location start) {
     Matcher scheme = SCHEME.matcher(text);
     return new Program(scheme.lookingAt() ? text.substring(scheme.end()) : text, start);
+  }
+
+  /** The program that stands in the scene itself: in its text, or in the first url that is one. */
+  public static Optional<Program> in(ParsedNode script) {
+    String text = script.string("sourceCode");
+    if (!text.isBlank() && otherLanguage(text).isEmpty()) {
+      return Optional.of(of(text, script.textLocation()));
+    }
+    String[] urls = script.strings("url");
+    return urls.length > 0 && isText(urls[0])
+        ? Optional.of(of(urls[0], script.textLocation()))
+        : Optional.empty();
+  }
+
+  /**
+   * Reads a program's file; empty if it is larger than {@value #MAX_BYTES} bytes.
+   *
+   * @param root knows how messages call the file
+   */
+  public static Optional<Program> read(Path path, ContentRoot root) throws IOException {
+    try (InputStream in = Files.newInputStream(path)) {
+      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+      return bytes.length > MAX_BYTES
+          ? Optional.empty()
+          : Optional.of(
+              new Program(
+                  new String(bytes, StandardCharsets.UTF_8),
+                  new Location(root.display(path), 1, 1)));
+    }
   }
 
   /** Where a line of the text stands, counted from 1. */

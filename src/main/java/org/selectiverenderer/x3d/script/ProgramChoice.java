@@ -2,6 +2,7 @@ package org.selectiverenderer.x3d.script;
 
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problem.Severity;
@@ -13,6 +14,9 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * can be used (X3D 4.0, 29.2.3 and 29.4.1).
  */
 public sealed interface ProgramChoice {
+  /** What is said of other languages. */
+  String NOT_OURS = ", which is not run; write it in ECMAScript";
+
   /** The text stands in the scene. */
   record Text(Program program) implements ProgramChoice {}
 
@@ -30,18 +34,25 @@ public sealed interface ProgramChoice {
    * @param folder of the file that holds the Script
    */
   static ProgramChoice of(ParsedNode script, ContentRoot root, Path folder) {
+    @Nullable String reason = null;
     String text = script.string("sourceCode");
     if (!text.isBlank()) {
-      return new Text(Program.of(text, script.textLocation()));
+      Optional<String> other = Program.otherLanguage(text);
+      if (other.isEmpty()) {
+        return new Text(Program.of(text, script.textLocation()));
+      }
+      reason = "is in " + other.get() + NOT_OURS;
     }
     String[] urls = script.strings("url");
-    @Nullable String reason = null;
     for (String url : urls) {
       if (Program.isText(url)) {
         return new Text(Program.of(url, script.textLocation()));
       }
-      String why = null;
-      if (isJava(url)) {
+      Optional<String> other = Program.otherLanguage(url);
+      String why;
+      if (other.isPresent()) {
+        why = "is in " + other.get() + NOT_OURS;
+      } else if (isJava(url)) {
         why = "is a program in Java, which is never run; write it in ECMAScript";
       } else {
         ContentRoot.Target target = root.resolve(url, folder);

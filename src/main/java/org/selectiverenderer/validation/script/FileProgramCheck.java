@@ -1,0 +1,41 @@
+package org.selectiverenderer.validation.script;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.validation.FileOutline;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.SceneCheck;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ProgramChoice;
+
+/** Programs in files of their own; one that cannot be read is a matter of its url. */
+final class FileProgramCheck implements SceneCheck {
+  @Override
+  public void check(SceneView scene, Findings findings) {
+    Set<Location> seen = new HashSet<>();
+    for (FileOutline file : scene.files()) {
+      Path folder = file.file().folder();
+      for (ParsedNode node : file.nodes()) {
+        if (node.type().is("X3DScriptNode")
+            && seen.add(node.location())
+            && ProgramChoice.of(node, scene.root(), folder) instanceof ProgramChoice.File program) {
+          read(node, program.path(), scene.root(), findings);
+        }
+      }
+    }
+  }
+
+  private static void read(ParsedNode node, Path path, ContentRoot root, Findings findings) {
+    try {
+      Program.read(path, root).ifPresent(program -> ProgramReport.of(node, program, findings));
+    } catch (IOException e) {
+      // SR309 tells of files that cannot be read.
+    }
+  }
+}
