@@ -264,7 +264,7 @@ class X3dReaderTest {
     assertThat(file.named().get("Text").textLocation())
         .isEqualTo(new Location(scene.file(), scene.line() + 4, 5));
     assertThat(file.named().get("Url").textLocation())
-        .isEqualTo(new Location(scene.file(), scene.line() + 5, 43));
+        .isEqualTo(new Location(scene.file(), scene.line() + 5, 44));
   }
 
   @Test
