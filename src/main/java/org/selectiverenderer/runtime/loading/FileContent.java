@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
@@ -31,7 +31,7 @@ record FileContent(
     FileProblems problems,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
-    Map<ParsedNode, Program> programs,
+    Map<ParsedNode, ScriptProgram> programs,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
   /** What became of reading a file. */

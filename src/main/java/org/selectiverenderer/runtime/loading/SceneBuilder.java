@@ -24,7 +24,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
@@ -232,7 +232,7 @@ final class SceneBuilder {
             .ifPresent(outcome -> fill(inline, outcome.join()));
       } else if (node instanceof ScriptNode script) {
         store.origin(node, origin);
-        Program program = content.programs().get(parsed);
+        ScriptProgram program = content.programs().get(parsed);
         if (program != null) {
           script.load(program, scene);
         }

@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.script.Program;
 import org.selectiverenderer.x3d.script.ProgramChoice;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /** Reads the programs of Scripts. */
 final class ScriptFiles {
@@ -22,7 +22,7 @@ final class ScriptFiles {
    *
    * @param folder of the file that holds the Script
    */
-  Optional<Program> read(ParsedNode script, Path folder, Problems problems) {
+  Optional<ScriptProgram> read(ParsedNode script, Path folder, Problems problems) {
     ProgramChoice choice = ProgramChoice.of(script, root, folder);
     if (choice instanceof ProgramChoice.Text text) {
       return Optional.of(text.program());
@@ -34,17 +34,17 @@ final class ScriptFiles {
     return Optional.empty();
   }
 
-  private Optional<Program> fromFile(ParsedNode script, Path path, Problems problems) {
+  private Optional<ScriptProgram> fromFile(ParsedNode script, Path path, Problems problems) {
     String name = root.display(path);
     try {
-      Optional<Program> program = Program.read(path, root);
+      Optional<ScriptProgram> program = ScriptProgram.read(path, root);
       if (program.isPresent()) {
         return program;
       }
       problems.error(
           script.location(),
           "%s has more than %s MB, the limit of a program; the Script does nothing"
-              .formatted(name, Program.MAX_BYTES >> 20));
+              .formatted(name, ScriptProgram.MAX_BYTES >> 20));
     } catch (IOException e) {
       problems.error(
           script.location(), "%s %s; the Script does nothing".formatted(name, Failure.clause(e)));

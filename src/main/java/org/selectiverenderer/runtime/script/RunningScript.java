@@ -19,7 +19,7 @@ import org.selectiverenderer.runtime.script.value.NodeAccess;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * One Script and its program. It begins to run with the first frame or the first event, whichever
@@ -36,7 +36,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private static final double START_SECONDS = 5;
 
   private final ScriptNode node;
-  private final Program program;
+  private final ScriptProgram program;
   private final Scene context;
   private final Scripts scripts;
   private final Engine engine;
@@ -58,7 +58,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
 
   RunningScript(
       ScriptNode node,
-      Program program,
+      ScriptProgram program,
       Scene context,
       Scripts scripts,
       Engine engine,

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * The Scripts of a scene that runs: which there are, and when their functions are called. A Script
@@ -55,7 +55,7 @@ public final class Scripts {
       }
     }
     for (ScriptNode node : present) {
-      Program program = node.program();
+      ScriptProgram program = node.program();
       Scene context = node.context();
       if (program != null && context != null && !running.containsKey(node)) {
         if (engine == null) {

@@ -11,8 +11,8 @@ import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.script.Program;
 import org.selectiverenderer.x3d.script.ProgramChoice;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /** Programs in files of their own; one that cannot be read is a matter of its url. */
 final class FileProgramCheck implements SceneCheck {
@@ -33,7 +33,8 @@ final class FileProgramCheck implements SceneCheck {
 
   private static void read(ParsedNode node, Path path, ContentRoot root, Findings findings) {
     try {
-      Program.read(path, root).ifPresent(program -> ProgramReport.of(node, program, findings));
+      ScriptProgram.read(path, root)
+          .ifPresent(program -> ProgramReport.of(node, program, findings));
     } catch (IOException e) {
       // SR309 tells of files that cannot be read.
     }

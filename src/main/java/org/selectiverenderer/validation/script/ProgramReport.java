@@ -5,14 +5,14 @@ import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.script.Program;
 import org.selectiverenderer.x3d.script.ProgramSyntax;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /** Says what is wrong with the program of a Script. */
 final class ProgramReport {
   private ProgramReport() {}
 
-  static void of(ParsedNode script, Program program, Findings findings) {
+  static void of(ParsedNode script, ScriptProgram program, Findings findings) {
     ProgramSyntax syntax = ProgramSyntax.of(program);
     String name = script.name() == null ? "Script" : "Script " + script.name();
     for (ProgramSyntax.Fault fault : syntax.faults()) {

@@ -8,7 +8,7 @@ import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.SceneNodes;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /** Programs that stand in the scene; that of a prototype once, however many instances there are. */
 final class TextProgramCheck implements FileCheck {
@@ -17,7 +17,7 @@ final class TextProgramCheck implements FileCheck {
     Set<Location> seen = new HashSet<>();
     for (ParsedNode node : SceneNodes.all(file.scene())) {
       if (node.type().is("X3DScriptNode") && seen.add(node.location())) {
-        Program.in(node).ifPresent(program -> ProgramReport.of(node, program, findings));
+        ScriptProgram.in(node).ifPresent(program -> ProgramReport.of(node, program, findings));
       }
     }
   }

@@ -18,7 +18,7 @@ public sealed interface ProgramChoice {
   String NOT_OURS = ", which is not run; write it in ECMAScript";
 
   /** The text stands in the scene. */
-  record Text(Program program) implements ProgramChoice {}
+  record Text(ScriptProgram program) implements ProgramChoice {}
 
   /** The text is in a file of its own. */
   record File(Path path) implements ProgramChoice {}
@@ -37,18 +37,18 @@ public sealed interface ProgramChoice {
     @Nullable String reason = null;
     String text = script.string("sourceCode");
     if (!text.isBlank()) {
-      Optional<String> other = Program.otherLanguage(text);
+      Optional<String> other = ScriptProgram.otherLanguage(text);
       if (other.isEmpty()) {
-        return new Text(Program.of(text, script.textLocation()));
+        return new Text(ScriptProgram.of(text, script.textLocation()));
       }
       reason = "is in " + other.get() + NOT_OURS;
     }
     String[] urls = script.strings("url");
     for (String url : urls) {
-      if (Program.isText(url)) {
-        return new Text(Program.of(url, script.textLocation()));
+      if (ScriptProgram.isText(url)) {
+        return new Text(ScriptProgram.of(url, script.textLocation()));
       }
-      Optional<String> other = Program.otherLanguage(url);
+      Optional<String> other = ScriptProgram.otherLanguage(url);
       String why;
       if (other.isPresent()) {
         why = "is in " + other.get() + NOT_OURS;

@@ -37,7 +37,7 @@ public record ProgramSyntax(List<Fault> faults, Set<String> names) {
    */
   public record Fault(int line, String message) {}
 
-  public static ProgramSyntax of(Program program) {
+  public static ProgramSyntax of(ScriptProgram program) {
     Listing faults = new Listing();
     CompilerEnvirons settings = new CompilerEnvirons();
     settings.setLanguageVersion(Context.VERSION_ES6);

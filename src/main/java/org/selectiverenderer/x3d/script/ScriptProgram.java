@@ -18,7 +18,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * @param text ECMAScript
  * @param start where its first character stands: in a scene, or in a file of its own
  */
-public record Program(String text, Location start) {
+public record ScriptProgram(String text, Location start) {
   /** Far more than anybody writes. */
   public static final int MAX_BYTES = 4 << 20;
 
@@ -41,13 +41,13 @@ public record Program(String text, Location start) {
   }
 
   /** A program that may begin with a scheme, as texts in scenes do. */
-  static Program of(String text, Location start) {
+  static ScriptProgram of(String text, Location start) {
     Matcher scheme = SCHEME.matcher(text);
-    return new Program(scheme.lookingAt() ? text.substring(scheme.end()) : text, start);
+    return new ScriptProgram(scheme.lookingAt() ? text.substring(scheme.end()) : text, start);
   }
 
   /** The program that stands in the scene itself: in its text, or in the first url that is one. */
-  public static Optional<Program> in(ParsedNode script) {
+  public static Optional<ScriptProgram> in(ParsedNode script) {
     String text = script.string("sourceCode");
     if (!text.isBlank() && otherLanguage(text).isEmpty()) {
       return Optional.of(of(text, script.textLocation()));
@@ -63,13 +63,13 @@ public record Program(String text, Location start) {
    *
    * @param root knows how messages call the file
    */
-  public static Optional<Program> read(Path path, ContentRoot root) throws IOException {
+  public static Optional<ScriptProgram> read(Path path, ContentRoot root) throws IOException {
     try (InputStream in = Files.newInputStream(path)) {
       byte[] bytes = in.readNBytes(MAX_BYTES + 1);
       return bytes.length > MAX_BYTES
           ? Optional.empty()
           : Optional.of(
-              new Program(
+              new ScriptProgram(
                   new String(bytes, StandardCharsets.UTF_8),
                   new Location(root.display(path), 1, 1)));
     }
