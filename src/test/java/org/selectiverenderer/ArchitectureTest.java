@@ -213,6 +213,16 @@ class ArchitectureTest {
           .resideInAnyPackage(DISPLAY);
 
   @ArchTest
+  static final ArchRule rhinoHasTwoDoors =
+      noClasses()
+          .that(
+              are(resideInAPackage(OURS))
+                  .and(not(resideInAnyPackage(of("x3d.script"), of("runtime.script")))))
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.mozilla..");
+
+  @ArchTest
   static final ArchRule sessionsAreKeptWithoutWindows =
       noClasses()
           .that(

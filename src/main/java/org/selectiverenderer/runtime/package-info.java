@@ -13,6 +13,7 @@
  *   <li>{@code nodes} the behaviour of each node type, one class each
  *   <li>{@code instance} what is where: world transformations, what is shown, meshes, lights
  *   <li>{@code loading} files to scenes, Inlines in parallel
+ *   <li>{@code script} the programs of Scripts, run
  *   <li>{@code viewer} the viewer, and motion along paths and between Viewpoints
  *   <li>{@code collide} rays, and what the viewer bumps into
  *   <li>{@code walk} the viewer's walking

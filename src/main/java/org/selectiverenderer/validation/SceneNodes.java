@@ -23,7 +23,7 @@ public final class SceneNodes {
     Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     List<ParsedNode> found = new ArrayList<>();
     Deque<ParsedNode> waiting = new ArrayDeque<>();
-    push(scene.nodes(), waiting);
+    push(scene.allNodes(), waiting);
     for (ParsedNode node = waiting.poll(); node != null; node = waiting.poll()) {
       if (seen.add(node)) {
         found.add(node);

@@ -14,7 +14,7 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
@@ -36,7 +36,7 @@ record FileContent(
     Set<String> types,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
-    Map<ParsedNode, Program> programs,
+    Map<ParsedNode, ScriptProgram> programs,
     Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 

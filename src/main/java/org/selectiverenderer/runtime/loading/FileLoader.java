@@ -118,7 +118,7 @@ final class FileLoader {
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
           } else if (node.type().is("X3DTextureNode")) {
-            assets.add(task(content, problems -> image(node, content, problems)));
+            assets.add(task(content, problems -> image(node, node, content, problems)));
           } else if (BackgroundPictures.names(node.type())) {
             Map<Backdrop.Side, ParsedNode> pictures =
                 BackgroundPictures.of(node, reader.catalogue());
@@ -126,7 +126,7 @@ final class FileLoader {
             pictures
                 .values()
                 .forEach(
-                    one -> assets.add(task(content, problems -> image(one, content, problems))));
+                    one -> assets.add(task(content, problems -> image(one, node, content, problems))));
           }
         });
     // The largest first: begun last, it would keep everybody waiting.
@@ -163,7 +163,11 @@ final class FileLoader {
         .ifPresent(program -> content.programs().put(script, program));
   }
 
-  private void image(ParsedNode texture, FileContent content, Problems problems) {
-    content.images().put(texture, images.read(texture, texture.base(content.base()), problems));
+  /**
+   * @param owner the node of the file that names the image: the texture itself, or a Background
+   */
+  private void image(
+      ParsedNode texture, ParsedNode owner, FileContent content, Problems problems) {
+    content.images().put(texture, images.read(texture, owner.base(content.base()), problems));
   }
 }

@@ -14,7 +14,6 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
@@ -27,6 +26,8 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * <p>Belongs to the thread that steps the world.
  */
 public final class LiveFiles {
+  private static final String NOTHING_MADE = "no nodes are made of it";
+
   private final LoadedScene loaded;
   private final Problems problems;
   private final Consumer<Runnable> post;
@@ -68,7 +69,7 @@ public final class LiveFiles {
    */
   public void open(Node anchor, Consumer<LoadedScene> arrived) {
     request(
-        loaded.loader().link(copy(anchor), origin(anchor)),
+        loaded.loader().link(copy(anchor), origin(anchor), "the viewer stays here"),
         scene -> arrived.accept(new LoadedScene(scene, loaded.loader())),
         () -> {});
   }
@@ -76,12 +77,13 @@ public final class LiveFiles {
   /**
    * Reads the scene that one of some urls names, for a node that asks for it.
    *
-   * @param asker against whose file urls are resolved, and which messages name
+   * @param asker has a field {@code url} of its own; against whose file urls are resolved, and
+   *     which messages name
    * @param arrived takes the scene on the stepping thread; not called when there is none
    */
   public void read(Node asker, String[] urls, Consumer<LoadedScene> arrived) {
     request(
-        loaded.loader().link(asking(asker, urls), origin(asker)),
+        loaded.loader().link(asking(asker, urls), origin(asker), NOTHING_MADE),
         scene -> arrived.accept(loaded(scene)),
         () -> {});
   }
@@ -89,7 +91,7 @@ public final class LiveFiles {
   /** The same at once: waits for the file. Empty, with a message, when there is no scene. */
   public Optional<LoadedScene> readNow(Node asker, String[] urls) {
     SceneLoader.Arrival<Scene> arrival =
-        loaded.loader().link(asking(asker, urls), origin(asker)).join();
+        loaded.loader().link(asking(asker, urls), origin(asker), NOTHING_MADE).join();
     arrival.problems().forEach(problems::add);
     return arrival.value().map(this::loaded);
   }
@@ -138,9 +140,8 @@ public final class LiveFiles {
 
   /** A node that stands for another one and asks for these urls. */
   private ParsedNode asking(Node asker, String[] urls) {
-    NodeType anchor = loaded.loader().catalogue().get("Anchor");
-    ParsedNode asking = new ParsedNode(anchor, asker.name(), asker.location());
-    asking.put(anchor.indexOf("url"), urls.clone());
+    ParsedNode asking = new ParsedNode(asker.type(), asker.name(), asker.location());
+    asking.put(asker.type().indexOf("url"), urls.clone());
     return asking;
   }
 

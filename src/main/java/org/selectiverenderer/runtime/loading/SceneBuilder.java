@@ -25,7 +25,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
@@ -225,7 +225,7 @@ final class SceneBuilder {
             .ifPresent(outcome -> fill(inline, outcome.join()));
       } else if (node.type().is("X3DUrlObject")) {
         store.origin(node, origin.of(parsed));
-        Program program = content.programs().get(parsed);
+        ScriptProgram program = content.programs().get(parsed);
         if (node instanceof ScriptNode script && program != null) {
           script.load(program, scene);
         }
@@ -233,7 +233,7 @@ final class SceneBuilder {
         geospatial(node);
       }
       if (BackgroundPictures.names(node.type())) {
-        store.origin(node, origin);
+        store.origin(node, origin.of(parsed));
         content
             .pictures()
             .getOrDefault(parsed, Map.of())

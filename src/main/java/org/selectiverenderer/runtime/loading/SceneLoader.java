@@ -262,19 +262,23 @@ public final class SceneLoader implements AutoCloseable {
     return arrival(tasks, node, hears -> making.make(content, hears));
   }
 
-  /** Reads the scene that an Anchor links to; it may name what the scene with the Anchor may. */
-  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin) {
+  /**
+   * Reads the scene that an Anchor links to, or that another node asks for; it may name what the
+   * scene with that node may.
+   *
+   * @param consequence what is done when there is none
+   */
+  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin, String consequence) {
     TaskGroup tasks = new TaskGroup(threads);
     FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
     AtomicReference<Function<Problems, Optional<Scene>>> making =
         new AtomicReference<>(hears -> Optional.empty());
     tasks.start(
         () -> {
-          UrlChoice choice =
-              UrlChoice.of(anchor, origin.root(), origin.base(), "the viewer stays here");
+          UrlChoice choice = UrlChoice.of(anchor, origin.root(), origin.base(), consequence);
           if (choice instanceof UrlChoice.Found file) {
             CompletableFuture<Outcome> outcome = loader.file(file.content());
-            making.set(hears -> scene(outcome.join(), anchor, origin.root(), hears));
+            making.set(hears -> scene(outcome.join(), anchor, origin.root(), consequence, hears));
           } else {
             making.set(
                 hears -> {
@@ -287,12 +291,11 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private Optional<Scene> scene(
-      Outcome outcome, ParsedNode anchor, ContentRoot root, Problems hears) {
+      Outcome outcome, ParsedNode anchor, ContentRoot root, String consequence, Problems hears) {
     if (outcome instanceof Outcome.Read read) {
       return Optional.of(build(read.content(), root, List.of(), hears));
     }
-    hears.error(
-        anchor.location(), ((Outcome.Failed) outcome).sentence() + "; the viewer stays here");
+    hears.error(anchor.location(), ((Outcome.Failed) outcome).sentence() + "; " + consequence);
     return Optional.empty();
   }
 

@@ -1,22 +1,17 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.script.Program;
 import org.selectiverenderer.x3d.script.ProgramChoice;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /** Reads the programs of Scripts. */
 final class ScriptFiles {
-  /** Bytes of a program's file, far more than anybody writes. */
-  private static final int MAX_BYTES = 4 << 20;
-
   private final ContentRoot root;
 
   ScriptFiles(ContentRoot root) {
@@ -28,7 +23,7 @@ final class ScriptFiles {
    *
    * @param base where the relative urls of the Script start
    */
-  Optional<Program> read(ParsedNode script, ContentBase base, Problems problems) {
+  Optional<ScriptProgram> read(ParsedNode script, ContentBase base, Problems problems) {
     ProgramChoice choice = ProgramChoice.of(script, root, base);
     if (choice instanceof ProgramChoice.Text text) {
       return Optional.of(text.program());
@@ -40,10 +35,10 @@ final class ScriptFiles {
     return Optional.empty();
   }
 
-  private static Optional<Program> fromFile(ParsedNode script, Content file, Problems problems) {
+  private static Optional<ScriptProgram> fromFile(
+      ParsedNode script, Content file, Problems problems) {
     try {
-      String text = new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8);
-      return Optional.of(new Program(text, new Location(file.name(), 1, 1)));
+      return Optional.of(ScriptProgram.read(file));
     } catch (IOException e) {
       problems.error(
           script.location(),

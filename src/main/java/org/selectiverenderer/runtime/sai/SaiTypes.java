@@ -24,6 +24,9 @@ final class SaiTypes {
   private final Map<FieldType, Integer> fieldNumbers = new ConcurrentHashMap<>();
 
   NodeKind kind(NodeType type) {
+    if (type.ownFrom() < type.fields().size()) {
+      return new NodeKind(type, this); // One node's own: kept with it, not for ever.
+    }
     NodeKind known = kinds.get(type);
     return known != null
         ? known

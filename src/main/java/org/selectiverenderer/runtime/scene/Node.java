@@ -105,14 +105,26 @@ public class Node implements NodeView {
 
   /**
    * An event arrives at a field. The base class keeps the value of an inputOutput field and sends
-   * it on; it ignores inputOnly fields, which only mean something to a behaviour.
+   * it on. An inputOnly field such as set_coordIndex gives its value to the field coordIndex, which
+   * has no other way to change (X3D 4.0, 11.2.2.4); others only mean something to a behaviour.
    *
    * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
    */
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     if (field.access() == FieldAccess.INPUT_OUTPUT) {
       emit(field.index(), value, cascade);
+    } else if (field.access() == FieldAccess.INPUT_ONLY && field.name().startsWith("set_")) {
+      type.field(field.name().substring("set_".length()))
+          .filter(set -> set.access() == FieldAccess.INITIALIZE_ONLY && set.type() == field.type())
+          .ifPresent(set -> replace(set.index(), value));
     }
+  }
+
+  /** Gives a field that sends no events a new value; observers hear of it. */
+  private void replace(int field, @Nullable Object value) {
+    VarHandle.releaseFence();
+    values[field] = value;
+    tellObservers(field);
   }
 
   /**

@@ -39,10 +39,7 @@ final class BrowserObject {
     output(browser);
     ScriptableObject.defineProperty(scope, "Browser", browser, ScriptableObject.DONTENUM);
     scope.defineProperty(
-        "X3DExecutionContext",
-        () -> scene(engine.running().context(), scope),
-        null,
-        ScriptableObject.DONTENUM);
+        "X3DExecutionContext", () -> context(scope), null, ScriptableObject.DONTENUM);
     HostObject console = new HostObject("Console", scope);
     for (String name : List.of("log", "info", "warn", "error", "debug")) {
       console.action(name, 0, this::println);
@@ -79,13 +76,15 @@ final class BrowserObject {
     // There are no properties that scripts could rely on: pictures may be drawn or not.
     browser.method("getRenderingProperty", 1, args -> Undefined.instance);
     browser.method("getBrowserProperty", 1, args -> Undefined.instance);
+    browser.method("getBrowserOption", 1, args -> Undefined.instance);
+    browser.action("setBrowserOption", 2, args -> {}); // Titania's and X_ITE's own.
     browser.action("beginUpdate", 0, args -> {});
     browser.action("endUpdate", 0, args -> {});
   }
 
   private void scenes(HostObject browser, Scriptable scope) {
-    browser.property("currentScene", () -> scene(engine.running().context(), scope));
-    browser.method("getExecutionContext", 0, args -> scene(engine.running().context(), scope));
+    browser.property("currentScene", () -> context(scope));
+    browser.method("getExecutionContext", 0, args -> context(scope));
     browser.method(
         "createX3DFromString", 1, args -> scene(fromText(HostObject.text(args[0])), scope));
     browser.method("createVrmlFromString", 1, args -> roots(fromText(HostObject.text(args[0]))));
@@ -96,9 +95,13 @@ final class BrowserObject {
     browser.method("createVrmlFromURL", 3, this::fromUrl);
     browser.action("replaceWorld", 1, args -> world.show(shown(args[0])));
     browser.action("loadURL", 1, args -> world.follow(urls(args[0])));
-    browser.method("addRoute", 4, args -> scene(engine.running().context(), scope).addRoute(args));
-    browser.action(
-        "deleteRoute", 1, args -> scene(engine.running().context(), scope).deleteRoute(args));
+    browser.method("addRoute", 4, args -> context(scope).addRoute(args));
+    browser.action("deleteRoute", 1, args -> context(scope).deleteRoute(args));
+  }
+
+  private SceneObject context(Scriptable scope) {
+    RunningScript script = engine.running();
+    return script.contextObject(() -> scene(script.context(), scope));
   }
 
   private SceneObject scene(Scene of, Scriptable scope) {

@@ -14,11 +14,22 @@ final class CallLimit {
   /** A share of all memory, so that a scene lives on after a script that asked for too much. */
   private static final int SHARE = 4;
 
-  private final long maxBytes = Runtime.getRuntime().maxMemory() / SHARE;
+  private final long maxBytes;
   private double seconds;
   private long began;
   private long bytesBefore;
   private boolean measured;
+
+  CallLimit() {
+    this(Runtime.getRuntime().maxMemory() / SHARE);
+  }
+
+  /**
+   * @param maxBytes that a call may allocate
+   */
+  CallLimit(long maxBytes) {
+    this.maxBytes = maxBytes;
+  }
 
   /** A call begins. */
   void begin(double maxSeconds) {

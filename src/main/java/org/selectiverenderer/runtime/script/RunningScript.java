@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.RhinoException;
@@ -18,7 +19,7 @@ import org.selectiverenderer.runtime.script.value.NodeAccess;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * One Script and its program. It begins to run with the first frame or the first event, whichever
@@ -35,7 +36,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private static final double START_SECONDS = 5;
 
   private final ScriptNode node;
-  private final Program program;
+  private final ScriptProgram program;
   private final Scene context;
   private final Scripts scripts;
   private final Engine engine;
@@ -45,6 +46,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private final Writes writes = new Writes();
   private final Set<Node> made = Collections.newSetFromMap(new WeakHashMap<>());
   private final Set<String> told = new HashSet<>();
+  private @Nullable SceneObject contextObject;
   private boolean started;
   private boolean off;
   private boolean undirected;
@@ -56,7 +58,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
 
   RunningScript(
       ScriptNode node,
-      Program program,
+      ScriptProgram program,
       Scene context,
       Scripts scripts,
       Engine engine,
@@ -78,6 +80,14 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   /** The scene in which the Script stands. */
   Scene context() {
     return context;
+  }
+
+  /** The same as its program sees it. */
+  SceneObject contextObject(Supplier<SceneObject> maker) {
+    if (contextObject == null) {
+      contextObject = maker.get();
+    }
+    return contextObject;
   }
 
   /** Whether it wants to be called in every frame. */
@@ -105,13 +115,24 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     scripts.started(this);
   }
 
+  /**
+   * Sends what the start has assigned: after all that start together have, so that none receives an
+   * event before its {@code initialize} (X3D 4.0, 29.2.4).
+   */
+  void sendFirst() {
+    send(world.cascade());
+  }
+
   private static Object[] stamp(Cascade cascade) {
     return new Object[] {cascade.time()};
   }
 
   @Override
   public void received(FieldDefinition field, @Nullable Object value, Cascade cascade) {
-    start();
+    if (!started) {
+      start();
+      send(cascade);
+    }
     own.forget(field);
     org.mozilla.javascript.Function answer = off ? null : scope.answerTo(field);
     if (answer != null) {
@@ -122,6 +143,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
             Object given = engine.values().toScript(field.type(), value, null);
             return answer.call(cx, scope, scope, new Object[] {given, cascade.time()});
           });
+      send(cascade);
     }
     if (eventsProcessed != null) {
       scripts.hasReceived(this);
@@ -150,6 +172,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     if (function != null && !off) {
       Cascade cascade = world.cascade();
       run(CALL_SECONDS, cascade, cx -> function.call(cx, scope, scope, stamp(cascade)));
+      send(cascade);
     }
   }
 
@@ -157,6 +180,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     if (tooMany(cascade)) {
       return;
     }
+    scripts.called();
     try {
       engine.call(
           this,
@@ -173,8 +197,9 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       failed(program.line(e.lineNumber()), e.details());
     } catch (StackOverflowError e) {
       failed(program.start(), "calls are nested too deeply");
+    } catch (RuntimeException e) {
+      failed(program.start(), "a function of the browser failed: " + e);
     }
-    send(cascade);
   }
 
   private void send(Cascade cascade) {

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * The Scripts of a scene that runs: which there are, and when their functions are called. A Script
@@ -36,6 +36,7 @@ public final class Scripts {
   private double frameTime = Double.NaN;
   private double framesPerSecond;
   private double speed;
+  private long calls;
 
   public Scripts(ScriptWorld world) {
     this.world = world;
@@ -54,7 +55,7 @@ public final class Scripts {
       }
     }
     for (ScriptNode node : present) {
-      Program program = node.program();
+      ScriptProgram program = node.program();
       Scene context = node.context();
       if (program != null && context != null && !running.containsKey(node)) {
         if (engine == null) {
@@ -84,9 +85,13 @@ public final class Scripts {
 
   /** Starts those that are new. */
   public void start() {
-    while (!waiting.isEmpty()) {
-      waiting.get(0).start();
+    if (waiting.isEmpty()) {
+      return;
     }
+    List<RunningScript> all = List.copyOf(waiting);
+    waiting.clear();
+    all.forEach(RunningScript::start);
+    all.forEach(RunningScript::sendFirst);
   }
 
   void started(RunningScript script) {
@@ -136,6 +141,15 @@ public final class Scripts {
     received.clear();
     done.forEach(RunningScript::eventsProcessed);
     return true;
+  }
+
+  /** How often code of scripts has been called so far. */
+  long calls() {
+    return calls;
+  }
+
+  void called() {
+    calls++;
   }
 
   /** Of the scene's own time, in the last frame. */

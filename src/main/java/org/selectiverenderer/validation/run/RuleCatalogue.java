@@ -10,6 +10,7 @@ import org.selectiverenderer.validation.enrichment.EnrichmentRules;
 import org.selectiverenderer.validation.files.FileRules;
 import org.selectiverenderer.validation.geometry.GeometryRules;
 import org.selectiverenderer.validation.language.LanguageRules;
+import org.selectiverenderer.validation.script.ScriptRules;
 import org.selectiverenderer.validation.xml.XmlRules;
 
 /** All that the validator can say, group by group. */
@@ -27,7 +28,8 @@ public record RuleCatalogue(List<RuleGroup> groups) {
             GeometryRules.group(),
             FileRules.group(),
             EnrichmentRules.group(),
-            BudgetRules.group()));
+            BudgetRules.group(),
+            ScriptRules.group()));
   }
 
   /** All rules in the order of their ids. */

@@ -29,7 +29,8 @@ final class NodeReader {
   }
 
   /** The schemes of programs that stand in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
-  private static final Pattern PROGRAM = Pattern.compile("(?i)\\b(ecmascript|javascript|vrmlscript):\\s*");
+  private static final Pattern PROGRAM =
+      Pattern.compile("(?i)\\b(ecmascript|javascript|vrmlscript):");
 
   private final ReadState reading;
   private final RouteReader routes;
@@ -227,8 +228,9 @@ final class NodeReader {
   private void content(ElementCursor in, NameScope scope, NameScope.Named named) {
     ParsedNode node = named.node();
     FieldDefinition source = node.type().field("sourceCode").orElse(null);
-    GatheredText text = new GatheredText();
+    GatheredText text = null;
     if (source != null) {
+      text = new GatheredText();
       in.collectText(text);
     }
     OwnFields own = node.type().field("field").isPresent() ? new OwnFields(node, reading) : null;
@@ -250,12 +252,11 @@ final class NodeReader {
     if (own != null) {
       own.declare();
       own.connections()
-          .forEach(
-              is -> connecting.connect(TreeCursor.at(is, reading), scope, named, children));
+          .forEach(is -> connecting.connect(TreeCursor.at(is, reading), scope, named, children));
     }
     children.finish();
-    Location start = text.start();
-    if (source != null && start != null) {
+    Location start = text == null ? null : text.start();
+    if (start != null) {
       node.put(source.index(), text.text().strip());
       node.textLocation(start);
     }

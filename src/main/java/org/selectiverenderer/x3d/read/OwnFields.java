@@ -26,7 +26,7 @@ final class OwnFields {
   OwnFields(ParsedNode node, ReadState reading) {
     this.node = node;
     this.reading = reading;
-    node.type().fields().forEach(field -> names.add(field.name()));
+    names.addAll(ParsedNode.TAKEN_NAMES);
   }
 
   /** Reads the current element, a {@code field}, to its end. */
@@ -106,8 +106,7 @@ final class OwnFields {
     return in.attributeValue(attribute, declared.type());
   }
 
-  private @Nullable Object nodes(
-      FieldElement declared, List<ParsedNode> inner, Location location) {
+  private @Nullable Object nodes(FieldElement declared, List<ParsedNode> inner, Location location) {
     if (declared.type() == FieldType.MFNode) {
       return List.copyOf(inner);
     }

@@ -2,6 +2,7 @@ package org.selectiverenderer.x3d.read;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -16,6 +17,14 @@ import org.selectiverenderer.x3d.files.ContentBase;
  * else treats it as immutable.
  */
 public final class ParsedNode implements NodeView {
+  /**
+   * Names that a Script's or shader's fields of its own cannot have. Others of the node type's
+   * fields came with later versions of X3D, and scenes of earlier ones have fields of those names;
+   * theirs count.
+   */
+  public static final Set<String> TAKEN_NAMES =
+      Set.of("url", "directOutput", "mustEvaluate", "metadata", "sourceCode", "parts", "language");
+
   private final @Nullable String name;
   private final Location location;
   private final @Nullable ContentBase base;

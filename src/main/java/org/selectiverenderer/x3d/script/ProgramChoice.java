@@ -1,6 +1,7 @@
 package org.selectiverenderer.x3d.script;
 
 import java.util.Locale;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problem.Severity;
@@ -14,8 +15,11 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * can be used (X3D 4.0, 29.2.3 and 29.4.1).
  */
 public sealed interface ProgramChoice {
+  /** What is said of other languages. */
+  String NOT_OURS = ", which is not run; write it in ECMAScript";
+
   /** The text stands in the scene. */
-  record Text(Program program) implements ProgramChoice {}
+  record Text(ScriptProgram program) implements ProgramChoice {}
 
   /** The text is in a file of its own. */
   record File(Content content) implements ProgramChoice {}
@@ -31,18 +35,25 @@ public sealed interface ProgramChoice {
    * @param base where the relative urls of the Script start
    */
   static ProgramChoice of(ParsedNode script, ContentRoot root, ContentBase base) {
+    @Nullable String reason = null;
     String text = script.string("sourceCode");
     if (!text.isBlank()) {
-      return new Text(Program.of(text, script.textLocation()));
+      Optional<String> other = ScriptProgram.otherLanguage(text);
+      if (other.isEmpty()) {
+        return new Text(ScriptProgram.of(text, script.textLocation()));
+      }
+      reason = "is in " + other.get() + NOT_OURS;
     }
     String[] urls = script.strings("url");
-    @Nullable String reason = null;
     for (String url : urls) {
-      if (Program.isText(url)) {
-        return new Text(Program.of(url, script.textLocation()));
+      if (ScriptProgram.isText(url)) {
+        return new Text(ScriptProgram.of(url, script.textLocation()));
       }
-      String why = null;
-      if (isJava(url)) {
+      Optional<String> other = ScriptProgram.otherLanguage(url);
+      String why;
+      if (other.isPresent()) {
+        why = "is in " + other.get() + NOT_OURS;
+      } else if (isJava(url)) {
         why = "is a program in Java, which is never run; write it in ECMAScript";
       } else {
         ContentRoot.Target target = root.resolve(url, base);

@@ -218,9 +218,53 @@ class X3dReaderTest {
             """);
     assertThat(file.nodes().get(0).string("sourceCode"))
         .isEqualTo("ecmascript: function f() { return 1 < 2; }");
-    assertThat(fixture.problems.list()).hasSize(1);
-    assertThat(fixture.problems.any()).isFalse();
+    assertThat(fixture.problems.list()).isEmpty();
     assertThat(file.nodes()).hasSize(3);
+    assertThat(file.routes()).hasSize(1);
+  }
+
+  @Test
+  void fieldsOfAScriptAreItsOwn() {
+    X3dFile file =
+        scene(
+            """
+            <Group DEF='G'><Script DEF='S'>
+              <field name='size' type='MFFloat' accessType='inputOutput' value='1 2 3'/>
+              <field name='around' type='SFNode' accessType='initializeOnly'><Group USE='G'/></field>
+              <field name='none' type='SFVec3f' accessType='outputOnly'/>
+            </Script></Group>
+            <Script DEF='Other'/>
+            """);
+    ParsedNode script = file.named().get("S");
+
+    assertThat(script.floats("size")).containsExactly(1, 2, 3);
+    assertThat(script.node("around")).isSameAs(file.named().get("G"));
+    assertThat(script.floats("none")).containsExactly(0, 0, 0);
+    assertThat(script.type().name()).isEqualTo("Script");
+    assertThat(script.type().is("X3DScriptNode")).isTrue();
+    assertThat(script.type().ownFrom()).isEqualTo(file.named().get("Other").type().fields().size());
+    assertThat(file.named().get("Other").type().field("size")).isEmpty();
+    assertThat(fixture.problems.list()).isEmpty();
+  }
+
+  @Test
+  void programsKnowWhereTheyStand() {
+    X3dFile file =
+        scene(
+            """
+            <Script DEF='Text'><field name='a' type='SFBool' accessType='inputOnly'/>
+              <!-- a comment -->
+              <![CDATA[
+
+                ecmascript: var a;]]></Script>
+            <Script DEF='Url' url='"no.js" "javascript: var b;"'/>
+            """);
+    Location scene = file.named().get("Text").location();
+
+    assertThat(file.named().get("Text").textLocation())
+        .isEqualTo(new Location(scene.file(), scene.line() + 4, 5));
+    assertThat(file.named().get("Url").textLocation())
+        .isEqualTo(new Location(scene.file(), scene.line() + 5, 44));
   }
 
   @Test

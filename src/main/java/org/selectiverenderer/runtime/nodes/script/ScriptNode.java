@@ -8,14 +8,14 @@ import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.script.Program;
+import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
  * A Script (X3D 4.0, 29.4.1). It holds its program's text and the fields that its author declared;
  * until somebody runs the program it keeps and passes on events as any node does.
  */
 public final class ScriptNode extends Node {
-  private @Nullable Program program;
+  private @Nullable ScriptProgram program;
   private @Nullable Scene context;
   private @Nullable ScriptCalls calls;
 
@@ -28,13 +28,13 @@ public final class ScriptNode extends Node {
    *
    * @param scene of the file in which it stands
    */
-  public void load(Program text, Scene scene) {
+  public void load(ScriptProgram text, Scene scene) {
     program = text;
     context = scene;
   }
 
   /** The text of its program; null when there is none that can be used. */
-  public @Nullable Program program() {
+  public @Nullable ScriptProgram program() {
     return program;
   }
 

@@ -6,7 +6,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 
 /** The value of a field as an object of a script, which changes in place. */
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
-public abstract class FieldValue extends ScriptableObject {
+abstract class FieldValue extends ScriptableObject {
   private final FieldType type;
   private transient @Nullable Runnable holder;
 

@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.field.FieldType;
  * methods of ECMAScript's arrays. Elements become objects when they are first asked for.
  */
 @SuppressWarnings("serial") // See FieldValue.
-public final class Multiple extends FieldValue {
+final class Multiple extends FieldValue {
   /** Elements, far more than scenes have; a larger index is an error, not a need of memory. */
   private static final int MAX_LENGTH = 1 << 24;
 

@@ -10,6 +10,7 @@ import org.mozilla.javascript.Undefined;
 import org.mozilla.javascript.Wrapper;
 import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
@@ -86,7 +87,9 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
               + name
               + Spelling.nearest(name, names).map(n -> " (did you mean " + n + "?)").orElse(""));
     }
-    access.write(node, field, values.toField(field.type(), value));
+    FieldDefinition set = node.type().field("set_" + name).orElse(null);
+    boolean fixed = field.access() == FieldAccess.INITIALIZE_ONLY && set != null;
+    access.write(node, fixed ? set : field, values.toField(field.type(), value));
   }
 
   @Override

@@ -11,7 +11,7 @@ import org.selectiverenderer.x3d.field.FieldType;
  * Single precision comes about when it becomes the value of a field.
  */
 @SuppressWarnings("serial") // See FieldValue.
-public final class Tuple extends FieldValue {
+final class Tuple extends FieldValue {
   private final double[] components;
 
   /**

@@ -1,0 +1,35 @@
+package org.selectiverenderer.validation.script;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** Fields of a Script or a shader that have a name twice. */
+final class FieldNameCheck implements FileCheck {
+  @Override
+  public void check(FileView file, Findings findings) {
+    for (DocumentElement element : file.document().elements()) {
+      file.catalogue()
+          .find(element.name())
+          .filter(type -> type.field("field").isPresent())
+          .ifPresent(type -> fields(element, type, findings));
+    }
+  }
+
+  private static void fields(DocumentElement element, NodeType type, Findings findings) {
+    Set<String> names = new HashSet<>(ParsedNode.TAKEN_NAMES);
+    for (DocumentElement child : element.children()) {
+      if (child.name().equals("field")) {
+        child
+            .attribute("name")
+            .filter(name -> !names.add(name.text()))
+            .ifPresent(name -> findings.add(ScriptRules.TWICE, name, type.name(), name.text()));
+      }
+    }
+  }
+}

@@ -1,0 +1,40 @@
+package org.selectiverenderer.validation.script;
+
+import java.io.IOException;
+import java.util.HashSet;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.validation.FileOutline;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.SceneCheck;
+import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.script.ProgramChoice;
+import org.selectiverenderer.x3d.script.ScriptProgram;
+
+/** Programs in files of their own; one that cannot be read is a matter of its url. */
+final class FileProgramCheck implements SceneCheck {
+  @Override
+  public void check(SceneView scene, Findings findings) {
+    Set<Location> seen = new HashSet<>();
+    for (FileOutline file : scene.files()) {
+      for (ParsedNode node : file.nodes()) {
+        if (node.type().is("X3DScriptNode")
+            && seen.add(node.location())
+            && ProgramChoice.of(node, scene.root(), node.base(file.file().base()))
+                instanceof ProgramChoice.File program) {
+          read(node, program.content(), findings);
+        }
+      }
+    }
+  }
+
+  private static void read(ParsedNode node, Content file, Findings findings) {
+    try {
+      ProgramReport.of(node, ScriptProgram.read(file), findings);
+    } catch (IOException e) {
+      // SR309 tells of files that cannot be read.
+    }
+  }
+}

@@ -1,0 +1,24 @@
+package org.selectiverenderer.validation.script;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileView;
+import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.SceneNodes;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.script.ScriptProgram;
+
+/** Programs that stand in the scene; that of a prototype once, however many instances there are. */
+final class TextProgramCheck implements FileCheck {
+  @Override
+  public void check(FileView file, Findings findings) {
+    Set<Location> seen = new HashSet<>();
+    for (ParsedNode node : SceneNodes.all(file.scene())) {
+      if (node.type().is("X3DScriptNode") && seen.add(node.location())) {
+        ScriptProgram.in(node).ifPresent(program -> ProgramReport.of(node, program, findings));
+      }
+    }
+  }
+}

@@ -1,0 +1,76 @@
+package org.selectiverenderer.x3d.script;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * The text of a Script's program.
+ *
+ * @param text ECMAScript
+ * @param start where its first character stands: in a scene, or in a file of its own
+ */
+public record ScriptProgram(String text, Location start) {
+  /** Far more than anybody writes. */
+  public static final int MAX_BYTES = 4 << 20;
+
+  /** The schemes of programs that stand in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
+  private static final Pattern SCHEME =
+      Pattern.compile("\\A\\s*(?:ecmascript|javascript|vrmlscript):", Pattern.CASE_INSENSITIVE);
+
+  private static final Pattern OTHER =
+      Pattern.compile("\\A\\s*([a-z]+script|compiled):", Pattern.CASE_INSENSITIVE);
+
+  /** The language that a text says it is in, such as {@code castlescript}; empty for ours. */
+  static Optional<String> otherLanguage(String text) {
+    Matcher other = OTHER.matcher(text);
+    return other.lookingAt() && !isText(text) ? Optional.of(other.group(1)) : Optional.empty();
+  }
+
+  /** Whether a url is a program itself. */
+  static boolean isText(String url) {
+    return SCHEME.matcher(url).lookingAt();
+  }
+
+  /** A program that may begin with a scheme, as texts in scenes do. */
+  static ScriptProgram of(String text, Location start) {
+    Matcher scheme = SCHEME.matcher(text);
+    return new ScriptProgram(scheme.lookingAt() ? text.substring(scheme.end()) : text, start);
+  }
+
+  /** The program that stands in the scene itself: in its text, or in the first url that is one. */
+  public static Optional<ScriptProgram> in(ParsedNode script) {
+    String text = script.string("sourceCode");
+    if (!text.isBlank() && otherLanguage(text).isEmpty()) {
+      return Optional.of(of(text, script.textLocation()));
+    }
+    String[] urls = script.strings("url");
+    return urls.length > 0 && isText(urls[0])
+        ? Optional.of(of(urls[0], script.textLocation()))
+        : Optional.empty();
+  }
+
+  /**
+   * Reads a program's file.
+   *
+   * @throws IOException when it cannot be read or is larger than {@value #MAX_BYTES} bytes
+   */
+  public static ScriptProgram read(Content file) throws IOException {
+    return new ScriptProgram(
+        new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8),
+        new Location(file.name(), 1, 1));
+  }
+
+  /** Where a line of the text stands, counted from 1. */
+  public Location line(int line) {
+    if (line <= 1 || start.line() == 0) {
+      return start;
+    }
+    return new Location(start.file(), start.line() + line - 1, 0);
+  }
+}

@@ -1,0 +1,3 @@
+function initialize() {
+  out = 11;
+}
