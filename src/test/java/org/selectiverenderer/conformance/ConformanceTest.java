@@ -107,7 +107,7 @@ class ConformanceTest {
     double tolerance = numbers.length > 5 ? numbers[5] : TOLERANCE;
     int column = (int) Math.min(SIZE - 1, numbers[0] * SIZE);
     int row = (int) Math.min(SIZE - 1, numbers[1] * SIZE);
-    int rgb = shot.rgb(column, row);
+    int rgb = shot.rgb(column, SIZE - 1 - row); // A screenshot counts from the bottom.
     int[] seen = {rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff};
     for (int i = 0; i < 3; i++) {
       assertThat((double) seen[i])

@@ -43,16 +43,11 @@ class NodeFactoryTest {
             DIS: all
             EnvironmentalEffects: Fog FogCoordinate LocalFog
             Followers: all
-            Geospatial: all
-            HAnim: all
-            Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
-            SplineScalarInterpolator SquadOrientationInterpolator
             KeyDeviceSensor: all
             Layering: all
             Layout: all
-            NURBS: all
+            NURBS: NurbsSet
             Networking: LoadSensor
-            ParticleSystems: all
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             PointingDeviceSensor: CylinderSensor PlaneSensor SphereSensor
             Rendering: ClipPlane
