@@ -31,7 +31,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
-import org.selectiverenderer.runtime.nodes.spline.Splines;
+import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -45,7 +45,7 @@ public final class NodeFactory {
 
   public NodeFactory() {
     makers.putAll(Geospatial.MAKERS);
-    makers.putAll(Splines.MAKERS);
+    makers.putAll(SplineInterpolators.MAKERS);
     put(
         GroupingNode::new,
         "Group",
