@@ -5,13 +5,13 @@ import org.selectiverenderer.geometry.geo.GeoFrame;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /** Where geospatial groups place their children, in double precision (X3D 4.0, clause 25). */
-public final class GeoPlacement {
+final class GeoPlacement {
   private static final float[] NO_CENTER = {0, 0, 0};
 
   private GeoPlacement() {}
 
   /** GeoLocation (25.3.7): x east, y up, z south of its {@code geoCoords}. */
-  public static Matrix4d location(NodeView node) {
+  static Matrix4d location(NodeView node) {
     return GeoFrame.of(node).place((double[]) node.value("geoCoords"));
   }
 
@@ -19,7 +19,7 @@ public final class GeoPlacement {
    * GeoTransform (25.3.11): moves, turns and scales what lies in the scene about the axes east, up
    * and south at its {@code geoCenter}.
    */
-  public static Matrix4d transform(NodeView node) {
+  static Matrix4d transform(NodeView node) {
     Matrix4d center = GeoFrame.of(node).place((double[]) node.value("geoCenter"));
     Matrix4d back = center.invertAffine(new Matrix4d());
     return TransformPlacement.of(

@@ -13,6 +13,9 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * the normal make a right-handed system.
  */
 final class NurbsSurfaces {
+  /** Quadrilaterals of a surface at most. */
+  private static final int MAX_CELLS = 250_000;
+
   private final RationalSurface surface;
   private final @Nullable RationalSurface texture;
   private final ShapeBuilder builder = new ShapeBuilder();
@@ -39,14 +42,16 @@ final class NurbsSurfaces {
     }
     RationalSurface surface = found.get();
     NurbsSurfaces made = new NurbsSurfaces(surface, texture(job, surface));
-    double[] us =
-        surface
-            .u()
-            .parameters(NurbsFields.parts(node.integer("uTessellation"), surface.u().count()));
-    double[] vs =
-        surface
-            .v()
-            .parameters(NurbsFields.parts(node.integer("vTessellation"), surface.v().count()));
+    int columns = NurbsFields.parts(node.integer("uTessellation"), surface.u().count());
+    int rows = NurbsFields.parts(node.integer("vTessellation"), surface.v().count());
+    if ((long) columns * rows > MAX_CELLS) {
+      double share = Math.sqrt((double) MAX_CELLS / columns / rows);
+      columns = Math.max(1, (int) (columns * share));
+      rows = Math.max(1, MAX_CELLS / columns);
+      job.problem("is divided into %d x %d parts, no finer".formatted(columns, rows));
+    }
+    double[] us = surface.u().parameters(columns);
+    double[] vs = surface.v().parameters(rows);
     if (trimmed) {
       new TrimmedGrid(us, vs)
           .fill(Contours2D.of(node.nodes("trimmingContour"), job), made::vertex, made::triangle);

@@ -242,12 +242,7 @@ final class SceneBuilder {
       if (modern && node.type().is("X3DTextureNode")) {
         store.assets().multiply(node);
       }
-      if (store.firstKept(node.type())) {
-        content.info(
-            node.location(),
-            "%s is kept in the scene, but this program does not act on it"
-                .formatted(node.type().name()));
-      }
+      store.kept(node.type()).ifPresent(text -> content.info(node.location(), text));
     }
 
     private void geospatial(Node node) {

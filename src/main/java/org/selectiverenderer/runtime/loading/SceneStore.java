@@ -16,11 +16,14 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * Backgrounds, and where the urls of nodes lead. Thread-safe.
  */
 final class SceneStore {
+  /** Components with which nothing is done: told once, not once for each of their node types. */
+  private static final Set<String> NOT_DONE = Set.of("DIS", "RigidBodyPhysics", "VolumeRendering");
+
   private final AssetStore assets;
   private final Predicate<NodeType> actedOn;
   private final Map<Node, UrlBase> origins = new WeakHashMap<>();
   private final Map<Node, Map<Backdrop.Side, Node>> pictures = new WeakHashMap<>();
-  private final Set<NodeType> keptOnly = ConcurrentHashMap.newKeySet();
+  private final Set<String> keptOnly = ConcurrentHashMap.newKeySet();
 
   /**
    * @param actedOn whether anything is done with nodes of a type
@@ -65,8 +68,24 @@ final class SceneStore {
     }
   }
 
-  /** Whether this is the first node of a type with which nothing is done. */
-  boolean firstKept(NodeType type) {
-    return !actedOn.test(type) && keptOnly.add(type);
+  /**
+   * What to say of a node with which nothing is done; nothing when that has been said before, of
+   * its type or of the whole component that it belongs to.
+   */
+  Optional<String> kept(NodeType type) {
+    if (actedOn.test(type)) {
+      return Optional.empty();
+    }
+    if (NOT_DONE.contains(type.component())) {
+      return keptOnly.add(type.component())
+          ? Optional.of(
+              "%s is kept in the scene, but this program does not act on nodes of the %s component"
+                  .formatted(type.name(), type.component()))
+          : Optional.empty();
+    }
+    return keptOnly.add(type.name())
+        ? Optional.of(
+            "%s is kept in the scene, but this program does not act on it".formatted(type.name()))
+        : Optional.empty();
   }
 }

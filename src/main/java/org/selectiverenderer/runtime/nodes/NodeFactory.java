@@ -35,7 +35,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
-import org.selectiverenderer.runtime.nodes.spline.Splines;
+import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -49,7 +49,7 @@ public final class NodeFactory {
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
-    makers.putAll(Splines.MAKERS);
+    makers.putAll(SplineInterpolators.MAKERS);
     put(
         GroupingNode::new,
         "Group",

@@ -160,18 +160,16 @@ class SimulateBadSceneTest {
   }
 
   @Test
-  void nodesOnlyKeptAreToldOncePerTypeAndAreNoProblem() {
+  void nodesOnlyKeptAreToldOncePerTypeOrComponentAndAreNoProblem() {
     folder.scene(
         "scene.x3d",
-        "<EspduTransform/><EspduTransform/>\n"
-            + "<Shape><NurbsCurve/></Shape><Shape><NurbsCurve/></Shape>"
-            + BOX);
+        "<EspduTransform/><EspduTransform/><ReceiverPdu/>\n<NurbsSet/><NurbsSet/>" + BOX);
     SceneFolder.Result result = folder.simulate("scene.x3d");
     assertThat(result.messages())
         .containsExactly(
             "scene.x3d:2:1: EspduTransform is kept in the scene, but this program "
-                + "does not act on it",
-            "scene.x3d:3:8: NurbsCurve is kept in the scene, but this program does "
+                + "does not act on nodes of the DIS component",
+            "scene.x3d:3:1: NurbsSet is kept in the scene, but this program does "
                 + "not act on it");
     assertThat(result.polygons()).isEqualTo(12);
     assertThat(result.status()).isZero();

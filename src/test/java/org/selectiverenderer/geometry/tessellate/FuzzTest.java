@@ -1,5 +1,6 @@
 package org.selectiverenderer.geometry.tessellate;
 
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -48,13 +49,30 @@ class FuzzTest extends GeometryTest {
     }
   }
 
+  /** Fewer of these, which take longer. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "GeoElevationGrid",
+        "NurbsCurve",
+        "NurbsPatchSurface",
+        "NurbsSweptSurface",
+        "NurbsSwungSurface",
+        "NurbsTrimmedSurface"
+      })
+  void anyValuesGiveASoundCurvedMesh(String type) {
+    for (int i = 0; i < 100; i++) {
+      mesh(random(type));
+    }
+  }
+
   private NodeView random(String type) {
     ParsedNode node = node(type);
     for (FieldDefinition field : node.type().fields()) {
       if (random.nextInt(8) == 0) {
         continue;
       }
-      Object value = field.type().isNode() ? child(field.name()) : value(field);
+      Object value = field.type().isNode() ? child(node, field.name()) : value(field);
       if (value != null) {
         node.put(field.index(), value);
       }
@@ -62,9 +80,23 @@ class FuzzTest extends GeometryTest {
     return node;
   }
 
-  private Object child(String field) {
+  private Object child(ParsedNode parent, String field) {
     return switch (field) {
-      case "coord" -> random(random.nextInt(9) == 0 ? "CoordinateDouble" : "Coordinate");
+      case "coord" ->
+          random(
+              switch (random.nextInt(9)) {
+                case 0 -> "CoordinateDouble";
+                case 1 -> "GeoCoordinate";
+                default -> "Coordinate";
+              });
+      case "controlPoint" -> random("Coordinate");
+      case "geoOrigin" -> random("GeoOrigin");
+      case "crossSectionCurve", "profileCurve" ->
+          random(random.nextBoolean() ? "NurbsCurve2D" : "ContourPolyline2D");
+      case "trajectoryCurve" ->
+          random(parent.type().name().equals("NurbsSweptSurface") ? "NurbsCurve" : "NurbsCurve2D");
+      case "trimmingContour" -> List.of(random("Contour2D"), random("Contour2D"));
+      case "children" -> List.of(random("NurbsCurve2D"), random("ContourPolyline2D"));
       case "color" -> random.nextInt(3) == 0 ? random("ColorRGBA") : random("Color");
       case "normal" -> random("Normal");
       case "texCoord" -> random("TextureCoordinate");
@@ -97,7 +129,7 @@ class FuzzTest extends GeometryTest {
         for (int i = 0; i < length; i++) {
           doubles[i] = number();
         }
-        return doubles;
+        return many || components > 1 ? doubles : (Object) Double.valueOf(doubles[0]);
       case STRING:
         String[] strings = new String[length];
         for (int i = 0; i < length; i++) {

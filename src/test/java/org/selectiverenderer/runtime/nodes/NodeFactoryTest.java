@@ -42,14 +42,9 @@ class NodeFactoryTest {
             CubeMapTexturing: GeneratedCubeMapTexture
             DIS: all
             EnvironmentalEffects: FogCoordinate
-            Geospatial: all
-            HAnim: all
-            Interpolation: SplinePositionInterpolator SplinePositionInterpolator2D \
-            SplineScalarInterpolator SquadOrientationInterpolator
             Layout: all
-            NURBS: all
+            NURBS: NurbsSet
             Networking: LoadSensor
-            ParticleSystems: all
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             RigidBodyPhysics: all
             Scripting: all

@@ -17,20 +17,20 @@ import org.selectiverenderer.runtime.scene.Rotations;
  * The interpolators along splines. A node whose keys or control points give no curve sends nothing;
  * outside the keys the first or last value is sent.
  */
-public final class Splines {
+public final class SplineInterpolators {
   public static final Map<String, NodeMaker> MAKERS = makers();
 
-  private Splines() {}
+  private SplineInterpolators() {}
 
   private static Map<String, NodeMaker> makers() {
     Map<String, NodeMaker> all = new HashMap<>();
     all.put("SplinePositionInterpolator", answering(spline(3)));
     all.put("SplinePositionInterpolator2D", answering(spline(2)));
     all.put("SplineScalarInterpolator", answering(spline(1)));
-    all.put("SquadOrientationInterpolator", answering(Splines::squad));
-    all.put("NurbsPositionInterpolator", answering(Splines::position));
-    all.put("NurbsOrientationInterpolator", answering(Splines::orientation));
-    all.put("NurbsSurfaceInterpolator", answering(Splines::surface));
+    all.put("SquadOrientationInterpolator", answering(SplineInterpolators::squad));
+    all.put("NurbsPositionInterpolator", answering(SplineInterpolators::position));
+    all.put("NurbsOrientationInterpolator", answering(SplineInterpolators::orientation));
+    all.put("NurbsSurfaceInterpolator", answering(SplineInterpolators::surface));
     return Map.copyOf(all);
   }
 
