@@ -11,8 +11,8 @@
  * read this one tree.
  *
  * <p>A LocalFog or ClipPlane is an {@link org.selectiverenderer.runtime.instance.EffectInstance};
- * the {@link org.selectiverenderer.runtime.instance.Surroundings} of a shape are those whose scope it
- * is in. How its lines, points and areas are drawn is its {@link
+ * the {@link org.selectiverenderer.runtime.instance.Surroundings} of a shape are those whose scope
+ * it is in. How its lines, points and areas are drawn is its {@link
  * org.selectiverenderer.runtime.instance.Stroke}.
  *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
