@@ -84,7 +84,7 @@ public final class World {
     LiveFiles live = new LiveFiles(loaded, problems, this::post);
     files = live;
     AnchorLinks links = new AnchorLinks(scene, files, problems, linkTarget(live));
-    if (layers != null) {
+    if (layers != null) { // Not for the first scene.
       layers.close();
     }
     layers =

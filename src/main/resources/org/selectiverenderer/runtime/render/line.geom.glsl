@@ -22,6 +22,10 @@ out vec4 vertexColor;
 in vec3 fogPlace_[];
 out vec3 fogPlace;
 #endif
+#ifdef PLANES
+in vec3 cutPlace_[];
+#include clip.glsl
+#endif
 #ifdef PATTERN
 in float along_[];
 noperspective out float pattern;
@@ -48,10 +52,7 @@ void corner(float part, vec4 place, vec2 beside) {
   fogPlace = mix(fogPlace_[0], fogPlace_[1], part);
 #endif
 #ifdef PLANES
-  for (int i = 0; i < PLANES; i++) {
-    gl_ClipDistance[i] =
-        mix(gl_in[0].gl_ClipDistance[i], gl_in[1].gl_ClipDistance[i], part);
-  }
+  cutOff(mix(cutPlace_[0], cutPlace_[1], part));
 #endif
 }
 

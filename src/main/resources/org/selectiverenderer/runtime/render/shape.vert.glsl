@@ -46,7 +46,9 @@ uniform vec4 stroke[2];
 #ifdef FOG
 out vec3 fogPlace;
 #endif
-#ifdef PLANES
+#if defined(PLANES) && defined(LINES)
+out vec3 cutPlace;  // Lines are cut where their rectangles are made.
+#elif defined(PLANES)
 #include clip.glsl
 #endif
 #ifdef PATTERN
@@ -87,7 +89,9 @@ void main() {
 #ifdef FOG
   fogPlace = seenAt;
 #endif
-#ifdef PLANES
+#if defined(PLANES) && defined(LINES)
+  cutPlace = seenAt;
+#elif defined(PLANES)
   cutOff(seenAt);
 #endif
 #ifdef PATTERN

@@ -323,8 +323,7 @@ class InstanceTreeTest {
     assertThat(backdrop.groundColor()).containsExactly(0, 0, 1);
     assertThat(backdrop.groundAngle()).isEmpty();
     assertThat(
-            reader.read(
-                nodes.node("TextureBackground", "skyColor", new float[0]), new Matrix4d()))
+            reader.read(nodes.node("TextureBackground", "skyColor", new float[0]), new Matrix4d()))
         .extracting(Backdrop::plain)
         .isEqualTo(true);
   }

@@ -27,8 +27,7 @@ class LineLengthsTest {
     Mesh measured = LineLengths.measure(lines);
     assertThat(measured.texCoords()).containsExactly(0, 0, 3, 0, 7, 0, 0, 0, 2, 0);
     assertThat(measured.indices()).containsExactly(0, 1, 1, 2, 3, 4);
-    assertThat(measured.positions())
-        .containsExactly(0, 0, 0, 3, 0, 0, 3, 4, 0, 3, 0, 2, 3, 0, 0);
+    assertThat(measured.positions()).containsExactly(0, 0, 0, 3, 0, 0, 3, 4, 0, 3, 0, 2, 3, 0, 0);
   }
 
   @Test

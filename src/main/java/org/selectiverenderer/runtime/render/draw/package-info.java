@@ -19,9 +19,9 @@
  *
  * <p>Lines, hatches, fog and planes that cut are a {@link
  * org.selectiverenderer.runtime.render.gpu.Scenery}: what a program does beside colour and light. A
- * shape's stroke and surroundings are part of its look; which fog is bound is known only when an eye
- * looks, so {@code EyeScenery} decides then. Programs of scenes without any have nothing of it in
- * their texts, and no number is sent for it.
+ * shape's stroke and surroundings are part of its look; which fog is bound is known only when an
+ * eye looks, so {@code EyeScenery} decides then. Programs of scenes without any have nothing of it
+ * in their texts, and no number is sent for it.
  *
  * <p>What is new and not shown may wait ({@link
  * org.selectiverenderer.runtime.render.draw.SceneRenderer#follow}): it is made ready a few shapes

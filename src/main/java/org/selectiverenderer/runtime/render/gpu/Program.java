@@ -23,7 +23,7 @@ public final class Program {
 
   /** Names of what passes through a geometry shader, which no name may do unchanged. */
   private static final String HANDED_ON =
-      Stream.of("eyeNormal", "eyePosition", "vertexColor", "fogPlace", "along")
+      Stream.of("eyeNormal", "eyePosition", "vertexColor", "fogPlace", "cutPlace", "along")
           .map(name -> "#define %s %s_\n".formatted(name, name))
           .collect(Collectors.joining());
 
