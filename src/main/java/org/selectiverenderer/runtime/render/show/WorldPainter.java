@@ -9,8 +9,8 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.EyeView;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Drawn;
-import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.draw.Visible;
@@ -24,10 +24,10 @@ final class WorldPainter {
   private final SceneRenderer renderer;
   private final SketchPainter sketch = new SketchPainter(new TextMesher());
   private final ViewLayout layout;
-  private final Style style;
+  private final DrawStyle style;
   private Drawn drawn = new Drawn(0, 0);
 
-  WorldPainter(ViewLayout layout, Style style) {
+  WorldPainter(ViewLayout layout, DrawStyle style) {
     this.layout = layout;
     this.style = style;
     renderer = new SceneRenderer(2, style.shading());
