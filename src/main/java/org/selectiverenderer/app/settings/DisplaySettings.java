@@ -6,8 +6,8 @@ import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Shading;
-import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
 /**
@@ -28,7 +28,7 @@ public record DisplaySettings(
     int height,
     boolean sized,
     OptionalInt samples,
-    Style style,
+    DrawStyle style,
     boolean operator,
     Optional<Monitor> operatorMonitor) {
   /** A window on a desk. */
@@ -47,7 +47,7 @@ public record DisplaySettings(
         presentation.height(),
         false,
         OptionalInt.empty(),
-        Style.of(Shading.AUTO),
+        DrawStyle.of(Shading.AUTO),
         false,
         Optional.empty());
   }
@@ -70,7 +70,7 @@ public record DisplaySettings(
   }
 
   /** Drawn in another way. */
-  public DisplaySettings style(Style wanted) {
+  public DisplaySettings style(DrawStyle wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, samples, wanted, operator, operatorMonitor);
   }

@@ -11,8 +11,8 @@ import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Shading;
-import org.selectiverenderer.runtime.render.Style;
 import picocli.CommandLine.Option;
 
 /** The options that say from where a scene is seen, and how it is drawn. */
@@ -75,8 +75,8 @@ final class ViewOptions {
     return list;
   }
 
-  Style style() {
-    return new Style(
+  DrawStyle style() {
+    return new DrawStyle(
         Shading.valueOf(shading.name().toUpperCase(Locale.ROOT)),
         Optional.ofNullable(headlight).map(Switched.on::equals),
         wireframe);

@@ -9,7 +9,7 @@ import java.util.Deque;
  * gone in {@code duration} seconds, slowly at both ends as half a wave of a cosine; the value is
  * the sum of the ways so far. So a new destination blends with what is under way.
  */
-final class ChaserResponse implements Response {
+final class ChaserResponse implements FollowerResponse {
   /** Ways under way at most; earlier ones are gone at once, so that no sender fills the memory. */
   private static final int MOST = 1024;
 

@@ -8,7 +8,7 @@ import java.util.function.DoubleSupplier;
  * of which gets nearer to what the one before it gives by the factor e in {@code tau} seconds. It
  * arrives when all are within the tolerance.
  */
-final class DamperResponse implements Response {
+final class DamperResponse implements FollowerResponse {
   /** Share of the way that is left when it counts as gone, where the author does not say. */
   private static final double NEAR = 1e-4;
 

@@ -26,7 +26,7 @@ abstract class FollowerNode extends Node implements Sleeper {
   private final boolean scalar;
   private @Nullable Object goal;
   private double[] destination = {};
-  private @Nullable Response response;
+  private @Nullable FollowerResponse response;
   private @Nullable Runnable wake;
   private double since = Double.NaN;
 
@@ -44,7 +44,7 @@ abstract class FollowerNode extends Node implements Sleeper {
   }
 
   /** The way in which the value gets to its destination; asked for once. */
-  abstract Response respond();
+  abstract FollowerResponse respond();
 
   /** Whether it gets there in no time, as the fields say now. */
   abstract boolean immediate();
@@ -65,8 +65,8 @@ abstract class FollowerNode extends Node implements Sleeper {
   }
 
   /** Follows the fields with which it was made. */
-  private Response begun(Cascade cascade) {
-    Response known = response;
+  private FollowerResponse begun(Cascade cascade) {
+    FollowerResponse known = response;
     if (known == null) {
       double[] initial = space.read(value(initialValue));
       goal = value(initialDestination);
@@ -79,7 +79,7 @@ abstract class FollowerNode extends Node implements Sleeper {
     return known;
   }
 
-  private void aim(Response known, Cascade cascade) {
+  private void aim(FollowerResponse known, Cascade cascade) {
     boolean other = known.value().length != destination.length;
     known.aim(destination, cascade.time());
     if (known.arrived() || immediate()) {
@@ -98,7 +98,7 @@ abstract class FollowerNode extends Node implements Sleeper {
    *
    * @param changed whether it was elsewhere
    */
-  private void settle(Response known, boolean changed, Cascade cascade) {
+  private void settle(FollowerResponse known, boolean changed, Cascade cascade) {
     known.start(destination);
     if (changed) {
       emit(valueChanged, goal, cascade);
@@ -110,7 +110,7 @@ abstract class FollowerNode extends Node implements Sleeper {
 
   @Override
   public final void frame(Frame frame, Cascade cascade) {
-    Response known = begun(cascade);
+    FollowerResponse known = begun(cascade);
     if (active() && frame.time() > since) {
       known.advance(frame.time());
       boolean arrived = known.arrived();
@@ -124,12 +124,12 @@ abstract class FollowerNode extends Node implements Sleeper {
   @Override
   protected final void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     if (field.index() == setDestination && value != null) {
-      Response known = begun(cascade);
+      FollowerResponse known = begun(cascade);
       goal = value;
       destination = space.read(value);
       aim(known, cascade);
     } else if (field.index() == setValue && value != null) {
-      Response known = begun(cascade);
+      FollowerResponse known = begun(cascade);
       known.start(space.read(value));
       emit(valueChanged, value, cascade);
       aim(known, cascade);

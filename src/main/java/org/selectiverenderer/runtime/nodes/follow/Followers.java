@@ -48,7 +48,7 @@ public final class Followers {
     }
 
     @Override
-    Response respond() {
+    FollowerResponse respond() {
       return new ChaserResponse(space, (Double) value(duration));
     }
 
@@ -71,7 +71,7 @@ public final class Followers {
     }
 
     @Override
-    Response respond() {
+    FollowerResponse respond() {
       int filters = Math.max(1, Math.min(MOST_FILTERS, (Integer) value(order)));
       return new DamperResponse(
           space, filters, () -> (Double) value(tau), () -> (Float) value(tolerance));

@@ -13,7 +13,7 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.LayerCamera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.render.Style;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.draw.Setting;
@@ -27,7 +27,7 @@ import org.selectiverenderer.runtime.render.draw.Visible;
 final class LayersPainter {
   private final SceneRenderer main;
   private final Supplier<SceneRenderer> maker;
-  private final Style style;
+  private final DrawStyle style;
   private final Map<InstanceTree, SceneRenderer> others = new IdentityHashMap<>();
   private final List<Drawing> drawings = new ArrayList<>();
   private List<Camera> views = List.of();
@@ -35,7 +35,7 @@ final class LayersPainter {
   private record Drawing(
       SceneRenderer renderer, Setting setting, List<Camera> cameras, Visible seen) {}
 
-  LayersPainter(SceneRenderer main, Supplier<SceneRenderer> maker, Style style) {
+  LayersPainter(SceneRenderer main, Supplier<SceneRenderer> maker, DrawStyle style) {
     this.main = main;
     this.maker = maker;
     this.style = style;

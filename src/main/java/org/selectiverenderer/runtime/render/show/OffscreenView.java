@@ -4,9 +4,9 @@ import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.Shading;
-import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
@@ -31,7 +31,7 @@ public final class OffscreenView implements AutoCloseable {
   private long previousTriangles;
 
   private OffscreenView(
-      OffscreenContext context, OffscreenTarget target, ViewLayout layout, Style style) {
+      OffscreenContext context, OffscreenTarget target, ViewLayout layout, DrawStyle style) {
     this.context = context;
     this.target = target;
     painter = new WorldPainter(layout, style);
@@ -48,12 +48,12 @@ public final class OffscreenView implements AutoCloseable {
    */
   public static OffscreenView open(
       int width, int height, int samples, ViewLayout layout, Shading shading) {
-    return open(width, height, samples, layout, Style.of(shading));
+    return open(width, height, samples, layout, DrawStyle.of(shading));
   }
 
   /** The same, drawn in another way than the scene says. */
   public static OffscreenView open(
-      int width, int height, int samples, ViewLayout layout, Style style) {
+      int width, int height, int samples, ViewLayout layout, DrawStyle style) {
     OffscreenContext context = OffscreenContext.open();
     try {
       return new OffscreenView(

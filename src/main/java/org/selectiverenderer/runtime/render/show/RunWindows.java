@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.render.show;
 
 import java.util.Optional;
 import org.selectiverenderer.runtime.camera.ViewLayout;
-import org.selectiverenderer.runtime.render.Style;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
 
 /**
@@ -17,6 +17,6 @@ import org.selectiverenderer.runtime.render.window.WindowOptions;
 public record RunWindows(
     WindowOptions main,
     ViewLayout layout,
-    Style style,
+    DrawStyle style,
     Optional<WindowOptions> rightEye,
     Optional<WindowOptions> operator) {}

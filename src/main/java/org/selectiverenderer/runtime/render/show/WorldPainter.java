@@ -10,8 +10,8 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.EyeView;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Drawn;
-import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.VisibleRange;
 import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.sketch.SketchPainter;
@@ -30,7 +30,7 @@ final class WorldPainter {
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
-  WorldPainter(ViewLayout layout, Style style) {
+  WorldPainter(ViewLayout layout, DrawStyle style) {
     this.layout = layout;
     Supplier<SceneRenderer> renderers =
         () -> {

@@ -10,9 +10,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.Shading;
-import org.selectiverenderer.runtime.render.Style;
 import org.selectiverenderer.runtime.render.TestScene;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
@@ -86,7 +86,7 @@ class WorldWindowTest {
             new RunWindows(
                 new WindowOptions("versions", 100, 80, 0, false),
                 ViewLayout.MONO,
-                Style.of(Shading.AUTO),
+                DrawStyle.of(Shading.AUTO),
                 Optional.empty(),
                 Optional.empty()),
             host);

@@ -9,9 +9,9 @@ import java.util.Optional;
  * @param headlight whether the viewer carries a light; empty for what the bound NavigationInfo says
  * @param wireframe whether only the edges of polygons are drawn, also of those behind others
  */
-public record Style(Shading shading, Optional<Boolean> headlight, boolean wireframe) {
+public record DrawStyle(Shading shading, Optional<Boolean> headlight, boolean wireframe) {
   /** As the scene says. */
-  public static Style of(Shading shading) {
-    return new Style(shading, Optional.empty(), false);
+  public static DrawStyle of(Shading shading) {
+    return new DrawStyle(shading, Optional.empty(), false);
   }
 }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.nodes.follow;
 
 /** How a value gets to its destination. Times are in seconds and never go back. */
-interface Response {
+interface FollowerResponse {
   /** Is at a value and rests there. */
   void start(double[] value);
 
