@@ -109,9 +109,19 @@ public final class SaiRunner implements AutoCloseable {
         throw notStarted(
             "the system property " + FACTORY + " names its factory, but is not set", e);
       }
-      throw notStarted(e.toString(), e);
+      throw notStarted(whyNoFactory().map(Throwable::toString).orElse(e.toString()), e);
     } catch (LinkageError e) { // a jar or a library of the browser is missing or does not fit
       throw notStarted(innermost(e).toString(), e);
+    }
+  }
+
+  /** Xj3D keeps to itself why it has no factory: here it is made once more to find out. */
+  private static Optional<Throwable> whyNoFactory() {
+    try {
+      Class.forName(System.getProperty(FACTORY)).getDeclaredConstructor().newInstance();
+      return Optional.empty();
+    } catch (ReflectiveOperationException | RuntimeException | LinkageError e) {
+      return Optional.of(innermost(e));
     }
   }
 

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.render;
 
 import com.jogamp.opengl.GLException;
-import com.jogamp.opengl.GLProfile;
+import org.selectiverenderer.runtime.render.context.GlProfiles;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
 /** How many samples per pixel smooth the edges where nobody asked for a number. */
@@ -19,7 +19,7 @@ public final class AntiAliasing {
    */
   public static int forMotion() {
     try {
-      return GLProfile.get(GLProfile.GL3).isHardwareRasterizer() ? SMOOTH : 0;
+      return GlProfiles.core().isHardwareRasterizer() ? SMOOTH : 0;
     } catch (GLException | LinkageError e) {
       throw new GlUnavailableException(
           "OpenGL 3.3 cannot be used on this display: " + e.getMessage(), e);

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.render.context;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -14,16 +15,30 @@ import java.util.regex.Pattern;
  */
 public final class GlAvailability {
   private static final Pattern LOCAL_DISPLAY = Pattern.compile("(?:unix)?:(\\d+)(?:\\.\\d+)?");
+  private static final Duration PATIENCE = Duration.ofSeconds(5);
   private static final Path X_SOCKETS = Path.of("/tmp/.X11-unix");
 
   private GlAvailability() {}
 
-  /** Why nothing can be drawn on this machine, as one sentence; empty if it can be tried. */
+  /**
+   * Why nothing can be drawn on this machine, as one sentence; empty if it can be tried. An X
+   * server that does not answer yet is given some seconds.
+   */
   public static Optional<String> check() {
-    return check(System.getenv(), System.getProperty("os.name", ""), X_SOCKETS);
+    return check(PATIENCE);
   }
 
-  static Optional<String> check(Map<String, String> environment, String system, Path sockets) {
+  /** The same without waiting. */
+  static Optional<String> checkNow() {
+    return check(Duration.ZERO);
+  }
+
+  private static Optional<String> check(Duration patience) {
+    return check(System.getenv(), System.getProperty("os.name", ""), X_SOCKETS, patience);
+  }
+
+  static Optional<String> check(
+      Map<String, String> environment, String system, Path sockets, Duration patience) {
     String name = system.toLowerCase(Locale.ROOT);
     if (name.contains("windows") || name.contains("mac")) {
       return Optional.empty();
@@ -36,8 +51,11 @@ public final class GlAvailability {
     Matcher local = LOCAL_DISPLAY.matcher(display);
     if (local.matches()
         && Files.isDirectory(sockets)
-        && !Files.exists(sockets.resolve("X" + local.group(1)))) {
-      return Optional.of("no X server answers at the display " + display + ", which DISPLAY names");
+        && !XServer.answers(sockets.resolve("X" + local.group(1)), patience)) {
+      return Optional.of(
+          ("no X server answers at the display %s, which DISPLAY names: it is not there, has not begun "
+                  + "or has gone; start one, or set DISPLAY to one that runs")
+              .formatted(display));
     }
     return Optional.empty();
   }

@@ -25,7 +25,7 @@ public final class GlStart {
    * @param wanted whether anything will be drawn
    */
   public static GlStart begin(boolean wanted) {
-    if (!wanted || GlAvailability.check().isPresent()) {
+    if (!wanted || GlAvailability.checkNow().isPresent()) {
       return new GlStart(Optional.empty());
     }
     FutureTask<Boolean> task = new FutureTask<>(GlStart::start);

@@ -34,7 +34,7 @@ public final class OffscreenContext implements AutoCloseable {
               throw new GlUnavailableException(reason);
             });
     try {
-      GLProfile profile = GLProfile.get(GLProfile.GL3);
+      GLProfile profile = GlProfiles.core();
       GLDrawableFactory factory = GLDrawableFactory.getFactory(profile);
       GLAutoDrawable drawable =
           factory.createDummyAutoDrawable(null, true, new GLCapabilities(profile), null);

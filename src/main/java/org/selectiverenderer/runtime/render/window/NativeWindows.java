@@ -10,7 +10,7 @@ import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLContext;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
-import com.jogamp.opengl.GLProfile;
+import org.selectiverenderer.runtime.render.context.GlProfiles;
 
 /** Opens windows that the calling thread draws. */
 final class NativeWindows {
@@ -18,7 +18,7 @@ final class NativeWindows {
 
   /** What a window of these options asks of the driver. */
   static GLCapabilities capabilities(WindowOptions options) {
-    GLCapabilities wanted = new GLCapabilities(GLProfile.get(GLProfile.GL3));
+    GLCapabilities wanted = new GLCapabilities(GlProfiles.core());
     wanted.setDepthBits(24);
     wanted.setStereo(options.quadBuffered());
     if (options.samples() > 1) {

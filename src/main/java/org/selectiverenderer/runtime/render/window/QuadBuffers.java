@@ -4,6 +4,7 @@ import com.jogamp.opengl.GLCapabilitiesImmutable;
 import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
+import org.selectiverenderer.runtime.render.context.GlProfiles;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
 /** Whether windows have a left and a right buffer each. */
@@ -17,7 +18,7 @@ public final class QuadBuffers {
    */
   public static boolean available() {
     try {
-      GLProfile profile = GLProfile.get(GLProfile.GL3);
+      GLProfile profile = GlProfiles.core();
       return GLDrawableFactory.getFactory(profile).getAvailableCapabilities(null).stream()
           .anyMatch(GLCapabilitiesImmutable::getStereo);
     } catch (GLException | LinkageError e) {

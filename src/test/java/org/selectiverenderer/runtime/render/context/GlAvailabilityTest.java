@@ -3,38 +3,76 @@ package org.selectiverenderer.runtime.render.context;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class GlAvailabilityTest {
+  private static final Duration ONCE = Duration.ZERO;
   @TempDir Path sockets;
 
   @Test
   void withoutDisplayLinuxSaysWhatToDo() {
-    assertThat(GlAvailability.check(Map.of(), "Linux", sockets))
+    assertThat(GlAvailability.check(Map.of(), "Linux", sockets, ONCE))
         .hasValueSatisfying(reason -> assertThat(reason).contains("DISPLAY", "xvfb-run"));
   }
 
   @Test
-  void aLocalDisplayNeedsItsSocket() throws IOException {
+  void aServerThatNobodyRunsIsNamed() throws IOException {
     Map<String, String> environment = Map.of("DISPLAY", ":5.0");
-    assertThat(GlAvailability.check(environment, "Linux", sockets))
-        .hasValueSatisfying(reason -> assertThat(reason).contains(":5.0"));
-    Files.createFile(sockets.resolve("X5"));
-    assertThat(GlAvailability.check(environment, "Linux", sockets)).isEmpty();
+    assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE))
+        .hasValueSatisfying(reason -> assertThat(reason).contains(":5.0", "has gone"));
+    Files.createFile(sockets.resolve("X5")); // What a server that was killed may leave behind.
+    assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE)).isPresent();
+  }
+
+  @Test
+  void aServerThatDoesNotAnswerYetIsWaitedFor() throws Exception {
+    Map<String, String> environment = Map.of("DISPLAY", ":5.0");
+    try (ServerSocketChannel server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
+      server.bind(UnixDomainSocketAddress.of(sockets.resolve("X5")));
+      AtomicInteger greetings = new AtomicInteger();
+      Thread late = new Thread(() -> answerTheSecond(server, greetings), "late-server");
+      late.start();
+      assertThat(GlAvailability.check(environment, "Linux", sockets, Duration.ofSeconds(30)))
+          .isEmpty();
+      late.join();
+      assertThat(greetings).hasValue(2);
+    }
+  }
+
+  private static void answerTheSecond(ServerSocketChannel server, AtomicInteger greetings) {
+    try {
+      server.accept().close();
+      greetings.incrementAndGet();
+      try (SocketChannel client = server.accept()) {
+        client.read(ByteBuffer.allocate(12));
+        greetings.incrementAndGet();
+        client.write(ByteBuffer.wrap(new byte[] {1}));
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Test
   void aDisplayElsewhereIsTried() {
-    assertThat(GlAvailability.check(Map.of("DISPLAY", "host:0"), "Linux", sockets)).isEmpty();
+    assertThat(GlAvailability.check(Map.of("DISPLAY", "host:0"), "Linux", sockets, ONCE)).isEmpty();
   }
 
   @Test
   void otherSystemsNeedNoDisplay() {
-    assertThat(GlAvailability.check(Map.of(), "Windows 11", sockets)).isEmpty();
-    assertThat(GlAvailability.check(Map.of(), "Mac OS X", sockets)).isEmpty();
+    assertThat(GlAvailability.check(Map.of(), "Windows 11", sockets, ONCE)).isEmpty();
+    assertThat(GlAvailability.check(Map.of(), "Mac OS X", sockets, ONCE)).isEmpty();
   }
 }
