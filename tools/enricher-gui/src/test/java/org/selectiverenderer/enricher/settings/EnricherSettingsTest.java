@@ -3,11 +3,13 @@ package org.selectiverenderer.enricher.settings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.x3d.files.HostPattern;
 
 class EnricherSettingsTest {
   @TempDir Path folder;
@@ -35,5 +37,19 @@ class EnricherSettingsTest {
         .isInstanceOf(IOException.class)
         .hasMessageContaining("defaults are used");
     assertThat(settings.number("split.tree", 7)).isEqualTo(7);
+  }
+
+  @Test
+  void foldersAndHostsThatScenesMayNameAreSettings() {
+    EnricherSettings settings = new EnricherSettings(folder);
+    assertThat(settings.access().folders()).isEmpty();
+    settings.put("allow", "models" + File.pathSeparator + " other");
+    settings.put("allow-net", "example.org, *.example.com");
+    assertThat(settings.access().folders()).containsExactly(Path.of("models"), Path.of("other"));
+    assertThat(settings.access().network().hosts())
+        .extracting(HostPattern::text)
+        .containsExactly("example.org", "*.example.com");
+    settings.put("allow-net", "https://example.org");
+    assertThatThrownBy(settings::access).hasMessageContaining("is no host");
   }
 }
