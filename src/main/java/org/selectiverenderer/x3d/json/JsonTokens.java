@@ -63,7 +63,8 @@ final class JsonTokens implements AutoCloseable {
 
   /** Without the parser's list of all that would be right. */
   private static String sentence(JsonProcessingException e) {
-    return JsonTree.sentence(e).replaceFirst(": was expecting \\(JSON.*", "");
+    return JsonTree.sentence(e)
+        .replaceFirst(": (was expecting|expected a valid value) \\(JSON.*", "");
   }
 
   /** Looks that nothing follows. */
