@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.files.Content;
 
 class DdsImageTest {
   private static final int RGB = 0x40;
@@ -36,7 +37,7 @@ class DdsImageTest {
   private Texture.Image decode(ByteBuffer file) throws IOException {
     Path path = folder.resolve("a.dds");
     Files.write(path, file.array());
-    return ImageDecoder.read(path, new AtomicLong(Long.MAX_VALUE));
+    return ImageDecoder.read(new Content.OfFile(path, path.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test

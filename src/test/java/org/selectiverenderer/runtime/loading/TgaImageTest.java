@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.x3d.files.Content;
 
 class TgaImageTest {
   @TempDir private Path folder;
@@ -32,7 +33,7 @@ class TgaImageTest {
     }
     Path path = folder.resolve("A.TGA");
     Files.write(path, file);
-    return ImageDecoder.read(path, new AtomicLong(Long.MAX_VALUE));
+    return ImageDecoder.read(new Content.OfFile(path, path.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test
