@@ -70,7 +70,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
      */
     private void element(String name, int at, String field) throws XmlFault {
       document.open(name, null, null, at, tokens.start() + 1);
-      if (!field.isEmpty() && !Statement.is(name)) {
+      if (!field.isEmpty() && !JsonStatement.is(name)) {
         document.container(field, at);
       }
       boolean node = catalogue.find(name).isPresent();

@@ -1,8 +1,8 @@
 package org.selectiverenderer.x3d.json;
 
 /** The elements that are in no field of a node, wherever they stand. */
-final class Statement {
-  private Statement() {}
+final class JsonStatement {
+  private JsonStatement() {}
 
   static boolean is(String element) {
     return switch (element) {
