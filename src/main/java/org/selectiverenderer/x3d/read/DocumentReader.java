@@ -65,8 +65,11 @@ final class DocumentReader implements NodeReader.Links {
           scene(in);
         }
         default -> {
-          reading.error(
-              in.location(), in.name() + " is outside of Scene; it and its children are left out");
+          if (!in.foreign()) {
+            reading.error(
+                in.location(),
+                in.name() + " is outside of Scene; it and its children are left out");
+          }
           in.skip();
         }
       }
@@ -94,13 +97,16 @@ final class DocumentReader implements NodeReader.Links {
           }
         }
         case "meta" -> meta.add(new X3dFile.Meta(text(in, "name"), text(in, "content")));
-        default ->
+        default -> {
+          if (!in.foreign()) {
             reading.warning(
                 in.location(),
                 in.name()
                     + " is not allowed in the head"
                     + reading.question(in.name(), List.of("component", "meta", "unit"))
                     + "; it is left out");
+          }
+        }
       }
       in.skip();
     }

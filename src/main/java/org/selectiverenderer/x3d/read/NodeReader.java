@@ -80,12 +80,14 @@ final class NodeReader {
           if (type != null) {
             return node(in, scope, type, name);
           }
-          reading.error(
-              in.location(),
-              "unknown element "
-                  + in.name()
-                  + reading.question(in.name(), reading.catalogue.names())
-                  + "; it and its children are left out");
+          if (!in.foreign()) {
+            reading.error(
+                in.location(),
+                "unknown element "
+                    + in.name()
+                    + reading.question(in.name(), reading.catalogue.names())
+                    + "; it and its children are left out");
+          }
           in.skip();
         }
       }
