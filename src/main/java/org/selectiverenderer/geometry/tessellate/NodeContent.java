@@ -36,7 +36,8 @@ public final class NodeContent {
           "HAnimSegment",
           "HAnimSite",
           "GeoLocation",
-          "GeoTransform");
+          "GeoTransform",
+          "Layer");
 
   private NodeContent() {}
 
