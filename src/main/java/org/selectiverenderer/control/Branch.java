@@ -1,8 +1,6 @@
 package org.selectiverenderer.control;
 
-import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.web3d.x3d.sai.X3DNode;
 
 /** What leads from a node to others, and is followed as it changes. */
@@ -48,15 +46,4 @@ abstract class Branch {
 
   /** Ends the following. */
   abstract void close();
-
-  /** The nodes of an array without its gaps. */
-  static List<X3DNode> present(@Nullable X3DNode[] nodes) {
-    List<X3DNode> found = new ArrayList<>(nodes.length);
-    for (X3DNode node : nodes) {
-      if (node != null) {
-        found.add(node);
-      }
-    }
-    return List.copyOf(found);
-  }
 }

@@ -30,10 +30,9 @@ final class FieldBranch extends Branch {
     if (field instanceof MFNode nodes) {
       X3DNode[] array = new X3DNode[nodes.getSize()];
       nodes.getValue(array);
-      return present(array);
+      return scope.opened(array);
     }
-    X3DNode node = ((SFNode) field).getValue();
-    return node == null ? List.of() : List.of(node);
+    return scope.opened(new X3DNode[] {((SFNode) field).getValue()});
   }
 
   @Override

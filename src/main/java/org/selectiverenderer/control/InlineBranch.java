@@ -52,7 +52,7 @@ final class InlineBranch extends Branch {
         return List.of();
       }
     } // Else it is looked at again since it has other nodes at its top than its file.
-    return present(content.get().getRootNodes());
+    return inner.opened(content.get().getRootNodes());
   }
 
   @Override

@@ -61,7 +61,7 @@ final class NodeNames {
     Map<X3DNode, String> defs = new HashMap<>();
     for (SceneScope scope : scopes) {
       for (String name : scope.scene().getNamedNodes()) {
-        X3DNode node = scope.scene().getNamedNode(name);
+        X3DNode node = scope.named(name);
         if (unnamed.containsKey(node)) {
           defs.put(node, name.strip());
         }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.control.ControlProblem.Severity;
 import org.selectiverenderer.control.SceneWatch.Found;
@@ -38,10 +39,12 @@ final class SceneControl implements ControlledArea.Listener {
 
   /**
    * @param inlined opens the Inlines, or null where they stay closed
+   * @param bodies opens instances of prototypes, and leaves other nodes as they are
    */
   SceneControl(
       X3DExecutionContext scene,
       @Nullable InlinedScenes inlined,
+      UnaryOperator<X3DNode> bodies,
       Settings settings,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
@@ -49,7 +52,8 @@ final class SceneControl implements ControlledArea.Listener {
     this.events = events;
     this.problems = problems;
     this.inlined = inlined;
-    this.walk = new SceneWatch(scene, inlined, Set.of("Switch", "ProximitySensor"), this::changed);
+    this.walk = new SceneWatch(
+            scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), this::changed);
   }
 
   /** Reads the scene, sets what the condition sets, and says so. */

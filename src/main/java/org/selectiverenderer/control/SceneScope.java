@@ -1,5 +1,8 @@
 package org.selectiverenderer.control;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
@@ -7,19 +10,29 @@ import org.web3d.x3d.sai.X3DNode;
 /** A scene within which DEF names are unique: the one that the browser shows, or an Inline's. */
 final class SceneScope {
   private final X3DExecutionContext scene;
+  private final UnaryOperator<X3DNode> bodies;
   private final @Nullable SceneScope outer;
   private final @Nullable X3DNode inline;
   private final int number;
   private int inlines;
 
-  /** The scene that the browser shows. */
-  SceneScope(X3DExecutionContext scene) {
-    this(scene, null, null, 0);
+  /**
+   * The scene that the browser shows.
+   *
+   * @param bodies opens instances of prototypes, and leaves other nodes as they are
+   */
+  SceneScope(X3DExecutionContext scene, UnaryOperator<X3DNode> bodies) {
+    this(scene, bodies, null, null, 0);
   }
 
   private SceneScope(
-      X3DExecutionContext scene, @Nullable SceneScope outer, @Nullable X3DNode inline, int number) {
+      X3DExecutionContext scene,
+      UnaryOperator<X3DNode> bodies,
+      @Nullable SceneScope outer,
+      @Nullable X3DNode inline,
+      int number) {
     this.scene = scene;
+    this.bodies = bodies;
     this.outer = outer;
     this.inline = inline;
     this.number = number;
@@ -32,11 +45,27 @@ final class SceneScope {
 
   /** The scene in an Inline of this one. */
   SceneScope inner(X3DNode inlineHere, int itsNumber, X3DExecutionContext content) {
-    return new SceneScope(content, this, inlineHere, itsNumber);
+    return new SceneScope(content, bodies, this, inlineHere, itsNumber);
   }
 
   X3DExecutionContext scene() {
     return scene;
+  }
+
+  /** The nodes of an array without its gaps, instances of prototypes opened. */
+  List<X3DNode> opened(@Nullable X3DNode[] nodes) {
+    List<X3DNode> found = new ArrayList<>(nodes.length);
+    for (X3DNode node : nodes) {
+      if (node != null) {
+        found.add(bodies.apply(node));
+      }
+    }
+    return List.copyOf(found);
+  }
+
+  /** The node that has a DEF name. */
+  X3DNode named(String name) {
+    return bodies.apply(scene.getNamedNode(name));
   }
 
   /** Whether it is in no Inline. */
@@ -54,7 +83,7 @@ final class SceneScope {
     }
     String name = "Inline#" + number;
     for (String candidate : outer.scene.getNamedNodes()) {
-      if (inline.equals(outer.scene.getNamedNode(candidate))) {
+      if (inline.equals(outer.named(candidate))) {
         name = candidate.strip();
       }
     }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlinedScenes;
 import org.web3d.x3d.sai.X3DAppearanceChildNode;
@@ -66,13 +67,15 @@ final class SceneWatch {
    *
    * @param wanted names of node types
    * @param inlined opens the Inlines, or null where they stay closed
+   * @param bodies opens instances of prototypes, and leaves other nodes as they are
    */
   SceneWatch(
       X3DExecutionContext scene,
       @Nullable InlinedScenes inlined,
+      UnaryOperator<X3DNode> bodies,
       Set<String> wanted,
       Listener listener) {
-    this.main = new SceneScope(scene);
+    this.main = new SceneScope(scene, bodies);
     this.inlined = inlined;
     this.wanted = wanted;
     this.listener = listener;
@@ -85,7 +88,7 @@ final class SceneWatch {
    */
   void rescan(double time) {
     List<X3DNode> before = roots;
-    roots = List.of(main.scene().getRootNodes());
+    roots = main.opened(main.scene().getRootNodes());
     replace(main, before, roots, time);
   }
 

@@ -3,12 +3,15 @@ package org.selectiverenderer.control;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlinedScenes;
+import org.selectiverenderer.sai.InstanceBodies;
 import org.selectiverenderer.schema.Activation;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.X3DNode;
 
 /**
  * Renders the scene of a browser selectively: listens to its ProximitySensors and sets {@code
@@ -18,7 +21,7 @@ import org.web3d.x3d.sai.ExternalBrowser;
  * once when control begins and followed from there: children and metadata that change, nodes that
  * come and go, and another world in place of this one. The scenes of Inlines are part of it where
  * the browser opens them ({@link InlinedScenes}), as if the files were one; the standard keeps them
- * closed, which is said then.
+ * closed, which is said then. So are the bodies of prototypes' instances ({@link InstanceBodies}).
  *
  * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
  * take effect later than it is made, and writes only what differs. What others write (a ROUTE, an
@@ -117,13 +120,17 @@ public final class SelectiveController implements AutoCloseable {
     detach();
     var context = browser.getExecutionContext();
     if (context != null) { // no world is shown yet
-      scene = new SceneControl(context, opener(), settings, events, problems);
+      scene = new SceneControl(context, opener(), bodies(), settings, events, problems);
       scene.start();
     }
   }
 
   private @Nullable InlinedScenes opener() {
     return browser instanceof InlinedScenes opening ? opening : null;
+  }
+
+  private UnaryOperator<X3DNode> bodies() {
+    return browser instanceof InstanceBodies opening ? opening::bodyOf : UnaryOperator.identity();
   }
 
   private void detach() {

@@ -228,6 +228,28 @@ class InlinedRoomsTest {
   }
 
   @Test
+  void objectsAndAreasBehindInterfacesAreControlledAndKeepTheirNames() {
+    String prototypes =
+        "<ProtoDeclare name='Object'><ProtoInterface>"
+            + "<field name='content' type='MFNode' accessType='inputOutput'/></ProtoInterface>"
+            + "<ProtoBody>"
+            + object("", "DeskSchema", "OfficeSchema")
+            + "</ProtoBody></ProtoDeclare>"
+            + "<ProtoDeclare name='Area'><ProtoBody>"
+            + area("DeskProx", 0, "DeskSchema", "OfficeSchema")
+            + "</ProtoBody></ProtoDeclare>";
+    try (var scene =
+        building(
+            prototypes
+                + "<ProtoInstance name='Area'/><Group><ProtoInstance name='Object' DEF='Lamp'/>"
+                + "</Group>")) {
+      scene.walkTo(AT_DESK);
+      assertThat(choices(scene).keySet()).containsExactly("Lamp");
+      assertThat(scene.controller.enteredAreas()).hasSize(1);
+    }
+  }
+
+  @Test
   void aBrowserThatKeepsInlinesClosedIsSaidOnce() {
     try (var scene = new RunningScene(dir, ONE + ONE.replace("Office", "Other"))) {
       List<ControlProblem> problems = new ArrayList<>();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DGroupingNode;
@@ -21,6 +22,7 @@ class SceneWatchTest {
         new SceneWatch(
             scene,
             null,
+            UnaryOperator.identity(),
             Set.of("Group", "Transform", "Switch", "Collision"),
             (added, gone, time) -> {
               added.forEach(one -> found.add(one.node()));

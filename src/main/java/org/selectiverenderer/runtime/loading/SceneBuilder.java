@@ -142,6 +142,7 @@ final class SceneBuilder {
           scene.addRoute(new Route(from.get(), route.fromField(), to.get(), route.toField()));
         }
       }
+      FaceBuilder.build(file.instances(), made);
       new ImportBuilder(scene, this::end).build(file);
       scene.imports().refresh(scene, LiveImports::content, content::error);
       return scene;

@@ -5,6 +5,7 @@ import java.lang.reflect.Proxy;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.web3d.x3d.sai.InvalidBrowserException;
 import org.web3d.x3d.sai.InvalidNodeException;
@@ -33,10 +34,6 @@ final class Binding {
     return values;
   }
 
-  NodeKind kind(Node node) {
-    return types.kind(node.type());
-  }
-
   Problems problems() {
     return world.problems();
   }
@@ -55,13 +52,21 @@ final class Binding {
     }
   }
 
-  /** The SAI object of a node, always the same; null for null. */
+  /**
+   * The SAI object of a node, always the same; of an instance of a prototype that of its interface.
+   * Null for null.
+   */
   @Nullable X3DNode wrap(@Nullable Node node) {
-    return node == null ? null : proxy(node, true).proxy();
+    return node == null ? null : proxy(InstanceFace.seen(node, null), true).proxy();
   }
 
-  /** The SAI object of a node. */
+  /** The same of a node. */
   X3DNode wrapped(Node node) {
+    return exactly(InstanceFace.seen(node, null));
+  }
+
+  /** The SAI object of a node itself, as it is within the body of a prototype. */
+  X3DNode exactly(Node node) {
     check();
     return proxy(node, true).proxy();
   }
@@ -82,13 +87,18 @@ final class Binding {
     }
   }
 
-  /** The node of an SAI object, which is in use from now on; null for null. */
+  /** The node of the scene of an SAI object, which is in use from now on; null for null. */
   @Nullable Node unwrap(@Nullable X3DNode node) {
-    return node == null ? null : unwrapped(node);
+    return node == null ? null : body(node);
+  }
+
+  /** The same of an object: of an instance, the first node of its body. */
+  Node body(X3DNode node) {
+    return InstanceFace.body(unwrapped(node));
   }
 
   /**
-   * The node of an SAI object, which is in use from now on.
+   * What an SAI object stands for, a node or an interface, which is in use from now on.
    *
    * @throws InvalidNodeException if it is of another browser or disposed of
    */

@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.sai.InlinedScenes;
+import org.selectiverenderer.sai.InstanceBodies;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ComponentInfo;
@@ -27,7 +28,7 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
 /** The embedded browser. Stepping its world is its owner's business. Thread-safe. */
-public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes {
+public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, InstanceBodies {
   /**
    * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
    */
@@ -101,6 +102,11 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes {
   }
 
   @Override
+  public X3DNode bodyOf(X3DNode node) {
+    return binding.exactly(binding.body(node));
+  }
+
+  @Override
   public boolean mayHold(X3DNode inline, Set<String> types) {
     Scene content = InlineWatch.shown(inlineOf(inline));
     return content != null
@@ -113,7 +119,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes {
   }
 
   private InlineNode inlineOf(X3DNode node) {
-    if (binding.unwrapped(node) instanceof InlineNode inline) {
+    if (binding.body(node) instanceof InlineNode inline) {
       return inline;
     }
     throw new InvalidNodeException(node.getNodeName() + " is no Inline");

@@ -8,7 +8,7 @@ import org.web3d.x3d.sai.X3DRoute;
 record EmbeddedRoute(Binding binding, Route route) implements X3DRoute {
   @Override
   public X3DNode getSourceNode() {
-    return binding.wrapped(route.from());
+    return binding.exactly(route.from());
   }
 
   @Override
@@ -18,7 +18,7 @@ record EmbeddedRoute(Binding binding, Route route) implements X3DRoute {
 
   @Override
   public X3DNode getDestinationNode() {
-    return binding.wrapped(route.to());
+    return binding.exactly(route.to());
   }
 
   @Override

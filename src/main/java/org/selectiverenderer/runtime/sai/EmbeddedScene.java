@@ -176,7 +176,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   @Override
   public void updateNamedNode(String name, X3DNode node) {
     check();
-    Node named = binding.unwrapped(node);
+    Node named = binding.body(node);
     write(
         () -> {
           if (scene.imported().containsKey(name)) {
@@ -212,7 +212,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   public void updateImportedNode(String exportedName, String name, X3DNode inline) {
     check();
     Node node =
-        Optional.of(binding.unwrapped(inline))
+        Optional.of(binding.body(inline))
             .filter(InlineNode.class::isInstance)
             .flatMap(candidate -> ((InlineNode) candidate).content())
             .flatMap(inner -> inner.exported(exportedName))
@@ -286,14 +286,14 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   @Override
   public void addRootNode(X3DNode node) {
     check();
-    Node added = binding.unwrapped(node);
+    Node added = binding.body(node);
     changeRoots(roots -> roots.add(added));
   }
 
   @Override
   public void removeRootNode(X3DNode node) {
     check();
-    Node removed = binding.unwrapped(node);
+    Node removed = binding.body(node);
     changeRoots(roots -> roots.remove(removed));
   }
 

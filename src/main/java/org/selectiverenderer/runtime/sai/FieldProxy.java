@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.ListenerOfField;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
@@ -116,7 +117,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
       throw new InvalidReadableFieldException(
           "%s of %s is inputOnly and has no value".formatted(definition.getName(), owner));
     }
-    return owner.node().value(field());
+    return InstanceFace.value(owner.node(), field());
   }
 
   @Override

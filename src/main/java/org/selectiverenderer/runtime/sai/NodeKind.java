@@ -12,6 +12,7 @@ import org.web3d.x3d.sai.InvalidFieldException;
 import org.web3d.x3d.sai.X3DFieldDefinition;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DNodeTypes;
+import org.web3d.x3d.sai.X3DProtoInstance;
 
 /**
  * What the SAI objects of all nodes of one type share: their interfaces, numbers and field
@@ -30,6 +31,7 @@ final class NodeKind {
     numbers =
         type.ancestors().stream()
             .sorted()
+            .map(name -> name.equals("X3DPrototypeInstance") ? "X3DProtoInstance" : name)
             .flatMap(name -> SaiTypes.constant(X3DNodeTypes.class, name).stream())
             .mapToInt(Integer::intValue)
             .toArray();
@@ -40,8 +42,12 @@ final class NodeKind {
   private static Class<?>[] interfacesOf(NodeType type) {
     List<Class<?>> all = new ArrayList<>();
     all.add(X3DNode.class);
-    SaiTypes.find(type.component().toLowerCase(Locale.ROOT) + "." + type.name())
-        .ifPresent(all::add);
+    if (type.isPrototype()) {
+      all.add(X3DProtoInstance.class);
+    } else {
+      SaiTypes.find(type.component().toLowerCase(Locale.ROOT) + "." + type.name())
+          .ifPresent(all::add);
+    }
     type.ancestors().stream().sorted().forEach(name -> SaiTypes.find(name).ifPresent(all::add));
     return all.stream().distinct().toArray(Class<?>[]::new);
   }

@@ -5,6 +5,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -24,6 +25,7 @@ final class NodeProxy implements InvocationHandler {
 
   private final Binding binding;
   private final Node node;
+  private final NodeKind kind;
   private final X3DNode proxy;
   private volatile boolean realized;
   private volatile boolean disposed;
@@ -35,10 +37,11 @@ final class NodeProxy implements InvocationHandler {
     this.binding = binding;
     this.node = node;
     this.realized = realized;
+    kind = binding.types().kind(node.type());
     proxy =
         (X3DNode)
             Proxy.newProxyInstance(
-                X3DNode.class.getClassLoader(), binding.kind(node).interfaces(), this);
+                X3DNode.class.getClassLoader(), kind.interfaces(), this);
   }
 
   Binding binding() {
@@ -73,7 +76,7 @@ final class NodeProxy implements InvocationHandler {
   @Override
   public @Nullable Object invoke(Object self, Method method, Object @Nullable [] arguments) {
     Object[] a = arguments == null ? NO_ARGUMENTS : arguments;
-    NodeMethod meaning = binding.kind(node).meaning(method);
+    NodeMethod meaning = kind.meaning(method);
     return switch (meaning.operation()) {
       case EQUALS -> self == a[0];
       case HASH_CODE -> System.identityHashCode(self);
@@ -90,9 +93,9 @@ final class NodeProxy implements InvocationHandler {
       case NODE_NAME:
         return node.type().name();
       case NODE_TYPE:
-        return binding.kind(node).numbers();
+        return kind.numbers();
       case DEFINITIONS:
-        return binding.kind(node).definitions();
+        return kind.definitions();
       case FIELD:
         return field((String) a[0]);
       case REALIZE:
@@ -131,7 +134,7 @@ final class NodeProxy implements InvocationHandler {
   }
 
   private X3DField field(String name) {
-    EmbeddedFieldDefinition definition = binding.kind(node).definition(name);
+    EmbeddedFieldDefinition definition = kind.definition(name);
     FieldProxy known = kept(definition.field().index());
     return (known != null ? known : new FieldProxy(this, definition)).proxy();
   }
@@ -141,7 +144,7 @@ final class NodeProxy implements InvocationHandler {
     if (field == null) {
       throw new InvalidFieldException(node.type().name() + " has no field " + meaning.name());
     }
-    Object value = node.value(field.index());
+    Object value = InstanceFace.value(node, field.index());
     return switch (meaning.operation()) {
       case COUNT -> SaiValues.size(field.type(), value);
       case READ -> field.type() == FieldType.SFNode ? binding.wrap((Node) value) : value;
@@ -190,7 +193,7 @@ final class NodeProxy implements InvocationHandler {
   }
 
   private @Nullable Object changed(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
-    return SaiValues.accepted(field, change.apply(node.value(field.index())));
+    return SaiValues.accepted(field, change.apply(InstanceFace.value(node, field.index())));
   }
 
   @Override

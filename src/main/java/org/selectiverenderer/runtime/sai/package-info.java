@@ -12,7 +12,8 @@
  *
  * <p>In: calls of {@code org.web3d.x3d.sai}, from any thread. Out: events into the world's cascade,
  * and calls of listeners on the thread that steps the world. One node has one SAI object.
- * Prototypes are expanded while a file is read, so the lists of prototypes are empty. Uses {@code
+ * Prototypes are expanded while a file is read, so the lists of prototypes are empty; of an
+ * instance an application sees the interface ({@code InstanceFace}). Uses {@code
  * org.web3d.x3d.sai}, {@code runtime} but its renderer, {@code x3d} and {@code base.problem}.
  */
 @NullMarked

@@ -42,6 +42,7 @@ public class Node implements NodeView {
   private long @Nullable [] sentIn;
   private @Nullable Object companion;
   private @Nullable Cascade sentBy;
+  private @Nullable InstanceFace face;
 
   public Node(NodeType type, @Nullable String name, Location location) {
     this.type = type;
@@ -96,6 +97,15 @@ public class Node implements NodeView {
 
   public final void companion(@Nullable Object object) {
     companion = object;
+  }
+
+  /** The interface of the outermost instance of a prototype whose body begins with this node. */
+  final @Nullable InstanceFace face() {
+    return face;
+  }
+
+  final void face(InstanceFace outermost) {
+    face = outermost;
   }
 
   /** Gives a field its value before the node is part of a world: no event is sent. */
@@ -194,8 +204,17 @@ public class Node implements NodeView {
 
   /** Fan-out happens in the order in which routes were added. */
   final void addRoute(Route route) {
+    heardFrom(route.fromField());
+    connect(route);
+  }
+
+  /** Adds a route that is no part of a scene. */
+  final void connect(Route route) {
     routes = append(routes, routeCount++, route);
   }
+
+  /** Somebody is about to hear the events of a field: who passes on others' goes and gets them. */
+  void heardFrom(int field) {}
 
   final void removeRoute(Route route) {
     int at = Arrays.asList(routes).indexOf(route);
@@ -221,6 +240,7 @@ public class Node implements NodeView {
 
   /** Listeners are called in the order in which they were added. */
   public final void addListener(int field, FieldListener listener) {
+    heardFrom(field);
     listeners = append(listeners, listenerCount++, ofField(field, listener));
   }
 

@@ -186,9 +186,16 @@ public final class Scene {
     }
   }
 
+  /** Removes a route; of a file's own, one between instances is several between their nodes. */
   public void removeRoute(Route route) {
     if (routes.remove(route)) {
       route.from().removeRoute(route);
+      return;
+    }
+    for (Route behind : InstanceFace.behind(route)) {
+      if (routes.remove(behind)) {
+        behind.from().removeRoute(behind);
+      }
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.script;
 
 import org.mozilla.javascript.ScriptRuntime;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.script.value.NodeValue;
@@ -9,6 +10,11 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 /** What scripts want to connect (X3D 4.0, 4.4.8.2). */
 final class Ends {
   private Ends() {}
+
+  /** The same as a node of the scene: of an instance, the first of its body. */
+  static Node body(Object argument) {
+    return InstanceFace.body(node(argument));
+  }
 
   /** A node among the arguments of a method. */
   static Node node(Object argument) {

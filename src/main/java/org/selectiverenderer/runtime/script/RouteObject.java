@@ -12,9 +12,9 @@ final class RouteObject extends HostObject {
   RouteObject(Route route, Engine engine, Scriptable scope) {
     super("X3DRoute", scope);
     this.route = route;
-    property("sourceNode", () -> engine.values().node(route.from()));
+    property("sourceNode", () -> engine.values().exactly(route.from()));
     property("sourceField", () -> name(route.from(), route.fromField()));
-    property("destinationNode", () -> engine.values().node(route.to()));
+    property("destinationNode", () -> engine.values().exactly(route.to()));
     property("destinationField", () -> name(route.to(), route.toField()));
   }
 

@@ -13,6 +13,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.script.ScriptCalls;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.script.value.NodeAccess;
@@ -268,6 +269,11 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   Node own(Node created) {
     made.add(created);
     return created;
+  }
+
+  @Override
+  public Node seen(Node other) {
+    return InstanceFace.seen(other, node.within());
   }
 
   @Override

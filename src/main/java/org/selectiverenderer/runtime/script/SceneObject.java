@@ -57,15 +57,15 @@ final class SceneObject extends HostObject {
               "prototypes are expanded while a scene is read, and createProto has none to use; "
                   + "write the instance with createX3DFromString");
         });
-    action("addRootNode", 1, args -> changeRoots(roots -> roots.add(Ends.node(args[0]))));
-    action("removeRootNode", 1, args -> changeRoots(roots -> roots.remove(Ends.node(args[0]))));
+    action("addRootNode", 1, args -> changeRoots(roots -> roots.add(Ends.body(args[0]))));
+    action("removeRootNode", 1, args -> changeRoots(roots -> roots.remove(Ends.body(args[0]))));
   }
 
   private void names() {
     method("getNamedNode", 1, args -> named(text(args[0])));
     method("getImportedNode", 1, args -> named(text(args[0])));
     method("getExportedNode", 1, args -> exported(text(args[0])));
-    action("updateNamedNode", 2, args -> scene.name(text(args[0]), Ends.node(args[1])));
+    action("updateNamedNode", 2, args -> scene.name(text(args[0]), Ends.body(args[1])));
     action("removeNamedNode", 1, args -> scene.unname(text(args[0])));
   }
 

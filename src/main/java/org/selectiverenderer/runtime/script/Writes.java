@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -60,7 +61,7 @@ final class Writes {
   /** The value of a field: the one that waits, or else the node's. */
   @Nullable Object read(Node node, FieldDefinition field) {
     Write waiting = latest.isEmpty() ? null : latest.get(new Key(node, field.index()));
-    return waiting != null ? waiting.value : node.value(field.index());
+    return waiting != null ? waiting.value : InstanceFace.value(node, field.index());
   }
 
   void send(Cascade cascade) {

@@ -2,17 +2,20 @@ package org.selectiverenderer.x3d.catalogue;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
 /**
- * A concrete node type of the catalogue, or one with fields of a single node's own besides (see
- * {@link #with}). Immutable. Those of the catalogue may be compared by identity, all by {@link
+ * A concrete node type of the catalogue, one with fields of a single node's own besides (see {@link
+ * #with}), or that of a prototype's instances ({@link #ofPrototype}). Immutable. Those of the catalogue may be compared by identity, all by {@link
  * #name()} and {@link #is}.
  */
 public final class NodeType {
+  private static final String INSTANCE = "X3DPrototypeInstance";
+
   private final String name;
   private final String component;
   private final int level;
@@ -65,6 +68,24 @@ public final class NodeType {
     all.addAll(fields);
     all.addAll(own);
     return new NodeType(name, component, level, containerField, ancestors, all, ownFrom);
+  }
+
+  /**
+   * The type of the instances of a prototype as the rest of the scene sees them: what the prototype
+   * calls itself and the fields of its interface, and the abstract types of the first node of its
+   * body, in whose places an instance may stand (X3D 4.0, 4.4.4.3).
+   *
+   * @param first of the body
+   */
+  public static NodeType ofPrototype(String name, NodeType first, List<FieldDefinition> fields) {
+    Set<String> ancestors = new HashSet<>(first.ancestors);
+    ancestors.add(INSTANCE);
+    return new NodeType(name, "Core", 1, first.containerField, ancestors, fields, 0);
+  }
+
+  /** Whether it is the type of a prototype's instances. */
+  public boolean isPrototype() {
+    return ancestors.contains(INSTANCE);
   }
 
   /** The index from which fields are a node's own; how many there are if it has none. */

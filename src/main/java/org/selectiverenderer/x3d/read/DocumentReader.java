@@ -193,6 +193,7 @@ final class DocumentReader implements NodeReader.Links {
         List.copyOf(exports),
         List.copyOf(routes.imported()),
         instances(),
+        reading.interfaces.listing(),
         List.copyOf(reading.externFaults()));
   }
 }

@@ -253,6 +253,10 @@ final class NodeReader {
     }
     if (own != null) {
       own.declare();
+      ProtoInstance within = scope.instance();
+      if (within != null && node.type().is("X3DScriptNode")) {
+        reading.interfaces.script(node, within);
+      }
       own.connections()
           .forEach(is -> connecting.connect(TreeCursor.at(is, reading), scope, named, children));
     }

@@ -12,11 +12,28 @@ final class ProtoInstance {
   record Connection(NameScope.Named node, String field) {}
 
   private final ProtoDeclaration declaration;
+  private final int number;
+  private final int within;
   private final Map<String, Object> values = new HashMap<>();
   private final Map<String, Set<Connection>> connections = new HashMap<>();
 
-  ProtoInstance(ProtoDeclaration declaration) {
+  /**
+   * @param number among the instances of the file
+   * @param enclosing the instance in whose body it stands, if any
+   */
+  ProtoInstance(ProtoDeclaration declaration, int number, @Nullable ProtoInstance enclosing) {
     this.declaration = declaration;
+    this.number = number;
+    this.within = enclosing == null ? -1 : enclosing.number;
+  }
+
+  int number() {
+    return number;
+  }
+
+  /** The number of the instance in whose body it stands; -1 for none. */
+  int within() {
+    return within;
   }
 
   ProtoDeclaration declaration() {

@@ -62,7 +62,7 @@ final class ProtoInstanceReader {
       return null;
     }
     String containerField = in.attribute("containerField");
-    ProtoInstance instance = new ProtoInstance(declaration);
+    ProtoInstance instance = new ProtoInstance(declaration, reading.interfaces.begin(), scope.instance());
     List<IsReader.Connection> connections = arguments(in, scope, instance);
     ParsedNode node = expand(instance, givenName != null ? givenName : def, location);
     if (node == null) {
@@ -185,7 +185,9 @@ final class ProtoInstanceReader {
     reading.base(outside);
     reading.angles(unitOutside);
     expanding.remove(declaration.body());
-    if (first == null) {
+    if (first != null) {
+      reading.interfaces.end(instance, first);
+    } else {
       reading.error(
           location,
           "the body of the prototype "

@@ -22,6 +22,7 @@ final class ReadState {
   final NodeCatalogue catalogue;
   final ReadLimits limits;
   final FieldParser parser = new FieldParser();
+  final InterfaceReader interfaces = new InterfaceReader();
   private final List<ParsedNode> loose = new ArrayList<>();
   private final String source;
   private final Problems problems;

@@ -148,7 +148,7 @@ final class RouteReader {
    * Adds the fields that a name of a node stands for: one, or for an instance all those that its
    * body connects. False if it has no such field.
    */
-  private boolean resolve(
+  static boolean resolve(
       NameScope.Named named, String field, boolean input, List<? super X3dFile.End.Own> into) {
     ProtoInstance instance = named.instance();
     if (instance == null) {

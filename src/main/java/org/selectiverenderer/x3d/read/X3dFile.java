@@ -21,6 +21,7 @@ import org.selectiverenderer.base.problem.Problem;
  * @param routes the ROUTE elements in document order
  * @param importedRoutes those of them that lead to or from an imported node
  * @param exportedInstances the fields of exported instances of prototypes, by the exported name
+ * @param instances the instances of prototypes: what their interfaces stand for
  * @param externFaults what is wrong with prototypes of other files that it uses; told already
  */
 public record X3dFile(
@@ -38,6 +39,7 @@ public record X3dFile(
     List<Export> exports,
     List<ImportedRoute> importedRoutes,
     Map<String, InstanceFields> exportedInstances,
+    ParsedInstance.Listing instances,
     List<Problem> externFaults) {
 
   /** The nodes at the top of the scene, then those that stand in no other node. */
@@ -76,6 +78,7 @@ public record X3dFile(
         List.of(),
         List.of(),
         Map.of(),
+        ParsedInstance.Listing.NONE,
         List.of());
   }
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.nodes.script;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
@@ -18,6 +19,7 @@ public final class ScriptNode extends Node {
   private @Nullable ScriptProgram program;
   private @Nullable Scene context;
   private @Nullable ScriptCalls calls;
+  private @Nullable InstanceFace within;
 
   public ScriptNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
@@ -41,6 +43,15 @@ public final class ScriptNode extends Node {
   /** The scene in which it stands: its execution context. Null without a program. */
   public @Nullable Scene context() {
     return context;
+  }
+
+  /** The instance of a prototype in whose body it stands; null if it stands in none. */
+  public @Nullable InstanceFace within() {
+    return within;
+  }
+
+  public void within(@Nullable InstanceFace instance) {
+    within = instance;
   }
 
   /** What it receives goes there from now on; to nobody with null. */

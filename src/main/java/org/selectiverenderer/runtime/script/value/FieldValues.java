@@ -11,6 +11,7 @@ import org.mozilla.javascript.ScriptRuntime;
 import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 import org.mozilla.javascript.Undefined;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.field.FieldType;
 
@@ -122,12 +123,21 @@ public final class FieldValues {
     return placed(FieldType.SFImage, new Image(width, height, comp, array));
   }
 
-  /** A node, for the script that is running. */
+  /** A node, for the script that is running: as it sees it. */
   public NodeValue node(Node node) {
+    return exactly(access().seen(node));
+  }
+
+  private NodeAccess access() {
     if (access == null) {
       throw new IllegalStateException("no script is running");
     }
-    return placed(FieldType.SFNode, new NodeValue(node, this, access));
+    return access;
+  }
+
+  /** A node itself, as it is within the body of a prototype. */
+  public NodeValue exactly(Node node) {
+    return placed(FieldType.SFNode, new NodeValue(node, this, access()));
   }
 
   /** A copy of a script's value as an object or number of that type, with a holder of its own. */
@@ -149,7 +159,7 @@ public final class FieldValues {
           yield null;
         }
         if (value instanceof NodeValue node) {
-          yield node.node();
+          yield InstanceFace.body(node.node());
         }
         throw wrong(type, value);
       }

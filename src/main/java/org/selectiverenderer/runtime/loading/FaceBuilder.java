@@ -1,0 +1,98 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
+import org.selectiverenderer.runtime.scene.InstanceFace;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.read.ParsedInstance;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/** Gives the instances of prototypes of a scene their interfaces. */
+final class FaceBuilder {
+  private final Map<ParsedNode, Node> made;
+  private final InstanceFace[] faces;
+
+  /**
+   * Gives them.
+   *
+   * @param made the nodes of the scene that have been made
+   */
+  static void build(ParsedInstance.Listing instances, Map<ParsedNode, Node> made) {
+    if (!instances.all().isEmpty()) {
+      new FaceBuilder(instances, made).scripts(instances.scripts());
+    }
+  }
+
+  private FaceBuilder(ParsedInstance.Listing instances, Map<ParsedNode, Node> made) {
+    this.made = made;
+    int count = instances.all().stream().mapToInt(ParsedInstance::number).max().orElse(-1) + 1;
+    ParsedInstance[] ordered = new ParsedInstance[count];
+    instances.all().forEach(instance -> ordered[instance.number()] = instance);
+    faces = new InstanceFace[count];
+    for (ParsedInstance instance : ordered) {
+      Node body = instance == null ? null : made.get(instance.node());
+      if (body != null) {
+        faces[instance.number()] = face(instance, body);
+      }
+    }
+  }
+
+  private void scripts(Map<ParsedNode, Integer> scripts) {
+    scripts.forEach(
+        (script, within) -> {
+          if (made.get(script) instanceof ScriptNode node && within < faces.length) {
+            node.within(faces[within]);
+          }
+        });
+  }
+
+  private InstanceFace face(ParsedInstance instance, Node body) {
+    List<InstanceFace.Link> links = new ArrayList<>(instance.links().size());
+    for (ParsedInstance.Link link : instance.links()) {
+      Node node = made.get(link.node());
+      if (node != null) {
+        links.add(
+            new InstanceFace.Link(
+                link.field(), node, link.nodeField(), link.takes(), link.sends(), link.holds()));
+      }
+    }
+    Map<Integer, Object> values = new HashMap<>();
+    instance
+        .values()
+        .forEach(
+            (field, value) -> {
+              Object kept = kept(value);
+              if (kept != null) {
+                values.put(field, kept);
+              }
+            });
+    return new InstanceFace(
+        body,
+        instance.type(),
+        instance.within() < 0 ? null : faces[instance.within()],
+        Map.copyOf(values),
+        List.copyOf(links));
+  }
+
+  /** A value of the running scene; of nodes those that have a place in it. */
+  private @Nullable Object kept(Object value) {
+    if (value instanceof ParsedNode node) {
+      return made.get(node);
+    }
+    if (value instanceof List<?> nodes) {
+      List<Node> found = new ArrayList<>();
+      for (Object node : nodes) {
+        Node one = made.get((ParsedNode) node);
+        if (one != null) {
+          found.add(one);
+        }
+      }
+      return List.copyOf(found);
+    }
+    return value;
+  }
+}
