@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
@@ -120,7 +121,8 @@ final class DocumentReader implements NodeReader.Links {
         if (!type.is("X3DChildNode") && !type.is("LayerSet")) {
           reading.warning(
               child.location(),
-              "a " + type + " at the top of a scene is not shown; put it into another node");
+              Spelling.one(type.name())
+                  + " at the top of a scene is not shown; put it into another node");
         }
         top.add(child.node());
       }

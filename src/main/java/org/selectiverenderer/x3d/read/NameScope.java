@@ -94,7 +94,7 @@ final class NameScope {
     return null;
   }
 
-  /** Marks the name of an instance whose prototype cannot be had, which has been told. */
+  /** Marks the name of a node that is left out, which has been told. */
   void lose(String name) {
     lost.add(name);
   }

@@ -4,6 +4,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.Tokens;
@@ -88,7 +89,7 @@ final class NodeReader {
                     + reading.question(in.name(), reading.catalogue.names())
                     + "; it and its children are left out");
           }
-          in.skip();
+          lose(in, scope);
         }
       }
       return null;
@@ -169,9 +170,30 @@ final class NodeReader {
     if (!kind.equals(element)) {
       reading.warning(
           reading.at(place, attribute),
-          name + " is a " + kind + ", not a " + element + "; the " + kind + " is used");
+          "%s is %s, not %s; the %s is used"
+              .formatted(name, Spelling.one(kind), Spelling.one(element), kind));
     }
     return new Child(found, containerField, place.location());
+  }
+
+  /** Leaves an element out, so that what refers to names in it needs no further message. */
+  private static void lose(ElementCursor in, NameScope scope) {
+    loseName(in, scope);
+    for (int depth = 1; depth > 0; ) {
+      if (in.next()) {
+        loseName(in, scope);
+        depth++;
+      } else {
+        depth--;
+      }
+    }
+  }
+
+  private static void loseName(ElementCursor in, NameScope scope) {
+    String def = in.attribute("DEF");
+    if (def != null) {
+      scope.lose(def);
+    }
   }
 
   private void attributes(ElementCursor in, ParsedNode node) {

@@ -5,13 +5,15 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * What X3D calls the fields that VRML97 called otherwise (ISO/IEC 14772-1, 6; X3D 4.0, 10.4). Files
- * of ClassicVRML have the old names, too, so that these are read in both.
+ * What X3D 4.0 calls the fields that VRML97 (ISO/IEC 14772-1, 6) and X3D 3.3 called otherwise.
+ * Files of ClassicVRML have VRML97's names, too, so that these are read in both.
  */
 final class FormerNames {
   private static final Map<String, Map<String, String>> NAMES =
       Map.of(
           "Collision", Map.of("collide", "enabled"),
+          "Layer", Map.of("isPickable", "pickable"),
+          "LayoutLayer", Map.of("isPickable", "pickable"),
           "LOD", Map.of("level", "children"),
           "Switch", Map.of("choice", "children"));
 

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -82,7 +83,8 @@ final class SceneItems {
       if (found == null) {
         leftOut(
             element.location(),
-            "a %s is not allowed in a %s; it is left out".formatted(name, parent));
+            "%s is not allowed in %s; it is left out"
+                .formatted(Spelling.one(name), Spelling.one(parent.name())));
         skip(element);
         return Optional.empty();
       }

@@ -133,6 +133,13 @@ class VrmlTest {
   }
 
   @Test
+  void aLayerIsPickableByTheNameOfX3d33() {
+    X3dFile file = classic("PROFILE Full LayerSet { layers DEF L Layer { isPickable FALSE } }");
+    fixture.assertClean();
+    assertThat(file.named().get("L").bool("pickable")).isFalse();
+  }
+
+  @Test
   void theNamesOfVrml97BecomeThoseOfX3d() {
     X3dFile file =
         vrml97(
