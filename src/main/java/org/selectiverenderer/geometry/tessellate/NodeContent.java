@@ -21,6 +21,7 @@ public final class NodeContent {
       Set.of(
           "Group",
           "StaticGroup",
+          "Layer",
           "Anchor",
           "CADAssembly",
           "CADLayer",
@@ -46,7 +47,8 @@ public final class NodeContent {
     return WITH_CHILDREN.contains(type.name())
         || type.name().equals("CADFace")
         || type.name().equals("GeoLOD")
-        || type.name().equals("HAnimHumanoid");
+        || type.name().equals("HAnimHumanoid")
+        || type.name().equals("LayerSet");
   }
 
   /** The nodes in a group, shown or not; none for what is no group. */
@@ -58,6 +60,7 @@ public final class NodeContent {
       }
       case "GeoLOD" -> node.nodes("rootNode");
       case "HAnimHumanoid" -> figure(node);
+      case "LayerSet" -> node.nodes("layers");
       default -> WITH_CHILDREN.contains(node.type().name()) ? node.nodes("children") : List.of();
     };
   }

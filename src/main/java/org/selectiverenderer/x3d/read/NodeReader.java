@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.ElementLocation;
@@ -200,7 +201,7 @@ final class NodeReader {
     NodeType type = node.type();
     for (int i = 0; i < in.attributes(); i++) {
       String name = in.attributeName(i);
-      FieldDefinition field = type.field(name).orElse(null);
+      FieldDefinition field = type.field(FormerNames.now(type, name)).orElse(null);
       if (field == null) {
         switch (name) {
           case "DEF", "USE", "containerField", "class", "id", "style", "" -> {

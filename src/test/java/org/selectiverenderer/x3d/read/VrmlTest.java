@@ -302,6 +302,27 @@ class VrmlTest {
   }
 
   @Test
+  void aWordForANumberIsToldAndTheFileGoesOn() {
+    X3dFile file =
+        classic(
+            """
+            Shape { geometry Sphere { radius abc } }
+            Transform { translation nan nan 0 rotation nan 1 0 NaN scale big scaleOrientation 0 0 1 0 }
+            Collision { enabled yes children Group { } }
+            DEF G Group { }
+            """);
+    fixture.assertMessages(
+        "test.x3d:2:34: radius: 'abc' is not a number; 0 is used instead",
+        "test.x3d:3:25: translation: 'nan' is not a finite number; 0 is used instead",
+        "test.x3d:3:29: translation: 'nan' is not a finite number; 0 is used instead",
+        "test.x3d:3:44: rotation: 'nan' is not a finite number; 0 is used instead",
+        "test.x3d:3:52: rotation: 'NaN' is not a finite number; 0 is used instead",
+        "test.x3d:3:62: scale: 'big' is not a number; the default is used",
+        "test.x3d:4:21: enabled: 'yes' is neither true nor false; the default is used");
+    assertThat(file.named()).containsKey("G");
+  }
+
+  @Test
   void whatANodeDoesNotHaveIsPassedOver() {
     X3dFile file =
         classic(
