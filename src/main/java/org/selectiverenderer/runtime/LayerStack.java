@@ -211,9 +211,18 @@ final class LayerStack {
     all().forEach(layer -> layer.bindables.update(cascade));
   }
 
+  /** Polygons that all layers hold, whether they are in the order or not. */
+  long shownPolygons() {
+    return alone()
+        ? base.instances.shownPolygons()
+        : all().stream().mapToLong(layer -> layer.instances.shownPolygons()).sum();
+  }
+
   /** What all layers have of a kind. */
   <T> List<T> gathered(Function<SceneLayer, List<T>> kind) {
-    return alone() ? kind.apply(base) : all().stream().flatMap(l -> kind.apply(l).stream()).toList();
+    return alone()
+        ? kind.apply(base)
+        : all().stream().flatMap(l -> kind.apply(l).stream()).toList();
   }
 
   /** Whether something is so of what is pointed at in any layer. */

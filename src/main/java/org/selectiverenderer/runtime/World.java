@@ -178,6 +178,11 @@ public final class World {
     return layers.active().instances;
   }
 
+  /** Polygons of all layers in their present versions, seen or not. */
+  public long shownPolygons() {
+    return layers.shownPolygons();
+  }
+
   /** The meshes and images of the scene's nodes. */
   public Assets assets() {
     return files.assets();

@@ -47,11 +47,10 @@ public final class NodeContent {
     return WITH_CHILDREN.contains(type.name())
         || type.name().equals("CADFace")
         || type.name().equals("GeoLOD")
-        || type.name().equals("HAnimHumanoid")
-        || type.name().equals("LayerSet");
+        || type.name().equals("HAnimHumanoid");
   }
 
-  /** The nodes in a group, shown or not; none for what is no group. */
+  /** The nodes in a group or the layers of a LayerSet, shown or not; none for all others. */
   public static List<? extends NodeView> of(NodeView node) {
     return switch (node.type().name()) {
       case "CADFace" -> {
