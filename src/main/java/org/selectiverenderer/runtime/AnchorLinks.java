@@ -37,21 +37,22 @@ final class AnchorLinks {
 
   /** The user activated an Anchor. */
   void follow(GroupInstance anchor) {
-    follow(anchor.node(), fileOf(anchor));
+    follow(anchor.node(), anchor.node().strings("url"), fileOf(anchor));
   }
 
   /**
-   * Goes where an Anchor leads.
+   * Goes where an Anchor with some urls leads.
    *
+   * @param node the Anchor, or the Script that asks for it
    * @param file the scene of the file in which it stands
    */
-  void follow(Node node, Scene file) {
-    String[] urls = node.strings("url");
+  void follow(Node node, String[] urls, Scene file) {
     if (urls.length > 0 && urls[0].strip().startsWith("#")) {
       bind(file, urls[0].strip().substring(1), node);
     } else {
       files.open(
           node,
+          urls,
           loaded -> {
             target.show(loaded);
             viewpointName(urls).ifPresent(name -> bind(loaded.scene(), name, node));
@@ -66,7 +67,8 @@ final class AnchorLinks {
     } else {
       problems.error(
           anchor.location(),
-          "Anchor url '#%s' names no viewpoint of %s; the viewer stays".formatted(name, in.url()));
+          "%s url '#%s' names no viewpoint of %s; the viewer stays"
+              .formatted(anchor.type().name(), name, in.url()));
     }
   }
 

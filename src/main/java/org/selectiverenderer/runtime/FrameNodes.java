@@ -57,7 +57,7 @@ record FrameNodes(
     List<Node> placed = instances.otherNodes();
     List<Node> loose = new ArrayList<>(scene.map(Scene::loose).orElse(Set.of()));
     for (InlineNode inline : inlines) {
-      inline.content().ifPresent(content -> loose.addAll(content.loose()));
+      inline.shown().ifPresent(content -> loose.addAll(content.loose()));
     }
     add(placed, FrameNode.class, nodes);
     add(formed(instances), FrameNode.class, nodes);

@@ -2,10 +2,12 @@ package org.selectiverenderer.runtime;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -14,6 +16,7 @@ import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -42,6 +45,10 @@ final class LayerStack {
   private List<Node> given = List.of();
 
   private List<Node> layerNodes = List.of();
+
+  /** Whether layers came or went since their nodes were last looked at. */
+  private boolean relayered;
+
   private SceneLayer active;
   private Pointer pointed = Pointer.AWAY;
 
@@ -105,11 +112,8 @@ final class LayerStack {
   }
 
   private void relayer(List<Node> now) {
+    relayered = true;
     layerNodes = now.stream().filter(GroupingNode.class::isInstance).distinct().toList();
-    for (Node node : layerNodes) {
-      known.computeIfAbsent(
-          node, layer -> new SceneLayer((GroupingNode) layer, parts, new Viewer()));
-    }
     known
         .entrySet()
         .removeIf(
@@ -120,6 +124,10 @@ final class LayerStack {
               }
               return gone;
             });
+    for (Node node : layerNodes) {
+      known.computeIfAbsent(
+          node, layer -> new SceneLayer((GroupingNode) layer, parts, new Viewer()));
+    }
   }
 
   /** The layer that is to be active: a number of no layer means the scene's own. */
@@ -244,9 +252,16 @@ final class LayerStack {
 
   /** Follows the structure of all layers; says whether anything was new. */
   boolean frameNodes() {
-    boolean changed = false;
+    boolean changed = relayered;
+    relayered = false;
     for (SceneLayer layer : all()) {
       changed |= layer.frameNodes(layer == base ? Optional.of(scene) : Optional.empty());
+    }
+    if (changed) {
+      // A node may stand in several layers; it looks at a frame once.
+      Set<FrameNode> taken = Collections.newSetFromMap(new IdentityHashMap<>());
+      all().forEach(layer -> layer.choose(taken));
+      all().forEach(SceneLayer::engage);
     }
     return changed;
   }

@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
@@ -13,6 +14,7 @@ import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
+import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -31,6 +33,8 @@ final class SceneLayer {
   final Pointing pointing;
   final BackdropReader backdrops;
   private Viewer viewer;
+  private List<FrameNode> looking = List.of();
+  private List<FrameNode> chosen = List.of();
   private FrameRound round = new FrameRound(List.of());
   private long frameNodesOf = -1;
   private List<InlineNode> inlines = List.of();
@@ -123,6 +127,27 @@ final class SceneLayer {
   }
 
   /**
+   * Chooses the sensors and clocks that look at frames with it: none that do with another layer,
+   * where they stand too.
+   *
+   * @param taken those of other layers, to which its own are added
+   */
+  void choose(Set<FrameNode> taken) {
+    chosen = looking.stream().filter(taken::add).toList();
+    if (!round.isOf(chosen)) {
+      round.close();
+      round = new FrameRound(List.of());
+    }
+  }
+
+  /** Has those look that were chosen; after other layers have let go of them. */
+  void engage() {
+    if (!round.isOf(chosen)) {
+      round = new FrameRound(chosen);
+    }
+  }
+
+  /**
    * Follows the structure with the nodes that look at every frame.
    *
    * @param scene whose nodes outside of all groups count with the layer
@@ -134,10 +159,7 @@ final class SceneLayer {
     }
     frameNodesOf = instances.structureVersion();
     FrameNodes walk = FrameNodes.of(scene, instances);
-    if (!round.isOf(walk.frameNodes())) {
-      round.close();
-      round = new FrameRound(walk.frameNodes());
-    }
+    looking = walk.frameNodes();
     inlines = walk.inlines();
     scripts = walk.scripts();
     keySensors = walk.keySensors();
@@ -173,5 +195,7 @@ final class SceneLayer {
 
   void close() {
     round.close();
+    bindables.close();
+    instances.close();
   }
 }

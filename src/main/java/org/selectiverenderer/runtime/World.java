@@ -19,6 +19,7 @@ import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
@@ -141,10 +142,9 @@ public final class World {
       }
 
       @Override
-      public void follow(String[] urls) {
-        Node anchor = from.make("Anchor", Location.of(scene.url())).orElseThrow();
-        anchor.init(anchor.type().indexOf("url"), urls);
-        post(() -> links.follow(anchor, scene));
+      public void follow(ScriptNode script, String[] urls) {
+        Scene file = script.context();
+        post(() -> links.follow(script, urls, file == null ? scene : file));
       }
     };
   }

@@ -136,4 +136,20 @@ class AnchorLinksTest {
       }
     }
   }
+
+  @Test
+  void whereAScriptLeadsLiesBesideItsOwnFile() throws IOException {
+    Files.createDirectory(folder.resolve("rooms"));
+    write("rooms/next.x3d", "<Group DEF='Next'/>");
+    write(
+        "rooms/hall.x3d",
+        "<Script><![CDATA[ecmascript:"
+            + " function initialize() { Browser.loadURL(new MFString('next.x3d')); } ]]></Script>");
+    String hall = "<Inline url='\"rooms/hall.x3d\"'/>";
+    try (WorldFixture fixture = new WorldFixture(folder, hall)) {
+      stepUntilReplaced(fixture);
+      assertThat(fixture.world.scene().find("Next")).isPresent();
+      assertThat(fixture.problems.list()).isEmpty();
+    }
+  }
 }

@@ -277,6 +277,11 @@ public final class InstanceTree {
     structureChanged = true;
   }
 
+  /** Nothing is shown any more, and no node has it as an observer. */
+  public void close() {
+    dispose(root);
+  }
+
   private void dispose(Instance instance) {
     instances--;
     instance.show(false, this);

@@ -72,15 +72,15 @@ public final class LiveFiles {
   }
 
   /**
-   * Reads the scene that an Anchor links to.
+   * Reads the scene that an Anchor links to, or a Script that does as Anchors do.
    *
-   * @param anchor whose {@code url} is followed
+   * @param node has a field {@code url} of its own; against whose file urls are resolved
    * @param arrived takes the scene on the stepping thread; not called when there is none
    */
-  public void open(Node anchor, Consumer<LoadedScene> arrived) {
+  public void open(Node node, String[] urls, Consumer<LoadedScene> arrived) {
     request(
-        loaded.loader().link(copy(anchor), origin(anchor), "the viewer stays here"),
-        scene -> arrived.accept(new LoadedScene(scene, loaded.loader())),
+        loaded.loader().link(asking(node, urls), origin(node), "the viewer stays here"),
+        scene -> arrived.accept(loaded(scene)),
         () -> {});
   }
 

@@ -24,9 +24,7 @@ final class LiveImports {
 
   /** The scene that an Inline shows; empty for one that shows none and for other nodes. */
   static Optional<Scene> content(Node node) {
-    return node instanceof InlineNode inline && inline.bool("load")
-        ? inline.content()
-        : Optional.empty();
+    return node instanceof InlineNode inline ? inline.shown() : Optional.empty();
   }
 
   /**

@@ -237,7 +237,7 @@ final class SceneBuilder {
           clip.recording(recording);
         }
       } else if (node.type().component().equals("Geospatial")) {
-        geospatial(node);
+        geospatial(node, origin.of(parsed));
       }
       if (BackgroundPictures.names(node.type())) {
         store.origin(node, origin.of(parsed));
@@ -252,11 +252,11 @@ final class SceneBuilder {
       store.kept(node.type()).ifPresent(text -> content.info(node.location(), text));
     }
 
-    private void geospatial(Node node) {
+    private void geospatial(Node node, UrlBase base) {
       if (node instanceof GeoLodNode level) {
         level.files(
-            level.nodes("rootNode").isEmpty() ? inlines(level, "rootUrl") : List.of(),
-            inlines(level, "child1Url", "child2Url", "child3Url", "child4Url"));
+            level.nodes("rootNode").isEmpty() ? inlines(level, base, "rootUrl") : List.of(),
+            inlines(level, base, "child1Url", "child2Url", "child3Url", "child4Url"));
       }
       boolean tessellated =
           node.type().is("X3DGeometricPropertyNode") || node.type().is("X3DGeometryNode");
@@ -268,14 +268,14 @@ final class SceneBuilder {
     }
 
     /** An Inline for each url field that is not empty, not yet read. */
-    private List<InlineNode> inlines(Node node, String... urls) {
+    private List<InlineNode> inlines(Node node, UrlBase base, String... urls) {
       List<InlineNode> made = new ArrayList<>();
       for (String url : urls) {
         if (node.strings(url).length > 0) {
           InlineNode inline = (InlineNode) factory.make(inlineType, null, node.location());
           inline.init(inline.urlField(), node.strings(url));
           inline.init(inlineType.indexOf("load"), false);
-          store.origin(inline, origin);
+          store.origin(inline, base);
           made.add(inline);
         }
       }

@@ -98,7 +98,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
 
   @Override
   public Optional<X3DScene> inlinedScene(X3DNode inline) {
-    return Optional.ofNullable(InlineWatch.shown(inlineOf(inline))).map(this::shown);
+    return inlineOf(inline).shown().map(this::shown);
   }
 
   @Override
@@ -108,7 +108,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
 
   @Override
   public boolean mayHold(X3DNode inline, Set<String> types) {
-    Scene content = InlineWatch.shown(inlineOf(inline));
+    Scene content = inlineOf(inline).shown().orElse(null);
     return content != null
         && (content.mayGrow() || content.types().orElseThrow().stream().anyMatch(types::contains));
   }

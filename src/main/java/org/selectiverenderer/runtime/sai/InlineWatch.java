@@ -35,14 +35,9 @@ final class InlineWatch implements NodeObserver, Registration {
     follow();
   }
 
-  /** What an Inline shows, or null. */
-  static @Nullable Scene shown(InlineNode inline) {
-    return inline.bool("load") ? inline.content().orElse(null) : null;
-  }
-
   @Override
   public void changed(Node node, int field) {
-    if (field == load && told && shown(inline) != content) {
+    if (field == load && told && inline.shown().orElse(null) != content) {
       told = false;
       world.cascade().notify((at, index, value, time) -> tell(time), node, field, null);
     }
@@ -58,7 +53,7 @@ final class InlineWatch implements NodeObserver, Registration {
 
   private void follow() {
     closeRoots();
-    content = shown(inline);
+    content = inline.shown().orElse(null);
     if (content != null) {
       roots = new RootWatch(content, this::tell);
     }

@@ -94,7 +94,7 @@ final class BrowserObject {
         args -> args.length >= 3 ? fromUrl(args) : scene(fromUrlNow(args[0]), scope));
     browser.method("createVrmlFromURL", 3, this::fromUrl);
     browser.action("replaceWorld", 1, args -> world.show(shown(args[0])));
-    browser.action("loadURL", 1, args -> world.follow(urls(args[0])));
+    browser.action("loadURL", 1, args -> world.follow(engine.running().node(), urls(args[0])));
     browser.method("addRoute", 4, args -> context(scope).addRoute(args));
     browser.action("deleteRoute", 1, args -> context(scope).deleteRoute(args));
   }

@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.script;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Scene;
 
@@ -22,6 +23,6 @@ public interface ScriptWorld {
   /** Shows another scene from the next frame on. */
   void show(LoadedScene scene);
 
-  /** Goes where an Anchor with these urls leads, from the next frame on. */
-  void follow(String[] urls);
+  /** Goes where an Anchor with these urls that stood beside the Script leads, next frame. */
+  void follow(ScriptNode script, String[] urls);
 }

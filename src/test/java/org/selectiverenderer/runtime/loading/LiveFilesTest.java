@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import javax.imageio.ImageIO;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -371,5 +372,27 @@ class LiveFilesTest {
   private int width() {
     Texture texture = tree.shapes().get(0).surface().texture();
     return texture == null ? 0 : texture.image().width();
+  }
+
+  @Test
+  void theFilesOfAGeoLodInAPrototypeLieBesideThePrototype() throws Exception {
+    Files.createDirectory(folder.resolve("library"));
+    write("library/near.x3d", "<Shape><Box/></Shape>".repeat(2));
+    write(
+        "library/tiles.x3d",
+        "<ProtoDeclare name='Tile'><ProtoBody>"
+            + "<GeoLOD child1Url='\"near.x3d\"' range='1e9'/>"
+            + "</ProtoBody></ProtoDeclare>");
+    load(
+        "<ExternProtoDeclare name='Tile' url='\"library/tiles.x3d#Tile\"'/>"
+            + "<ProtoInstance name='Tile'/>");
+    GroupingNode tile = (GroupingNode) loaded.scene().root().nodes("children").get(0);
+    files.watch(tile.children().stream().map(InlineNode.class::cast).toList());
+    frame();
+    tree.view(new Vector3d(), new Vector3d(0, 1, 0), cascade);
+    frame();
+    arrive();
+    assertBoxes(2);
+    assertThat(problems.list()).isEmpty();
   }
 }

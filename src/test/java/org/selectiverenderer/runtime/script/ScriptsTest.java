@@ -98,7 +98,7 @@ class ScriptsTest {
     }
 
     @Override
-    public void follow(String[] urls) {
+    public void follow(ScriptNode script, String[] urls) {
       throw new AssertionError("no script follows a link");
     }
 

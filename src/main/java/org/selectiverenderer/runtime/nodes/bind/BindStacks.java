@@ -136,6 +136,12 @@ public final class BindStacks {
     observe(walk.groups);
   }
 
+  /** The scene is no longer this one's: its nodes answer no {@code set_bind} any more. */
+  public void close() {
+    present.forEach(BindableNode::leave);
+    observe(Set.of());
+  }
+
   private void observe(Set<GroupingNode> groups) {
     observed
         .entrySet()

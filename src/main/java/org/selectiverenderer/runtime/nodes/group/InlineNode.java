@@ -27,6 +27,11 @@ public final class InlineNode extends GroupingNode {
     return Optional.ofNullable(content);
   }
 
+  /** The scene that it shows: the loaded one, unless {@code load} is FALSE. */
+  public Optional<Scene> shown() {
+    return (Boolean) value(load) ? content() : Optional.empty();
+  }
+
   /**
    * Fills the Inline.
    *
@@ -45,7 +50,7 @@ public final class InlineNode extends GroupingNode {
 
   @Override
   public List<Node> children() {
-    return content == null || !(Boolean) value(load) ? List.of() : List.of(content.root());
+    return shown().map(scene -> List.of(scene.root())).orElse(List.of());
   }
 
   @Override

@@ -16,6 +16,9 @@ final class ParticleMesh {
   /** Vertices above which geometries of further particles are left out. */
   private static final int MAX_VERTICES = 2_000_000;
 
+  /** The same for their indices, of which a few vertices may have many. */
+  private static final int MAX_INDICES = 3 * MAX_VERTICES;
+
   private static final float[] QUAD = {0, 0, 1, 0, 1, 1, 0, 1};
 
   private final Node system;
@@ -109,17 +112,19 @@ final class ParticleMesh {
 
   private Mesh copies(Mesh geometry) {
     int vertices = geometry.vertexCount();
-    int count = Math.min(particles.count(), MAX_VERTICES / Math.max(1, vertices));
+    int each = geometry.indices().length;
+    int room = Math.min(MAX_VERTICES / Math.max(1, vertices), MAX_INDICES / Math.max(1, each));
+    int count = Math.min(particles.count(), room);
     float[] xyz = new float[3 * vertices * count];
-    int[] indices = new int[geometry.indices().length * count];
+    int[] indices = new int[each * count];
     float[] at = new float[3];
     for (int i = 0; i < count; i++) {
       put(i, at, 0);
       for (int k = 0; k < 3 * vertices; k++) {
         xyz[3 * vertices * i + k] = geometry.positions()[k] + at[k % 3];
       }
-      for (int k = 0; k < geometry.indices().length; k++) {
-        indices[geometry.indices().length * i + k] = geometry.indices()[k] + vertices * i;
+      for (int k = 0; k < each; k++) {
+        indices[each * i + k] = geometry.indices()[k] + vertices * i;
       }
     }
     float[] texCoords = repeated(geometry.texCoords(), count);
