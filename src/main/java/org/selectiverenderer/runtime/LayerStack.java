@@ -213,7 +213,9 @@ final class LayerStack {
 
   /** What all layers have of a kind. */
   <T> List<T> gathered(Function<SceneLayer, List<T>> kind) {
-    return alone() ? kind.apply(base) : all().stream().flatMap(l -> kind.apply(l).stream()).toList();
+    return alone()
+        ? kind.apply(base)
+        : all().stream().flatMap(l -> kind.apply(l).stream()).toList();
   }
 
   /** Whether something is so of what is pointed at in any layer. */
@@ -237,7 +239,7 @@ final class LayerStack {
   boolean frameNodes() {
     boolean changed = false;
     for (SceneLayer layer : all()) {
-      changed |= layer.frameNodes(layer == base ? Optional.of(scene) : Optional.empty());
+      changed |= layer.frameNodes(scene, layer == base);
     }
     return changed;
   }
