@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
+import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -25,6 +26,7 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param inlines all Inlines, filled or not
  * @param scripts all Scripts, those that stand in no group last
  * @param keySensors sensors of the keyboard
+ * @param sounds all Sounds
  * @param touchable whether there is a sensor of the pointing device or an Anchor
  * @param draggable whether there is a drag sensor
  */
@@ -33,6 +35,7 @@ record FrameNodes(
     List<InlineNode> inlines,
     List<ScriptNode> scripts,
     List<KeyDeviceSensorNode> keySensors,
+    List<SoundNode> sounds,
     boolean touchable,
     boolean draggable) {
 
@@ -65,6 +68,8 @@ record FrameNodes(
     add(loose, ScriptNode.class, scripts);
     add(placed, KeyDeviceSensorNode.class, keySensors);
     add(loose, KeyDeviceSensorNode.class, keySensors);
+    List<SoundNode> sounds = new ArrayList<>();
+    add(placed, SoundNode.class, sounds);
     boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
     boolean draggable =
         placed.stream().anyMatch(node -> node instanceof PointingSensorNode on && on.drags());
@@ -73,6 +78,7 @@ record FrameNodes(
         List.copyOf(inlines),
         List.copyOf(scripts),
         List.copyOf(keySensors),
+        List.copyOf(sounds),
         touchable,
         draggable);
   }

@@ -211,6 +211,13 @@ final class LayerStack {
     all().forEach(layer -> layer.bindables.update(cascade));
   }
 
+  /** Polygons that all layers hold, whether they are in the order or not. */
+  long shownPolygons() {
+    return alone()
+        ? base.instances.shownPolygons()
+        : all().stream().mapToLong(layer -> layer.instances.shownPolygons()).sum();
+  }
+
   /** What all layers have of a kind. */
   <T> List<T> gathered(Function<SceneLayer, List<T>> kind) {
     return alone()

@@ -13,6 +13,7 @@ import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
+import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -35,6 +36,7 @@ final class SceneLayer {
   private List<InlineNode> inlines = List.of();
   private List<ScriptNode> scripts = List.of();
   private List<KeyDeviceSensorNode> keySensors = List.of();
+  private List<SoundNode> sounds = List.of();
   private boolean draggable;
 
   /**
@@ -72,6 +74,10 @@ final class SceneLayer {
 
   List<KeyDeviceSensorNode> keySensors() {
     return keySensors;
+  }
+
+  List<SoundNode> sounds() {
+    return sounds;
   }
 
   /** Whether it has a drag sensor. */
@@ -136,6 +142,7 @@ final class SceneLayer {
     inlines = walk.inlines();
     scripts = walk.scripts();
     keySensors = walk.keySensors();
+    sounds = walk.sounds();
     draggable = walk.draggable();
     pointing.touchable(walk.touchable());
     return true;

@@ -19,12 +19,15 @@ import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
+import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
+import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.script.ScriptWorld;
 import org.selectiverenderer.runtime.script.Scripts;
+import org.selectiverenderer.runtime.sound.Voice;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
@@ -173,6 +176,11 @@ public final class World {
   /** What is in the scene; in one with layers, in the one that the user walks in. */
   public InstanceTree instances() {
     return layers.active().instances;
+  }
+
+  /** Polygons of all layers in their present versions, seen or not. */
+  public long shownPolygons() {
+    return layers.shownPolygons();
   }
 
   /** The meshes and images of the scene's nodes. */
@@ -430,9 +438,24 @@ public final class World {
   private void frameNodes() {
     if (layers.frameNodes()) {
       files.watch(layers.gathered(SceneLayer::inlines));
+      files.watchClips(clips());
       scripts.watch(layers.gathered(SceneLayer::scripts));
       keys.follow(layers.gathered(SceneLayer::keySensors), cascade);
     }
+  }
+
+  /** What is heard as of the last step: nothing in a scene without a Sound. */
+  public List<Voice> voices() {
+    List<SoundNode> sounds = layers.gathered(SceneLayer::sounds);
+    return sounds.isEmpty()
+        ? List.of()
+        : sounds.stream().flatMap(sound -> sound.voice().stream()).toList();
+  }
+
+  private List<AudioClipNode> clips() {
+    return layers.gathered(SceneLayer::sounds).stream()
+        .flatMap(sound -> sound.clip().stream())
+        .toList();
   }
 
   /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */

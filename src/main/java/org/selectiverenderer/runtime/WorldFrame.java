@@ -8,6 +8,7 @@ import org.joml.Matrix4f;
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.sensor.Frame;
 import org.selectiverenderer.runtime.scene.Node;
@@ -68,5 +69,10 @@ final class WorldFrame implements Frame {
   @Override
   public List<? extends Matrix4dc> places(Node node) {
     return instances.places(node);
+  }
+
+  @Override
+  public List<? extends Matrix4dc> shownPlaces(Node node) {
+    return instances.instances(node).stream().filter(Instance::shown).map(Instance::world).toList();
   }
 }

@@ -10,6 +10,7 @@
  *
  * <ul>
  *   <li>{@code scene} nodes, routes and the event cascade
+ *   <li>{@code sound} sounds as samples: read, mixed, sent to the device
  *   <li>{@code nodes} the behaviour of each node type, one class each
  *   <li>{@code instance} what is where: world transformations, what is shown, meshes, lights
  *   <li>{@code loading} files to scenes, Inlines in parallel

@@ -37,7 +37,7 @@ import org.selectiverenderer.x3d.source.ReadLimits;
 final class ForeignScenes {
   private static final int FRAMES = 100;
   private static final long MOST_SECONDS = 60;
-  private static final int MESSAGES = 6;
+  private static final int MESSAGES = 40;
 
   private ForeignScenes() {}
 
@@ -122,12 +122,17 @@ final class ForeignScenes {
             scene,
             outcome.trouble()));
     for (Problem problem : told.subList(0, Math.min(MESSAGES, told.size()))) {
-      out.write(
-          "\t" + problem.severity() + " " + problem.location().line() + ": " + problem.message());
+      out.write("\t" + problem.severity() + " " + place(problem, scene) + problem.message());
     }
     out.newLine();
     out.flush();
     return kind;
+  }
+
+  /** The line, after the file where it is not the scene's own. */
+  private static String place(Problem problem, String scene) {
+    String file = problem.location().file();
+    return (scene.endsWith(file) ? "" : file + ":") + problem.location().line() + ": ";
   }
 
   private static long count(List<Problem> told, Problem.Severity severity) {

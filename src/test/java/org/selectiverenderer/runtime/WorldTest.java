@@ -35,6 +35,19 @@ class WorldTest {
   }
 
   @Test
+  void thePolygonsOfAllLayersCount() {
+    String box = "<Shape><Box/></Shape>";
+    String layers =
+        "<LayerSet activeLayer='1' order='1'><Layer>%s</Layer><Layer visible='false'>%s</Layer>"
+            + "<Layer>%s</Layer></LayerSet>%s";
+    try (WorldFixture fixture = new WorldFixture(layers.formatted(box, box, box, box))) {
+      fixture.step(0);
+      assertThat(fixture.world.instances().shownPolygons()).isEqualTo(12);
+      assertThat(fixture.world.shownPolygons()).isEqualTo(36);
+    }
+  }
+
+  @Test
   void postedWritesComeBeforeSensorsAndBothHaveTheTimeOfTheFrame() {
     try (WorldFixture fixture = new WorldFixture(AREA)) {
       fixture.watch("Versions", "whichChoice");

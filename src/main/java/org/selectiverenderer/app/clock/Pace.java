@@ -35,6 +35,11 @@ public enum Pace {
     }
 
     @Override
+    public boolean audible() {
+      return true;
+    }
+
+    @Override
     public boolean countsFromFirstPicture() {
       return false; // What is recorded of the head began with the first step.
     }
@@ -66,6 +71,11 @@ public enum Pace {
     }
 
     @Override
+    public boolean audible() {
+      return false;
+    }
+
+    @Override
     public boolean countsFromFirstPicture() {
       return true; // A duration is that of pictures, however long the first one takes.
     }
@@ -83,6 +93,9 @@ public enum Pace {
 
   /** Whether time begins when the first picture is drawn, not when its frame is stepped. */
   public abstract boolean countsFromFirstPicture();
+
+  /** Whether sounds are heard: they take the time that they take. */
+  public abstract boolean audible();
 
   /** What moves the viewer where no path is followed. */
   abstract ViewerMotion unled(Walking walking);

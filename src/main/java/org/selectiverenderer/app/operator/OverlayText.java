@@ -60,14 +60,19 @@ public final class OverlayText {
             eye.x(),
             eye.y(),
             eye.z(),
-            Math.toDegrees(Math.atan2(-ahead.x, -ahead.z)),
-            Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, ahead.y))))));
+            degrees(Math.atan2(-ahead.x, -ahead.z)),
+            degrees(Math.asin(Math.max(-1, Math.min(1, ahead.y))))));
     lines.add("areas entered: " + list(walk.enteredAreas()));
     lines.add("schemas active: " + list(walk.activeSchemas()));
     if (!navigation.isEmpty()) {
       lines.add(navigation);
     }
     return lines;
+  }
+
+  /** Whole degrees; never the -0 of a view that is a hair off. */
+  private static double degrees(double radians) {
+    return Math.rint(Math.toDegrees(radians)) + 0.0;
   }
 
   private static String list(List<String> names) {

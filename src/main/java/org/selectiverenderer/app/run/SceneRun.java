@@ -54,6 +54,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final FigureKeeper keeper = new FigureKeeper();
   private final Stopwatch time;
   private final SceneOpening opening;
+  private final Optional<SceneSound> sound;
   private RunState state = RunState.LOADING;
   private @Nullable LiveScene scene;
   private @Nullable IOException failure;
@@ -92,6 +93,10 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls = new Controls(settings.motion().mouse());
     windowInput = new WindowInput(controls);
     console = new OperatorConsole(settings, head);
+    sound =
+        pace.audible() && !settings.scene().muted()
+            ? Optional.of(new SceneSound())
+            : Optional.empty();
     opening = new SceneOpening(settings.scene(), listener);
   }
 
@@ -173,6 +178,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls.looking(!head.steering());
     time.tick(guide.paused());
     advance(live, time.seconds());
+    sound.ifPresent(heard -> heard.hear(live.walk().world(), guide.paused()));
     drags.decided(live.walk().world(), windowInput::accept);
     return Optional.of(live.walk().world());
   }
@@ -325,6 +331,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   @Override
   public void close() throws IOException {
+    sound.ifPresent(SceneSound::close);
     try (head;
         opening) {
       head.log(false); // The last one was stepped, and the window closed before it was shown.

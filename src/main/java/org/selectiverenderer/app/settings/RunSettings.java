@@ -27,7 +27,7 @@ public record RunSettings(
   /** A scene that the user walks through in a window, until he closes it. */
   public RunSettings(Path scene, SelectiveController.Settings rendering) {
     this(
-        new SceneSettings(scene, rendering, ContentAccess.none()),
+        new SceneSettings(scene, rendering, ContentAccess.none(), false),
         MotionSettings.walking(MouseMapping.WALK),
         DisplaySettings.WINDOW,
         TrackerSettings.NONE,
@@ -38,7 +38,18 @@ public record RunSettings(
   /** Of a scene that may name more than its own files. */
   public RunSettings allowing(ContentAccess access) {
     return new RunSettings(
-        new SceneSettings(scene.file(), scene.rendering(), access),
+        new SceneSettings(scene.file(), scene.rendering(), access, scene.muted()),
+        motion,
+        display,
+        tracker,
+        log,
+        duration);
+  }
+
+  /** Whose sounds are heard, or not. */
+  public RunSettings muted(boolean silent) {
+    return new RunSettings(
+        new SceneSettings(scene.file(), scene.rendering(), scene.access(), silent),
         motion,
         display,
         tracker,

@@ -121,7 +121,7 @@ public final class Walkthrough implements AutoCloseable {
 
   /** Polygons of the whole scene in its present versions, seen or not. */
   public long polygons() {
-    return world.instances().shownPolygons();
+    return world.shownPolygons();
   }
 
   public long frames() {

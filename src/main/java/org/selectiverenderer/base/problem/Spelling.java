@@ -3,9 +3,26 @@ package org.selectiverenderer.base.problem;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Finds the name that somebody probably meant. */
+/** Names in sentences: the one that somebody probably meant, and the article before one. */
 public final class Spelling {
+  /** Letters whose names begin with a vowel: an LOD, an X3D file. */
+  private static final String SPOKEN_WITH_VOWEL = "AEFHILMNORSX";
+
   private Spelling() {}
+
+  /**
+   * The name of a node or field type with its article: {@code an Inline}, {@code a Box}. What
+   * begins with two capitals is spelt out in speech, so that it is {@code an LOD} and {@code a
+   * CADPart}.
+   */
+  public static String one(String name) {
+    boolean spelt =
+        name.length() > 1
+            && Character.isUpperCase(name.charAt(0))
+            && !Character.isLowerCase(name.charAt(1));
+    String vowels = spelt ? SPOKEN_WITH_VOWEL : "AEIOaeio";
+    return (!name.isEmpty() && vowels.indexOf(name.charAt(0)) >= 0 ? "an " : "a ") + name;
+  }
 
   /**
    * The candidate nearest to a misspelt name, if one is near enough to be worth proposing: at most

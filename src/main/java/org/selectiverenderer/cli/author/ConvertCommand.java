@@ -5,9 +5,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
@@ -51,7 +48,14 @@ public final class ConvertCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    OutputFile.check("OUT", output, endings());
+    OutputFile.check("OUT", output);
+    if (SceneFormat.of(output.toString()).isEmpty() && !FileTransaction.sink(output)) {
+      throw CommandFailure.usage(
+          "OUT "
+              + output
+              + ": its ending says no encoding to write; .x3d is X3D XML, .x3dv ClassicVRML, .x3dj"
+              + " X3D JSON");
+    }
     SceneFormat format = SceneFormat.of(output.toString()).orElse(SceneFormat.XML);
     if (Files.exists(output) && Files.exists(scene) && Files.isSameFile(output, scene)) {
       throw CommandFailure.environment(
@@ -78,13 +82,5 @@ public final class ConvertCommand extends CliCommand {
     writing.add(output, SceneFormat.packed(output.toString()) ? Gzip.packed(plain) : plain);
     LeftFiles.tell(writing.commit(), console());
     return ExitStatus.of(problems);
-  }
-
-  private static String[] endings() {
-    List<String> all = new ArrayList<>();
-    Arrays.stream(SceneFormat.values()).forEach(format -> all.addAll(format.endings()));
-    List<String> packed = all.stream().map(ending -> ending + ".gz").toList();
-    all.addAll(packed);
-    return all.toArray(String[]::new);
   }
 }

@@ -24,8 +24,8 @@ public final class AccessOptions {
       names = "--allow-net",
       paramLabel = "HOST",
       description =
-          "host that the scene may fetch files from, such as example.org or *.example.org; may be"
-              + " repeated (default: none)")
+          "host that the scene may fetch files from: example.org, or *.example.org for all below"
+              + " it; may be repeated (default: none)")
   private List<String> hosts = List.of();
 
   /** One object for the whole command, so that nothing is fetched twice. */

@@ -100,6 +100,9 @@ public final class RunCommand extends CliCommand {
       description = "draws without a window, as fast as possible; still needs a display")
   private boolean offscreen;
 
+  @Option(names = "--mute", description = "leaves out the sounds of the scene")
+  private boolean mute;
+
   @Mixin private ViewOptions view = new ViewOptions();
 
   @Mixin private DisplayOptions display = new DisplayOptions();
@@ -157,6 +160,7 @@ public final class RunCommand extends CliCommand {
     RunSettings settings =
         new RunSettings(scene.file(), condition.settings())
             .allowing(access.access())
+            .muted(mute)
             .with(motion(walked, session))
             .with(display(presentation.get()))
             .with(tracking, head.recorded())

@@ -21,6 +21,7 @@ public final class NodeContent {
       Set.of(
           "Group",
           "StaticGroup",
+          "Layer",
           "Anchor",
           "CADAssembly",
           "CADLayer",
@@ -36,7 +37,8 @@ public final class NodeContent {
           "HAnimSegment",
           "HAnimSite",
           "GeoLocation",
-          "GeoTransform");
+          "GeoTransform",
+          "Layer");
 
   private NodeContent() {}
 
@@ -48,7 +50,7 @@ public final class NodeContent {
         || type.name().equals("HAnimHumanoid");
   }
 
-  /** The nodes in a group, shown or not; none for what is no group. */
+  /** The nodes in a group or the layers of a LayerSet, shown or not; none for all others. */
   public static List<? extends NodeView> of(NodeView node) {
     return switch (node.type().name()) {
       case "CADFace" -> {
@@ -57,6 +59,7 @@ public final class NodeContent {
       }
       case "GeoLOD" -> node.nodes("rootNode");
       case "HAnimHumanoid" -> figure(node);
+      case "LayerSet" -> node.nodes("layers");
       default -> WITH_CHILDREN.contains(node.type().name()) ? node.nodes("children") : List.of();
     };
   }

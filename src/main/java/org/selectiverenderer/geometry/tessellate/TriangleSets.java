@@ -62,7 +62,11 @@ final class TriangleSets {
   /** Faces of {@code size} points each, one after the other. */
   private Mesh single(int size) {
     if (stream.length % size != 0) {
-      job.problem("has " + stream.length % size + " extra points at its end; they are left out");
+      int extra = stream.length % size;
+      job.problem(
+          extra == 1
+              ? "has 1 extra point at its end; it is left out"
+              : "has " + extra + " extra points at its end; they are left out");
     }
     FaceSplitter splitter = new FaceSplitter(points.xyz(), triangles);
     for (int i = 0; i + size <= stream.length; i += size) {

@@ -11,6 +11,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
@@ -25,6 +26,7 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
  * @param problems found in this file, kept apart so that they can be reported in document order
  * @param types names of the node types in the file
  * @param programs those of Scripts, where they have one that can be used
+ * @param sounds those of AudioClips, where their files could be read
  * @param pictures the textures that stand for those of Background nodes
  * @param inlines what became of the file that an Inline names; complete when all threads are done
  */
@@ -37,6 +39,7 @@ record FileContent(
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
     Map<ParsedNode, ScriptProgram> programs,
+    Map<ParsedNode, Recording> sounds,
     Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
@@ -60,6 +63,7 @@ record FileContent(
         file,
         new FileProblems(),
         ConcurrentHashMap.newKeySet(),
+        new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),

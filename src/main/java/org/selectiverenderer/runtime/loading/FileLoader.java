@@ -35,6 +35,7 @@ final class FileLoader {
   private final ImageFiles images;
   private final Libraries libraries;
   private final ScriptFiles scripts;
+  private final SoundFiles sounds;
   private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
   FileLoader(X3dReader reader, Tessellator tessellator, TaskGroup tasks, ContentRoot root) {
@@ -45,6 +46,7 @@ final class FileLoader {
     images = new ImageFiles(root);
     libraries = new FileLibraries(reader, root);
     scripts = new ScriptFiles(root);
+    sounds = new SoundFiles(root);
   }
 
   /**
@@ -117,6 +119,8 @@ final class FileLoader {
             assets.add(task(content, problems -> mesh(node, content, problems)));
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
+          } else if (node.type().name().equals("AudioClip") && node.bool("load")) {
+            assets.add(task(content, problems -> sound(node, content, problems)));
           } else if (node.type().is("X3DTextureNode")) {
             assets.add(task(content, problems -> image(node, node, content, problems)));
           } else if (BackgroundPictures.names(node.type())) {
@@ -126,7 +130,8 @@ final class FileLoader {
             pictures
                 .values()
                 .forEach(
-                    one -> assets.add(task(content, problems -> image(one, node, content, problems))));
+                    one ->
+                        assets.add(task(content, problems -> image(one, node, content, problems))));
           }
         });
     // The largest first: begun last, it would keep everybody waiting.
@@ -163,11 +168,16 @@ final class FileLoader {
         .ifPresent(program -> content.programs().put(script, program));
   }
 
+  private void sound(ParsedNode clip, FileContent content, Problems problems) {
+    sounds
+        .read(clip, clip.base(content.base()), problems)
+        .ifPresent(recording -> content.sounds().put(clip, recording));
+  }
+
   /**
    * @param owner the node of the file that names the image: the texture itself, or a Background
    */
-  private void image(
-      ParsedNode texture, ParsedNode owner, FileContent content, Problems problems) {
+  private void image(ParsedNode texture, ParsedNode owner, FileContent content, Problems problems) {
     content.images().put(texture, images.read(texture, owner.base(content.base()), problems));
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -65,6 +66,10 @@ final class ImageFiles {
   /** The image in a PixelTexture or PixelTexture3D; of other textures none. */
   static Optional<Texture.Image> pixels(NodeView texture, Problems problems) {
     String type = texture.type().name();
+    if (type.startsWith("PixelTexture")
+        && Arrays.stream(texture.ints("image")).allMatch(i -> i == 0)) {
+      return Optional.empty(); // The default, which many a script fills later.
+    }
     try {
       return switch (type) {
         case "PixelTexture" -> Optional.of(ImageDecoder.pixels(texture.ints("image")));

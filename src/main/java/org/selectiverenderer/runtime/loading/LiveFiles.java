@@ -12,16 +12,18 @@ import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * The files that a running scene comes to name: Inlines whose {@code load} or {@code url} changes
- * (X3D 4.0, 9.4.2), textures with another url, Anchors that are followed. All are read on the
- * loader's threads; what was there stays until the new is there, and takes its place on the
- * stepping thread. No frame waits for a disk. When something cannot be read, that is a problem, and
- * the node is empty.
+ * (X3D 4.0, 9.4.2), textures and AudioClips with another url, Anchors that are followed. All are
+ * read on the loader's threads; what was there stays until the new is there, and takes its place on
+ * the stepping thread. No frame waits for a disk. When something cannot be read, that is a problem,
+ * and the node is empty.
  *
  * <p>Belongs to the thread that steps the world.
  */
@@ -33,6 +35,7 @@ public final class LiveFiles {
   private final Consumer<Runnable> post;
   private final LiveInlines inlines;
   private final LiveImages images;
+  private final LiveSounds sounds;
 
   /**
    * @param problems hears what is wrong with the files read
@@ -44,6 +47,7 @@ public final class LiveFiles {
     this.post = post;
     inlines = new LiveInlines(this, new LiveImports(loaded.scene(), problems));
     images = new LiveImages(this, loaded.loader().store().assets());
+    sounds = new LiveSounds(this);
   }
 
   /** The meshes and images of the scene's nodes, those that arrive later too. */
@@ -56,9 +60,15 @@ public final class LiveFiles {
     inlines.watch(present);
   }
 
+  /** Tells which AudioClips are played in the scene, whenever its structure has changed. */
+  public void watchClips(Collection<AudioClipNode> present) {
+    sounds.watch(present);
+  }
+
   /** Begins to read what the events of a frame have asked for. */
   public void update() {
     inlines.update();
+    sounds.update();
   }
 
   /**
@@ -158,6 +168,15 @@ public final class LiveFiles {
     request(
         loaded.loader().image(copy(texture), origin(texture)),
         image -> arrived.accept(Optional.of(image)),
+        () -> arrived.accept(Optional.empty()));
+  }
+
+  /** Reads the file that an AudioClip names now. */
+  void sound(AudioClipNode clip, Consumer<Optional<Recording>> arrived) {
+    ParsedNode asking = copy(clip);
+    request(
+        loaded.loader().sound(asking, origin(clip)),
+        recording -> arrived.accept(Optional.of(recording)),
         () -> arrived.accept(Optional.empty()));
   }
 

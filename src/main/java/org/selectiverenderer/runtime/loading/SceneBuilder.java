@@ -15,9 +15,11 @@ import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.geo.GeoLodNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
+import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -229,6 +231,10 @@ final class SceneBuilder {
         ScriptProgram program = content.programs().get(parsed);
         if (node instanceof ScriptNode script && program != null) {
           script.load(program, scene);
+        }
+        Recording recording = content.sounds().get(parsed);
+        if (node instanceof AudioClipNode clip && recording != null) {
+          clip.recording(recording);
         }
       } else if (node.type().component().equals("Geospatial")) {
         geospatial(node);

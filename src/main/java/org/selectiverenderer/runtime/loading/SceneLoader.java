@@ -26,6 +26,7 @@ import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentAccess;
@@ -284,6 +285,17 @@ public final class SceneLoader implements AutoCloseable {
         (content, hears) -> {
           content.problems().list().forEach(hears::add);
           return content.images().getOrDefault(texture, Optional.empty());
+        });
+  }
+
+  /** Reads the sound that an AudioClip names. */
+  CompletableFuture<Arrival<Recording>> sound(ParsedNode clip, UrlBase origin) {
+    return read(
+        clip,
+        origin,
+        (content, hears) -> {
+          content.problems().list().forEach(hears::add);
+          return Optional.ofNullable(content.sounds().get(clip));
         });
   }
 

@@ -19,6 +19,9 @@ final class SceneStore {
   /** Components with which nothing is done: told once, not once for each of their node types. */
   private static final Set<String> NOT_DONE = Set.of("DIS", "RigidBodyPhysics", "VolumeRendering");
 
+  /** The component of which the nodes of the audio graph, new in X3D 4.0, are kept only. */
+  private static final String SOUND = "Sound";
+
   private final AssetStore assets;
   private final Predicate<NodeType> actedOn;
   private final Map<Node, UrlBase> origins = new WeakHashMap<>();
@@ -75,6 +78,13 @@ final class SceneStore {
   Optional<String> kept(NodeType type) {
     if (actedOn.test(type)) {
       return Optional.empty();
+    }
+    if (type.component().equals(SOUND)) {
+      return keptOnly.add(SOUND)
+          ? Optional.of(
+              "%s is kept in the scene, but this program hears Sound and AudioClip only"
+                  .formatted(type.name()))
+          : Optional.empty();
     }
     if (NOT_DONE.contains(type.component())) {
       return keptOnly.add(type.component())

@@ -35,6 +35,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.sound.Sounds;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeMaker;
@@ -49,6 +50,7 @@ public final class NodeFactory {
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
+    makers.putAll(Sounds.MAKERS);
     makers.putAll(SplineInterpolators.MAKERS);
     put(
         GroupingNode::new,

@@ -7,6 +7,7 @@ import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -33,8 +34,9 @@ final class FieldCheck implements FileCheck {
     String name = attribute.name();
     FieldDefinition field = type.field(name).orElse(null);
     if (field == null) {
-      if (name.equals("collide") && type.is("Collision")) {
-        findings.add(FieldRules.OLD_SPELLING, attribute, "collide", "enabled");
+      String now = FormerNames.now(type, name);
+      if (!now.equals(name)) {
+        findings.add(FieldRules.OLD_SPELLING, attribute, name, now);
       } else if (!GENERAL.contains(name)) {
         List<String> names = type.fields().stream().map(FieldDefinition::name).toList();
         findings.add(

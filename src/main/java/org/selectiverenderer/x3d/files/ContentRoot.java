@@ -122,7 +122,7 @@ public final class ContentRoot {
    */
   public Target resolve(String url, ContentBase base) {
     String trimmed = url.strip();
-    int at = trimmed.indexOf('#');
+    int at = DataUrl.is(trimmed) ? DataUrl.fragment(trimmed) : trimmed.indexOf('#');
     String location = at < 0 ? trimmed : trimmed.substring(0, at);
     String fragment = at < 0 ? "" : trimmed.substring(at + 1);
     if (DataUrl.is(location)) {

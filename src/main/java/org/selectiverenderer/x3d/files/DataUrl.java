@@ -22,6 +22,17 @@ final class DataUrl {
   }
 
   /**
+   * Where the sign of the fragment stands, or -1. A scene in VRML that is written as it is begins
+   * with that sign itself.
+   */
+  static int fragment(String url) {
+    int comma = url.indexOf(',');
+    return url.startsWith("#VRML V", comma + 1) || url.startsWith("#X3D V", comma + 1)
+        ? -1
+        : url.indexOf('#');
+  }
+
+  /**
    * @param url without a fragment
    * @param base of the file that names it: its own relative urls start there, too
    * @throws IOException with a clause that reads after the url
@@ -48,7 +59,8 @@ final class DataUrl {
       throw new IOException(
           "has more than %s MiB of data, which is the limit".formatted(Network.MAX_BYTES >> 20));
     }
-    String name = url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…";
+    String name = (url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…");
+    name = name.replaceAll("\\p{Cntrl}+", " "); // It stands in messages, which are one line.
     return new Content.OfBytes("data:" + digest(data), name, base, data);
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -33,17 +34,16 @@ final class Children {
       if (field == null) {
         reading.error(
             location,
-            "a " + child.type() + " is not allowed in a " + parent.type() + "; it is left out");
+            one(child.type()) + " is not allowed in " + one(parent.type()) + "; it is left out");
         return;
       }
       reading.warning(
           location,
-          "a "
-              + child.type()
+          one(child.type())
               + " does not fit into "
               + (containerField == null ? child.type().containerField() : containerField)
-              + " of a "
-              + parent.type()
+              + " of "
+              + one(parent.type())
               + "; it is used as its "
               + field.name());
     }
@@ -59,14 +59,18 @@ final class Children {
           location,
           "the "
               + field.name()
-              + " of a "
-              + parent.type()
+              + " of "
+              + one(parent.type())
               + " can be only one node, and there is one already; this "
               + child.type()
               + " is left out");
     } else {
       parent.put(field.index(), child);
     }
+  }
+
+  private static String one(NodeType type) {
+    return Spelling.one(type.name());
   }
 
   /** Makes the lists of nodes values of the parent. */

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
@@ -65,8 +66,11 @@ final class DocumentReader implements NodeReader.Links {
           scene(in);
         }
         default -> {
-          reading.error(
-              in.location(), in.name() + " is outside of Scene; it and its children are left out");
+          if (!in.foreign()) {
+            reading.error(
+                in.location(),
+                in.name() + " is outside of Scene; it and its children are left out");
+          }
           in.skip();
         }
       }
@@ -94,13 +98,16 @@ final class DocumentReader implements NodeReader.Links {
           }
         }
         case "meta" -> meta.add(new X3dFile.Meta(text(in, "name"), text(in, "content")));
-        default ->
+        default -> {
+          if (!in.foreign()) {
             reading.warning(
                 in.location(),
                 in.name()
                     + " is not allowed in the head"
                     + reading.question(in.name(), List.of("component", "meta", "unit"))
                     + "; it is left out");
+          }
+        }
       }
       in.skip();
     }
@@ -114,7 +121,8 @@ final class DocumentReader implements NodeReader.Links {
         if (!type.is("X3DChildNode") && !type.is("LayerSet")) {
           reading.warning(
               child.location(),
-              "a " + type + " at the top of a scene is not shown; put it into another node");
+              Spelling.one(type.name())
+                  + " at the top of a scene is not shown; put it into another node");
         }
         top.add(child.node());
       }

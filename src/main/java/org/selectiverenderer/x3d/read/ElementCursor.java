@@ -23,8 +23,13 @@ interface ElementCursor {
     return false;
   }
 
-  /** The element's name without prefix. */
+  /** The element's name without prefix; with it where it is of another language's namespace. */
   String name();
+
+  /** Whether the element is of another language, such as a signature: no matter of the scene's. */
+  default boolean foreign() {
+    return name().indexOf(':') >= 0;
+  }
 
   ElementLocation place();
 

@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.files.ContentBase;
  */
 record ExternDeclaration(
     String name, List<Field> fields, List<String> urls, ContentBase base, Location location)
-    implements Prototype {
+    implements DeclaredPrototype {
   /** A field as this file expects it. */
   record Field(String name, FieldType type, FieldAccess access, Location location) {}
 }

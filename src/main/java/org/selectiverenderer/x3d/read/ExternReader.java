@@ -50,7 +50,7 @@ final class ExternReader {
         reading.report(problem);
       }
     }
-    Prototype prototype = library.prototype(found.fragment());
+    DeclaredPrototype prototype = library.prototype(found.fragment());
     ProtoDeclaration declaration =
         prototype instanceof ExternDeclaration further
             ? further(extern, further)

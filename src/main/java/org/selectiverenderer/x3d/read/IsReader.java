@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
@@ -70,12 +71,11 @@ final class IsReader {
       } else {
         reading.error(
             location,
-            "a "
-                + childNode.type()
+            Spelling.one(childNode.type().name())
                 + " cannot be the "
                 + field.name()
-                + " of a "
-                + node.type()
+                + " of "
+                + Spelling.one(node.type().name())
                 + "; it is left out");
       }
     }

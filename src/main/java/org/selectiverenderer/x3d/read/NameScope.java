@@ -23,7 +23,7 @@ final class NameScope {
   private final @Nullable ProtoInstance instance;
   private final Map<String, Named> names = new LinkedHashMap<>();
   private Set<ParsedNode> open = Collections.newSetFromMap(new IdentityHashMap<>());
-  private final Map<String, Prototype> prototypes = new HashMap<>();
+  private final Map<String, DeclaredPrototype> prototypes = new HashMap<>();
   private final Set<String> lost = new HashSet<>();
   private final Set<String> imported = new HashSet<>();
   private final List<PendingRoute> routes = new ArrayList<>();
@@ -80,13 +80,13 @@ final class NameScope {
     return open.contains(node);
   }
 
-  void declare(Prototype prototype) {
+  void declare(DeclaredPrototype prototype) {
     prototypes.put(prototype.name(), prototype);
   }
 
-  @Nullable Prototype prototype(String name) {
+  @Nullable DeclaredPrototype prototype(String name) {
     for (NameScope scope = this; scope != null; scope = scope.enclosing) {
-      Prototype found = scope.prototypes.get(name);
+      DeclaredPrototype found = scope.prototypes.get(name);
       if (found != null) {
         return found;
       }
@@ -94,7 +94,7 @@ final class NameScope {
     return null;
   }
 
-  /** Marks the name of an instance whose prototype cannot be had, which has been told. */
+  /** Marks the name of a node that is left out, which has been told. */
   void lose(String name) {
     lost.add(name);
   }

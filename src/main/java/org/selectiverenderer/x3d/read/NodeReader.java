@@ -5,7 +5,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.field.Flaws;
@@ -83,13 +85,15 @@ final class NodeReader {
           if (type != null) {
             return node(in, scope, type, name);
           }
-          reading.error(
-              in.location(),
-              "unknown element "
-                  + in.name()
-                  + reading.question(in.name(), reading.catalogue.names())
-                  + "; it and its children are left out");
-          in.skip();
+          if (!in.foreign()) {
+            reading.error(
+                in.location(),
+                "unknown element "
+                    + in.name()
+                    + reading.question(in.name(), reading.catalogue.names())
+                    + "; it and its children are left out");
+          }
+          lose(in, scope);
         }
       }
       return null;
@@ -170,16 +174,37 @@ final class NodeReader {
     if (!kind.equals(element)) {
       reading.warning(
           reading.at(place, attribute),
-          name + " is a " + kind + ", not a " + element + "; the " + kind + " is used");
+          "%s is %s, not %s; the %s is used"
+              .formatted(name, Spelling.one(kind), Spelling.one(element), kind));
     }
     return new Child(found, containerField, place.location());
+  }
+
+  /** Leaves an element out, so that what refers to names in it needs no further message. */
+  private static void lose(ElementCursor in, NameScope scope) {
+    loseName(in, scope);
+    for (int depth = 1; depth > 0; ) {
+      if (in.next()) {
+        loseName(in, scope);
+        depth++;
+      } else {
+        depth--;
+      }
+    }
+  }
+
+  private static void loseName(ElementCursor in, NameScope scope) {
+    String def = in.attribute("DEF");
+    if (def != null) {
+      scope.lose(def);
+    }
   }
 
   private void attributes(ElementCursor in, ParsedNode node) {
     NodeType type = node.type();
     for (int i = 0; i < in.attributes(); i++) {
       String name = in.attributeName(i);
-      FieldDefinition field = type.field(name).orElse(null);
+      FieldDefinition field = type.field(FormerNames.now(type, name)).orElse(null);
       if (field == null) {
         switch (name) {
           case "DEF", "USE", "containerField", "class", "id", "style", "" -> {

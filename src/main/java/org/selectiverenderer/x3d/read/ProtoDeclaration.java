@@ -25,7 +25,7 @@ record ProtoDeclaration(
     @Nullable ContentBase base,
     AngleUnit angles,
     Set<String> lacking)
-    implements Prototype {
+    implements DeclaredPrototype {
   /**
    * A field of the interface.
    *

@@ -84,7 +84,7 @@ final class ProtoInstanceReader {
   /** The prototype that a scope knows by a name; null after a message. */
   private @Nullable ProtoDeclaration declaration(
       NameScope scope, @Nullable String name, Location location) {
-    Prototype prototype = name == null ? null : scope.prototype(name);
+    DeclaredPrototype prototype = name == null ? null : scope.prototype(name);
     if (prototype instanceof ExternDeclaration extern) {
       return externs.find(extern);
     }

@@ -9,7 +9,7 @@ import org.selectiverenderer.base.problem.Problem;
  *
  * <p>What is wrong with it is told to every file that uses it.
  */
-public final class PrototypeLibrary {
+final class PrototypeLibrary {
   private final String name;
   private final NameScope scope;
   private final @Nullable String first;
@@ -40,7 +40,7 @@ public final class PrototypeLibrary {
    *
    * @param fragment its name; empty for the first one
    */
-  @Nullable Prototype prototype(String fragment) {
+  @Nullable DeclaredPrototype prototype(String fragment) {
     String wanted = fragment.isEmpty() ? first : fragment;
     return wanted == null ? null : scope.prototype(wanted);
   }

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
@@ -153,7 +154,8 @@ final class RouteReader {
     ProtoInstance instance = named.instance();
     if (instance == null) {
       NodeType type = named.node().type();
-      FieldDefinition definition = (input ? type.input(field) : type.output(field)).orElse(null);
+      String now = FormerNames.now(type, field);
+      FieldDefinition definition = (input ? type.input(now) : type.output(now)).orElse(null);
       if (definition != null) {
         into.add(new X3dFile.End.Own(named.node(), definition.index()));
       }

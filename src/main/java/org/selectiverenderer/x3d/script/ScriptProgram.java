@@ -24,7 +24,9 @@ public record ScriptProgram(String text, Location start) {
       Pattern.compile("\\A\\s*(?:ecmascript|javascript|vrmlscript):", Pattern.CASE_INSENSITIVE);
 
   private static final Pattern OTHER =
-      Pattern.compile("\\A\\s*([a-z]+script|compiled):", Pattern.CASE_INSENSITIVE);
+      Pattern.compile(
+          "\\A\\s*(?:data:[a-z]+/(?:x-)?(?!ecma|java|vrml))?([a-z]+script|compiled)[:,;]",
+          Pattern.CASE_INSENSITIVE);
 
   /** The language that a text says it is in, such as {@code castlescript}; empty for ours. */
   static Optional<String> otherLanguage(String text) {
@@ -62,8 +64,7 @@ public record ScriptProgram(String text, Location start) {
    */
   public static ScriptProgram read(Content file) throws IOException {
     return new ScriptProgram(
-        new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8),
-        new Location(file.name(), 1, 1));
+        new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8), new Location(file.name(), 1, 1));
   }
 
   /** Where a line of the text stands, counted from 1. */

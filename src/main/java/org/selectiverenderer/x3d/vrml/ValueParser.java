@@ -82,7 +82,12 @@ final class ValueParser {
     int end = scanner.at();
     scanner.space();
     // A number where a truth value should be is told as what it is, and the file goes on.
-    while (flags && flag() || scanner.number()) {
+    if (!flag() && stray()) {
+      scanner.passWord();
+      end = scanner.at();
+      scanner.space();
+    }
+    while (flags && flag() || scanner.number() || notFinite()) {
       scanner.passWord();
       end = scanner.at();
       scanner.space();
@@ -99,6 +104,52 @@ final class ValueParser {
             || scanner.take("false");
     scanner.back(start);
     return found;
+  }
+
+  private boolean notFinite() {
+    int start = scanner.at();
+    boolean found = VrmlScanner.isNotFinite(scanner.word());
+    scanner.back(start);
+    return found;
+  }
+
+  /**
+   * Whether a word stands where a value begins that is neither one nor a field's name, as no value
+   * follows it: {@code abc}. It is told as a value, and the file goes on.
+   */
+  private boolean stray() {
+    int start = scanner.at();
+    String word = scanner.word();
+    boolean stray =
+        switch (word) {
+          case "", "DEF", "USE", "NULL", "ROUTE", "PROTO", "EXTERNPROTO", "IMPORT", "EXPORT" ->
+              false;
+          default ->
+              !VrmlScanner.isNumber(word)
+                  && StatementParser.access(word) == null
+                  && !valueFollows();
+        };
+    scanner.back(start);
+    return stray;
+  }
+
+  private boolean valueFollows() {
+    scanner.look();
+    switch (scanner.peek()) {
+      case '"', '[', '{', 0 -> {
+        return true;
+      }
+      case '}', ']' -> {
+        return false;
+      }
+      default -> {
+        String word = scanner.word();
+        return switch (word) {
+          case "TRUE", "FALSE", "true", "false", "IS", "DEF", "USE", "NULL" -> true;
+          default -> VrmlScanner.isNumber(word) || scanner.opens();
+        };
+      }
+    }
   }
 
   /** Passes a list in brackets; returns the offset of the closing one. */

@@ -1,5 +1,6 @@
 package org.selectiverenderer.x3d.vrml;
 
+import java.util.Locale;
 import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.SourceText;
@@ -151,8 +152,24 @@ final class VrmlScanner {
 
   /** Whether a number begins here. */
   boolean number() {
-    char c = peek();
+    return beginsNumber(peek());
+  }
+
+  private static boolean beginsNumber(char c) {
     return c >= '0' && c <= '9' || c == '-' || c == '+' || c == '.';
+  }
+
+  /** Whether a word is a number, or what programs write where they have none. */
+  static boolean isNumber(String word) {
+    return !word.isEmpty() && beginsNumber(word.charAt(0)) || isNotFinite(word);
+  }
+
+  /** Whether a word is what programs write for a number that is none. */
+  static boolean isNotFinite(String word) {
+    return switch (word.toLowerCase(Locale.ROOT)) {
+      case "nan", "inf", "infinity" -> true;
+      default -> false;
+    };
   }
 
   /**

@@ -5,9 +5,10 @@
  * one {@code VrmlScanner}, and say what they find as elements of the XML encoding: a field of
  * values becomes an attribute, a node in a field a child element, with {@code containerField} where
  * it would not get there by itself; IS becomes {@code IS} with {@code connect}; what VRML97 calls
- * otherwise gets X3D's name ({@code FormerNames}). What the elements mean is said by who reads
- * elements, for all encodings alike. Values stay where they are in the text and are read by {@code
- * x3d.field}, whose syntax of numbers and strings is that of VRML.
+ * otherwise gets X3D's name ({@link org.selectiverenderer.x3d.catalogue.FormerNames}). What the
+ * elements mean is said by who reads elements, for all encodings alike. Values stay where they are
+ * in the text and are read by {@code x3d.field}, whose syntax of numbers and strings is that of
+ * VRML.
  *
  * <p>A text that breaks the grammar ends there, and what was before it is kept; a field that its
  * node does not have is passed over, if what follows it is a value.

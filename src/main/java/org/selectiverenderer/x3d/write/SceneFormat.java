@@ -46,11 +46,6 @@ public enum SceneFormat {
     return lower.endsWith(GZIP) ? lower.substring(0, lower.length() - GZIP.length()) : lower;
   }
 
-  /** The endings that it has, the plain ones first. */
-  public List<String> endings() {
-    return endings;
-  }
-
   /**
    * Writes a document anew, whatever it was written in: the same text each time.
    *

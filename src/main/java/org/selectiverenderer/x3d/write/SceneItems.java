@@ -6,18 +6,22 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.Encoding;
 import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.SceneItem.Element;
 import org.selectiverenderer.x3d.write.SceneItem.Place;
@@ -28,7 +32,10 @@ import org.selectiverenderer.x3d.write.SceneItem.Value;
  * where the comments stand. What says nothing is told and left out. Serves one document.
  */
 final class SceneItems {
+  private static final Pattern BETWEEN = Pattern.compile("[\\s,]+");
+
   private final NodeCatalogue catalogue;
+  private final boolean json;
   private final Problems problems;
   private final List<XmlDocument.Comment> comments;
   private final Map<String, DocumentElement> instances = new HashMap<>();
@@ -36,6 +43,7 @@ final class SceneItems {
 
   private SceneItems(XmlDocument document, NodeCatalogue catalogue, Problems problems) {
     this.catalogue = catalogue;
+    json = document.encoding() == Encoding.JSON;
     this.problems = problems;
     comments = new ArrayList<>(document.comments());
     comments.sort(Comparator.comparingInt(XmlDocument.Comment::offset));
@@ -82,7 +90,8 @@ final class SceneItems {
       if (found == null) {
         leftOut(
             element.location(),
-            "a %s is not allowed in a %s; it is left out".formatted(name, parent));
+            "%s is not allowed in %s; it is left out"
+                .formatted(Spelling.one(name), Spelling.one(parent.name())));
         skip(element);
         return Optional.empty();
       }
@@ -163,9 +172,9 @@ final class SceneItems {
       }
     }
     if (type == null) {
-      return Optional.of(typed(attribute, Statement.type(element, name, known)));
+      return Optional.of(typed(name, attribute, Statement.type(element, name, known)));
     }
-    FieldDefinition field = type.field(name).orElse(null);
+    FieldDefinition field = type.field(FormerNames.now(type, name)).orElse(null);
     if (field == null) {
       if (name.equals("class") || name.equals("id") || name.equals("style")) {
         return Optional.of(new Value(name, null, attribute.text())); // XML's own
@@ -183,7 +192,7 @@ final class SceneItems {
       tell(attribute, field.type());
       return Optional.empty();
     }
-    return Optional.of(typed(attribute, field.type()));
+    return Optional.of(typed(field.name(), attribute, field.type()));
   }
 
   private void tell(DocumentAttribute attribute, FieldType type) {
@@ -197,15 +206,20 @@ final class SceneItems {
   }
 
   /** The text as it was written, if that is a value of the type; else what can be used of it. */
-  private Value typed(DocumentAttribute attribute, @Nullable FieldType type) {
-    String name = attribute.name();
+  private Value typed(String name, DocumentAttribute attribute, @Nullable FieldType type) {
     if (type == null || type.isNode() || type == FieldType.SFString) {
       return new Value(name, type, attribute.text());
     }
     Object value = attribute.value(type);
     tell(attribute, type);
     boolean asItIs = attribute.flaws(type).isEmpty() && type.kind() != FieldType.Kind.STRING;
-    String text = value == null || asItIs ? attribute.text().strip() : ValueText.of(value);
+    String text = value == null || asItIs ? plain(attribute.text()) : ValueText.of(value);
     return new Value(name, type, value == null ? "" : text);
+  }
+
+  /** JSON has a comma behind each number, which says nothing about tuples as an author's does. */
+  private String plain(String written) {
+    String text = written.strip();
+    return json ? BETWEEN.matcher(text).replaceAll(" ") : text;
   }
 }

@@ -97,8 +97,8 @@ class PrimitivesTest extends GeometryTest {
 
   @Test
   void otherNodesAreNotHandled() {
-    assertThat(tessellator.handles(node("NurbsCurve").type())).isFalse();
-    assertThat(tessellator.tessellate(node("NurbsCurve"), problems)).isEmpty();
+    assertThat(tessellator.handles(node("Material").type())).isFalse();
+    assertThat(tessellator.tessellate(node("Material"), problems)).isEmpty();
     assertThat(tessellator.handles(node("Box").type())).isTrue();
   }
 

@@ -115,7 +115,7 @@ class TriangleSetsTest extends GeometryTest {
     mesh(node("TriangleStripSet", "coord", GRID, "stripCount", new int[] {4, 9}));
     assertThat(messages())
         .containsExactly(
-            "IndexedTriangleSet has 1 extra points at its end; they are left out",
+            "IndexedTriangleSet has 1 extra point at its end; it is left out",
             "TriangleStripSet has a stripCount that asks for more points than there are;"
                 + " the rest is left out");
   }

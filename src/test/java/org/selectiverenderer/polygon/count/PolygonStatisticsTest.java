@@ -146,6 +146,24 @@ class PolygonStatisticsTest {
   }
 
   @Test
+  void whatStandsInLayersCounts() throws IOException {
+    SceneStatistics scene =
+        count(
+            folder,
+            problems,
+            "<LayerSet activeLayer='1' order='1 2'>",
+            "<Layer><Group DEF='Room'>",
+            object("Switch_A", "Desk:20", "Office:3") + shape(5),
+            "</Group></Layer>",
+            "<Layer>" + shape(7) + "</Layer>",
+            "</LayerSet>");
+    assertThat(problems.list()).isEmpty();
+    assertThat(scene.totalHigh()).isEqualTo(32);
+    assertThat(scene.objects()).extracting(ObjectCount::switchName).containsExactly("Switch_A");
+    assertThat(scene.scopes()).extracting(ScopeCount::high).containsExactly(25L);
+  }
+
+  @Test
   void anObjectThatIsUsedTwiceCountsTwice() throws IOException {
     SceneStatistics scene =
         count(

@@ -47,7 +47,6 @@ class NodeFactoryTest {
             Networking: LoadSensor
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             RigidBodyPhysics: all
-            Scripting: all
             Shaders: all
             Shape: AcousticProperties
             Sound: all

@@ -45,6 +45,9 @@ class SupportPageTest {
           "addChildren",
           "removeChildren");
 
+  /** Fields whose names are put together: those of textures, of backs, of a Background's sides. */
+  private static final Pattern COMPUTED = Pattern.compile("\\w+TextureMapping|back[A-Z]\\w+|\\w+Url");
+
   private static final Pattern LITERAL = Pattern.compile("\"([A-Za-z_0-9]+)\"");
 
   private final NodeCatalogue catalogue = NodeCatalogue.load();
@@ -88,7 +91,7 @@ class SupportPageTest {
   @Test
   void fieldsThatAreActedOnAreNamedSomewhereInTheCode() throws IOException {
     Set<String> named = new HashSet<>();
-    for (String folder : List.of("runtime", "geometry", "schema", "x3d")) {
+    for (String folder : List.of("app", "runtime", "geometry", "schema", "x3d")) {
       try (Stream<Path> files =
           Files.walk(Path.of("src/main/java/org/selectiverenderer", folder))) {
         for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
@@ -103,7 +106,8 @@ class SupportPageTest {
         if (field.access() != FieldAccess.INPUT_ONLY
             && factory.actsOn(type)
             && isActedOn(type, field)
-            && !named.contains(field.name())) {
+            && !named.contains(field.name())
+            && !COMPUTED.matcher(field.name()).matches()) {
           unnamed.add(type + " " + field.name());
         }
       }
@@ -131,6 +135,9 @@ class SupportPageTest {
   }
 
   private String row(NodeType type) {
+    if (!factory.actsOn(type)) {
+      return "| %s | | all |\n".formatted(type);
+    }
     List<String> acted = new ArrayList<>();
     List<String> only = new ArrayList<>();
     for (FieldDefinition field : type.fields()) {
@@ -138,21 +145,16 @@ class SupportPageTest {
         continue;
       }
       String why = kept.get(type + " " + field.name());
-      if (!factory.actsOn(type)) {
-        only.add(field.name());
-      } else if (why == null) {
+      if (why == null) {
         acted.add(field.name());
       } else {
         only.add(why.isEmpty() ? field.name() : field.name() + " (" + why + ")");
       }
     }
-    return "| %s | %s | %s |%n"
+    return "| %s | %s | %s |\n"
         .formatted(
             type,
-            factory.actsOn(type)
-                ? acted.isEmpty() ? "acted on" : String.join(", ", acted)
-                : "kept only",
-            String.join(", ", only))
-        .replace("\r\n", "\n");
+            acted.isEmpty() ? "it is acted on" : String.join(", ", acted),
+            String.join(", ", only));
   }
 }

@@ -124,12 +124,20 @@ class ContentAccessTest {
         "data:text/plain;charset=utf-8,a%20b+c%2|a b+c%2",
         "data:;base64,aGVs bG8=|hello",
         "DATA:,x#Name|x",
+        "data:model/vrml,#VRML V2.0 utf8 Group{}|#VRML V2.0 utf8 Group{}",
+        "data:model/x3d+vrml,#X3D V3.3 utf8|#X3D V3.3 utf8",
         "data:text/plain;BASE64,aGVs%62G8=|hello",
       })
   void dataIsInTheUrl(String url, String content) throws IOException {
     Target target = resolve(url);
     assertRead(target, content);
-    assertThat(((Target.Found) target).fragment()).isEqualTo(url.contains("#") ? "Name" : "");
+    assertThat(((Target.Found) target).fragment()).isEqualTo(url.endsWith("#Name") ? "Name" : "");
+  }
+
+  @Test
+  void theNameOfDataIsOneLine() {
+    Target target = resolve("data:text/plain,\n  a\r\nb");
+    assertThat(((Target.Found) target).content().name()).isEqualTo("data:text/plain,   a b");
   }
 
   @Test

@@ -195,6 +195,27 @@ class ConversionTest {
   }
 
   @Test
+  void theCommasOfJsonStayThere() throws IOException {
+    byte[] xml = ALL.getBytes(StandardCharsets.UTF_8);
+    byte[] json = converted(xml, SceneFormat.JSON, new Problems());
+    String back =
+        new String(converted(json, SceneFormat.XML, new Problems()), StandardCharsets.UTF_8);
+    assertThat(back).contains("1.50 0 -2e-3").doesNotContainPattern("='[-0-9. ]*,");
+  }
+
+  @Test
+  void formerNamesOfFieldsBecomeThePresentOnes() throws IOException {
+    String scene =
+        "<X3D version='3.3' profile='Full'><Scene><LayerSet><Layer isPickable='false'/></LayerSet>"
+            + "<Collision collide='false'/></Scene></X3D>";
+    Problems problems = new Problems();
+    byte[] xml = converted(scene.getBytes(StandardCharsets.UTF_8), SceneFormat.XML, problems);
+    assertThat(problems.list()).isEmpty();
+    assertThat(new String(xml, StandardCharsets.UTF_8))
+        .contains("<Layer pickable='false'/>", "<Collision enabled='false'/>");
+  }
+
+  @Test
   void vrml97BecomesX3d() throws IOException {
     String wrl =
         """

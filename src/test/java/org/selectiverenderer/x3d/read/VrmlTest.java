@@ -133,6 +133,13 @@ class VrmlTest {
   }
 
   @Test
+  void aLayerIsPickableByTheNameOfX3d33() {
+    X3dFile file = classic("PROFILE Full LayerSet { layers DEF L Layer { isPickable FALSE } }");
+    fixture.assertClean();
+    assertThat(file.named().get("L").bool("pickable")).isFalse();
+  }
+
+  @Test
   void theNamesOfVrml97BecomeThoseOfX3d() {
     X3dFile file =
         vrml97(
@@ -292,6 +299,27 @@ class VrmlTest {
         "test.x3d:2:41: translation: 3 numbers are needed here; the rest is left out",
         "test.x3d:3:33: size: '2x' is not a number; 0 is used instead",
         "test.x3d:3:46: solid: '1' is neither true nor false; the default is used");
+  }
+
+  @Test
+  void aWordForANumberIsToldAndTheFileGoesOn() {
+    X3dFile file =
+        classic(
+            """
+            Shape { geometry Sphere { radius abc } }
+            Transform { translation nan nan 0 rotation nan 1 0 NaN scale big scaleOrientation 0 0 1 0 }
+            Collision { enabled yes children Group { } }
+            DEF G Group { }
+            """);
+    fixture.assertMessages(
+        "test.x3d:2:34: radius: 'abc' is not a number; 0 is used instead",
+        "test.x3d:3:25: translation: 'nan' is not a finite number; 0 is used instead",
+        "test.x3d:3:29: translation: 'nan' is not a finite number; 0 is used instead",
+        "test.x3d:3:44: rotation: 'nan' is not a finite number; 0 is used instead",
+        "test.x3d:3:52: rotation: 'NaN' is not a finite number; 0 is used instead",
+        "test.x3d:3:62: scale: 'big' is not a number; the default is used",
+        "test.x3d:4:21: enabled: 'yes' is neither true nor false; the default is used");
+    assertThat(file.named()).containsKey("G");
   }
 
   @Test

@@ -197,6 +197,30 @@ class X3dReaderTest {
   }
 
   @Test
+  void namesWithinAnUnknownElementNeedNoMessageOfTheirOwn() {
+    scene(
+        """
+        <Teapot DEF='T'><Group DEF='G'><TimeSensor DEF='C'/></Group></Teapot>
+        <Group USE='G'/><TimeSensor DEF='D'/>
+        <ROUTE fromNode='T' fromField='a' toNode='D' toField='enabled'/>
+        <ROUTE fromNode='D' fromField='isActive' toNode='C' toField='enabled'/>
+        <ROUTE fromNode='D' fromField='isActive' toNode='E' toField='enabled'/>
+        """);
+    fixture.assertOnly(
+        "test.x3d:2:1: unknown element Teapot; it and its children are left out",
+        "test.x3d:6:1: no node has the name E (did you mean D?); the ROUTE D.isActive to E.enabled"
+            + " is left out");
+  }
+
+  @Test
+  void namesHaveTheRightArticle() {
+    scene("<Inline><ImageTexture/></Inline><LOD><CADPart/><Appearance/></LOD>");
+    fixture.assertOnly(
+        "test.x3d:2:9: an ImageTexture is not allowed in an Inline; it is left out",
+        "test.x3d:2:48: an Appearance is not allowed in an LOD; it is left out");
+  }
+
+  @Test
   void aChildThatFitsNowhereIsLeftOut() {
     scene("<Group><Box/></Group><Shape><Box/><Sphere/></Shape>");
     fixture.assertOnly(

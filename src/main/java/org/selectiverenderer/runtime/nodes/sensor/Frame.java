@@ -35,4 +35,9 @@ public interface Frame {
    * document order. Empty when it is in no part of the scene.
    */
   List<? extends Matrix4dc> places(Node node);
+
+  /** Those of its places where nothing above hides it. */
+  default List<? extends Matrix4dc> shownPlaces(Node node) {
+    return places(node);
+  }
 }

@@ -3,204 +3,46 @@ package org.selectiverenderer.runtime.nodes.sensor;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A clock (X3D 4.0, 8.4.1), running from startTime to the end of a cycle, to stopTime, or for ever
- * (8.2.4). Per frame it sends, in this order: isActive TRUE when it starts, isPaused, cycleTime at
- * the beginning of a cycle, elapsedTime, fraction_changed, time, and isActive FALSE when it ends.
- *
- * <p>A run that ends between two frames still ends with the fraction 1, and one that lies between
- * two frames altogether is run in the later one. The value of cycleTime is the cycle's true
- * beginning, that of time the frame's time. Seconds that it is paused count neither as elapsed nor
- * towards the cycle.
+ * A clock (X3D 4.0, 8.4.1). Besides what every {@link TimeDependentNode} sends it sends cycleTime
+ * at the beginning of a cycle, the cycle's true beginning, then fraction_changed, and time, the
+ * frame's time.
  */
-public final class TimeSensorNode extends Node implements FrameNode {
-  private final Fields fields;
-  private double lastFrame = Double.NaN;
-  private double started;
-  private double pausedSince;
-  private double pausedFor;
-  private double cycle;
-  private boolean newCycle;
-
-  /** The indexes of its fields. */
-  private record Fields(
-      int enabled,
-      int loop,
-      int startTime,
-      int stopTime,
-      int pauseTime,
-      int resumeTime,
-      int cycleInterval,
-      int isActive,
-      int isPaused,
-      int cycleTime,
-      int elapsedTime,
-      int fraction,
-      int time) {
-    static Fields of(NodeType type) {
-      return new Fields(
-          type.indexOf("enabled"),
-          type.indexOf("loop"),
-          type.indexOf("startTime"),
-          type.indexOf("stopTime"),
-          type.indexOf("pauseTime"),
-          type.indexOf("resumeTime"),
-          type.indexOf("cycleInterval"),
-          type.indexOf("isActive"),
-          type.indexOf("isPaused"),
-          type.indexOf("cycleTime"),
-          type.indexOf("elapsedTime"),
-          type.indexOf("fraction_changed"),
-          type.indexOf("time"));
-    }
-  }
+public final class TimeSensorNode extends TimeDependentNode {
+  private final int cycleInterval;
+  private final int cycleTime;
+  private final int fraction;
+  private final int time;
 
   public TimeSensorNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
-    fields = Fields.of(type);
-  }
-
-  /** Whether it runs; a paused clock does. */
-  public boolean active() {
-    return is(fields.isActive);
-  }
-
-  private boolean is(int field) {
-    return (Boolean) value(field);
-  }
-
-  private double seconds(int field) {
-    return (Double) value(field);
+    cycleInterval = type.indexOf("cycleInterval");
+    cycleTime = type.indexOf("cycleTime");
+    fraction = type.indexOf("fraction_changed");
+    time = type.indexOf("time");
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
-    double now = frame.time();
-    if (!active() && mayStart(now)) {
-      started = seconds(fields.startTime);
-      pausedFor = 0;
-      cycle = is(fields.loop) ? Math.floor((now - started) / seconds(fields.cycleInterval)) : 0;
-      newCycle = true;
-      emit(fields.isActive, true, cascade);
-    }
-    if (active() && is(fields.enabled)) {
-      tick(now, cascade);
-    } else {
-      end(cascade); // An answer to its own isActive disabled it.
-    }
-    lastFrame = now;
+  protected double interval() {
+    return seconds(cycleInterval);
   }
 
-  private boolean mayStart(double now) {
-    double start = seconds(fields.startTime);
-    double stop = seconds(fields.stopTime);
-    double interval = seconds(fields.cycleInterval);
-    if (!is(fields.enabled) || !(interval > 0) || !(start <= now) || stop > start && stop <= now) {
-      return false;
-    }
-    return is(fields.loop) || now < start + interval || start >= lastFrame;
-  }
-
-  private void tick(double now, Cascade cascade) {
-    double stop = seconds(fields.stopTime);
-    boolean stops = stop > started && stop <= now;
-    double until = stops ? stop : now;
-    boolean paused = is(fields.isPaused);
-    if (paused) {
-      paused = !resumes(until);
-      if (!paused) {
-        emit(fields.isPaused, false, cascade);
-      }
-    }
-    if (!paused && pauses(until)) {
-      advance(pausedSince, cascade);
-      if (active()) {
-        emit(fields.isPaused, true, cascade);
-      }
-    } else if (!paused) {
-      advance(until, cascade);
-    }
-    if (stops) {
-      end(cascade);
-    }
-  }
-
-  private boolean resumes(double until) {
-    double resume = seconds(fields.resumeTime);
-    if (resume > seconds(fields.pauseTime) && resume <= until) {
-      pausedFor += Math.max(resume, pausedSince) - pausedSince;
-      return true;
-    }
-    return false;
-  }
-
-  /** Whether it pauses; not earlier than what it already sent. */
-  private boolean pauses(double until) {
-    double pause = seconds(fields.pauseTime);
-    if (pause > seconds(fields.resumeTime) && pause >= started && pause <= until) {
-      pausedSince = lastFrame > pause ? lastFrame : pause;
-      return true;
-    }
-    return false;
-  }
-
-  /** Sends where the clock stands at a time, and ends it when its last cycle is over by then. */
-  private void advance(double until, Cascade cascade) {
-    double interval = seconds(fields.cycleInterval);
-    double elapsed = until - started - pausedFor;
-    double whole = Math.floor(elapsed / interval);
-    boolean over = !is(fields.loop) && whole > cycle;
-    if (over) {
-      elapsed = (cycle + 1) * interval;
-    } else if (whole > cycle) {
-      cycle = whole;
-      newCycle = true;
-    }
-    if (newCycle) {
-      newCycle = false;
-      emit(fields.cycleTime, started + pausedFor + cycle * interval, cascade);
-    }
-    double fraction = over ? 1 : elapsed / interval - whole;
-    emit(fields.elapsedTime, elapsed, cascade);
-    emit(fields.fraction, fraction == 0 && elapsed > 0 ? 1f : (float) fraction, cascade);
-    emit(fields.time, cascade.time(), cascade);
-    if (over) {
-      end(cascade);
-    }
-  }
-
-  private void end(Cascade cascade) {
-    if (is(fields.isPaused)) {
-      emit(fields.isPaused, false, cascade);
-    }
-    if (active()) {
-      emit(fields.isActive, false, cascade);
-    }
-  }
-
-  /**
-   * A running clock ignores startTime, cycleInterval, and a stopTime that is not after its start;
-   * one that is disabled sends where it stands and ends.
-   */
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
-    int index = field.index();
-    if (active()
-        && (index == fields.startTime
-            || index == fields.cycleInterval
-            || index == fields.stopTime && (Double) value <= started)) {
-      return;
-    }
-    super.receive(field, value, cascade);
-    if (index == fields.enabled && active() && !is(fields.enabled)) {
-      if (!is(fields.isPaused)) {
-        advance(Math.max(started, cascade.time()), cascade);
-      }
-      end(cascade);
-    }
+  protected boolean fixedWhileActive(int field) {
+    return field == cycleInterval;
+  }
+
+  @Override
+  protected void begins(double at, Cascade cascade) {
+    emit(cycleTime, at, cascade);
+  }
+
+  /** A cycle that ends with another one after it has the fraction 1, not 0. */
+  @Override
+  protected void stands(double elapsed, double part, Cascade cascade) {
+    emit(fraction, part == 0 && elapsed > 0 ? 1f : (float) part, cascade);
+    emit(time, cascade.time(), cascade);
   }
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.x3d.read;
 
 /** What a ProtoInstance may name. */
-sealed interface Prototype permits ProtoDeclaration, ExternDeclaration {
+sealed interface DeclaredPrototype permits ProtoDeclaration, ExternDeclaration {
   String name();
 }

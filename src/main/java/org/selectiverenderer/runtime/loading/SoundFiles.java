@@ -1,0 +1,69 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.runtime.sound.RecordingReader;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
+
+/**
+ * The recordings of AudioClips, for one load. A file that several nodes name is read once, and all
+ * together take no more than an eighth of the heap. Thread-safe.
+ */
+final class SoundFiles {
+  private static final String CONSEQUENCE = "the AudioClip is not heard";
+
+  private final ContentRoot root;
+  private final Map<String, Decoded> files = new ConcurrentHashMap<>();
+  private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 8);
+
+  /**
+   * @param recording empty when there is none that can be played
+   * @param fault why the file could not be read; empty where it could, or is of another format
+   */
+  private record Decoded(Optional<Recording> recording, String fault) {}
+
+  SoundFiles(ContentRoot root) {
+    this.root = root;
+  }
+
+  /**
+   * The recording of an AudioClip; empty, with a message, when it has none that can be played.
+   *
+   * @param base where its relative urls start
+   */
+  Optional<Recording> read(ParsedNode clip, ContentBase base, Problems problems) {
+    UrlChoice choice = UrlChoice.of(clip, root, base, CONSEQUENCE);
+    if (!(choice instanceof UrlChoice.Found found)) {
+      problems.add(((UrlChoice.None) choice).problem());
+      return Optional.empty();
+    }
+    Content file = found.content();
+    Decoded decoded = files.computeIfAbsent(file.key(), key -> decode(file));
+    if (!decoded.fault.isEmpty()) {
+      problems.error(
+          clip.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
+    } else if (decoded.recording.isEmpty()) {
+      problems.info(
+          clip.location(),
+          "%s is no uncompressed WAV, AIFF or AU sound; %s".formatted(file.name(), CONSEQUENCE));
+    }
+    return decoded.recording;
+  }
+
+  private Decoded decode(Content file) {
+    try {
+      return new Decoded(RecordingReader.read(file, budget), "");
+    } catch (IOException e) {
+      return new Decoded(Optional.empty(), Failure.clause(e));
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.selectiverenderer.runtime.sound;
+
+import javax.sound.sampled.AudioFormat;
+import javax.sound.sampled.AudioSystem;
+import javax.sound.sampled.LineUnavailableException;
+import javax.sound.sampled.SourceDataLine;
+
+/** The machine's sound device. */
+public final class DeviceLine implements SoundLine {
+  private static final AudioFormat FORMAT = new AudioFormat(RATE, 16, 2, true, false);
+
+  /** Bytes that wait for the device: a tenth of a second, which is how late sounds are heard. */
+  private static final int BUFFER = 4096 * FORMAT.getFrameSize();
+
+  private final SourceDataLine line;
+
+  private DeviceLine(SourceDataLine line) {
+    this.line = line;
+  }
+
+  /**
+   * Opens the device that the user has chosen for sounds.
+   *
+   * @throws SoundUnavailableException when there is none, or another program has it to itself
+   */
+  public static DeviceLine open() throws SoundUnavailableException {
+    try {
+      SourceDataLine line = AudioSystem.getSourceDataLine(FORMAT);
+      line.open(FORMAT, BUFFER);
+      line.start();
+      return new DeviceLine(line);
+    } catch (LineUnavailableException e) {
+      throw new SoundUnavailableException("the sound device is in use", e);
+    } catch (IllegalArgumentException e) { // Java's word for there being none.
+      throw new SoundUnavailableException("this machine has no sound device", e);
+    }
+  }
+
+  @Override
+  public void write(byte[] samples, int length) {
+    line.write(samples, 0, length);
+  }
+
+  @Override
+  public void close() {
+    line.stop();
+    line.flush();
+    line.close();
+  }
+}

@@ -1,0 +1,97 @@
+package org.selectiverenderer.runtime.sound;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import javax.sound.sampled.AudioFormat;
+import javax.sound.sampled.AudioInputStream;
+import javax.sound.sampled.AudioSystem;
+import javax.sound.sampled.UnsupportedAudioFileException;
+import org.selectiverenderer.x3d.files.Content;
+
+/** Reads WAV, AIFF and AU files, as far as Java's own library does. */
+public final class RecordingReader {
+  /** Bytes of a file, and of what it is unpacked to. */
+  public static final int MAX_BYTES = 32 << 20;
+
+  private static final double MAX_RATE = 400_000;
+
+  private RecordingReader() {}
+
+  /**
+   * Reads a file.
+   *
+   * @param budget bytes left for all recordings of a load; those of this one are taken from it
+   * @return empty when the file is of another format
+   * @throws IOException with a clause that reads after the file's name
+   */
+  public static Optional<Recording> read(Content file, AtomicLong budget) throws IOException {
+    byte[] bytes = file.bytes(MAX_BYTES);
+    if (!known(bytes)) {
+      return Optional.empty();
+    }
+    try (AudioInputStream in = AudioSystem.getAudioInputStream(new ByteArrayInputStream(bytes))) {
+      return Optional.of(decode(in, budget));
+    } catch (UnsupportedAudioFileException e) {
+      return Optional.empty();
+    } catch (RuntimeException e) { // Java's readers trust the numbers in a file.
+      throw new IOException("is broken: " + e.getMessage(), e);
+    }
+  }
+
+  /** Java would also read MIDI, and play it into a stream without bounds. */
+  private static boolean known(byte[] bytes) {
+    return has(bytes, 0, "RIFF") && has(bytes, 8, "WAVE")
+        || has(bytes, 0, "FORM") && (has(bytes, 8, "AIFF") || has(bytes, 8, "AIFC"))
+        || has(bytes, 0, ".snd");
+  }
+
+  private static boolean has(byte[] bytes, int at, String word) {
+    return bytes.length >= at + word.length()
+        && new String(bytes, at, word.length(), StandardCharsets.ISO_8859_1).equals(word);
+  }
+
+  private static Recording decode(AudioInputStream in, AtomicLong budget)
+      throws IOException, UnsupportedAudioFileException {
+    AudioFormat given = in.getFormat();
+    float rate = given.getSampleRate();
+    int channels = given.getChannels();
+    if (!(rate >= 1 && rate <= MAX_RATE) || channels < 1) {
+      throw new IOException("has %s channels at %s samples per second".formatted(channels, rate));
+    }
+    AudioFormat pcm =
+        new AudioFormat(
+            AudioFormat.Encoding.PCM_SIGNED, rate, 16, channels, 2 * channels, rate, false);
+    if (!AudioSystem.isConversionSupported(pcm, given)) {
+      throw new UnsupportedAudioFileException(given.toString());
+    }
+    try (AudioInputStream decoded = AudioSystem.getAudioInputStream(pcm, in)) {
+      byte[] bytes = decoded.readNBytes(MAX_BYTES + 1);
+      int kept = Math.min(2, channels);
+      int frames = bytes.length / (2 * channels);
+      if (bytes.length > MAX_BYTES || budget.addAndGet(-2L * kept * frames) < 0) {
+        throw new IOException(
+            "has too many samples: a sound may take %s MB, and all together an eighth of the memory"
+                .formatted(MAX_BYTES >> 20));
+      }
+      if (frames == 0) {
+        throw new IOException("holds no sound");
+      }
+      return new Recording(samples(bytes, frames, channels, kept), kept, rate);
+    }
+  }
+
+  /** Of more than two channels the first two are the left and right ones in front. */
+  private static short[] samples(byte[] bytes, int frames, int channels, int kept) {
+    ByteBuffer from = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    short[] samples = new short[frames * kept];
+    for (int i = 0; i < samples.length; i++) {
+      samples[i] = from.getShort(2 * (i / kept * channels + i % kept));
+    }
+    return samples;
+  }
+}

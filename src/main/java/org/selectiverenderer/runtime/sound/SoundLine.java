@@ -1,0 +1,28 @@
+package org.selectiverenderer.runtime.sound;
+
+/** Where samples go. */
+public interface SoundLine {
+  /** Frames per second that it takes. */
+  float RATE = 44_100;
+
+  /** Opens one. */
+  @FunctionalInterface
+  interface Opening {
+    /**
+     * Opens the line.
+     *
+     * @throws SoundUnavailableException when there is none
+     */
+    SoundLine open() throws SoundUnavailableException;
+  }
+
+  /**
+   * Takes samples: 16 bits, the lower byte first, left before right. Waits while it has enough.
+   *
+   * @param length bytes, whole frames
+   */
+  void write(byte[] samples, int length);
+
+  /** Ends it, and a {@link #write} that waits. From any thread, and more than once. */
+  void close();
+}

@@ -1,0 +1,133 @@
+package org.selectiverenderer.runtime.sound;
+
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Plays the voices of a scene, on a thread {@code sound} of its own that begins with the first one.
+ * {@link #play} and {@link #fault} are called by one thread; neither waits for the device.
+ */
+public final class Speaker implements AutoCloseable {
+  /** Frames that are mixed at a time. */
+  static final int BLOCK = 1024;
+
+  private final SoundLine.Opening device;
+  private final VoiceMixer mixer = new VoiceMixer(SoundLine.RATE);
+  private @Nullable Thread thread;
+
+  // Guarded by this:
+  private @Nullable List<Voice> latest;
+  private @Nullable SoundLine line;
+  private @Nullable String fault;
+  private boolean closed;
+
+  /**
+   * @param device opened with the first voice
+   */
+  public Speaker(SoundLine.Opening device) {
+    this.device = device;
+  }
+
+  /**
+   * Has these voices heard until the next call, and those before no longer. What is not called
+   * again within half a second falls silent.
+   *
+   * @param voices of a frame
+   */
+  public void play(List<Voice> voices) {
+    if (thread == null) {
+      if (voices.isEmpty()) {
+        return;
+      }
+      thread = new Thread(this::run, "sound");
+      thread.start();
+    }
+    synchronized (this) {
+      latest = voices;
+      notifyAll();
+    }
+  }
+
+  /** Why nothing is heard, in a clause; told once. */
+  public synchronized Optional<String> fault() {
+    Optional<String> told = Optional.ofNullable(fault);
+    fault = null;
+    return told;
+  }
+
+  private void run() {
+    try {
+      SoundLine opened = device.open();
+      if (begin(opened)) {
+        play(opened);
+      }
+      opened.close();
+    } catch (SoundUnavailableException e) {
+      synchronized (this) {
+        fault = e.getMessage();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private synchronized boolean begin(SoundLine opened) {
+    line = opened;
+    return !closed;
+  }
+
+  private void play(SoundLine to) throws InterruptedException {
+    double[] mixed = new double[2 * BLOCK];
+    byte[] bytes = new byte[2 * mixed.length];
+    while (awaitVoices()) {
+      mixer.mix(mixed);
+      for (int i = 0; i < mixed.length; i++) {
+        int sample = (int) Math.round(Math.max(-1, Math.min(1, mixed[i])) * Short.MAX_VALUE);
+        bytes[2 * i] = (byte) sample;
+        bytes[2 * i + 1] = (byte) (sample >> 8);
+      }
+      to.write(bytes, bytes.length);
+    }
+  }
+
+  /** Waits until there is something to be heard; returns false at the end. */
+  private synchronized boolean awaitVoices() throws InterruptedException {
+    while (!closed) {
+      if (latest != null) {
+        mixer.voices(latest);
+        latest = null;
+      }
+      if (!mixer.idle()) {
+        return true;
+      }
+      wait();
+    }
+    return false;
+  }
+
+  /** Falls silent; the thread has ended when this returns. */
+  @Override
+  public void close() {
+    SoundLine open;
+    synchronized (this) {
+      closed = true;
+      open = line;
+      notifyAll();
+    }
+    if (open != null) {
+      open.close();
+    }
+    if (thread != null) {
+      join(thread);
+    }
+  }
+
+  private static void join(Thread ending) {
+    try {
+      ending.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

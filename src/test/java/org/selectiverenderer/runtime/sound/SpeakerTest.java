@@ -1,0 +1,95 @@
+package org.selectiverenderer.runtime.sound;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class SpeakerTest {
+  private static final Recording HALF = new Recording(new short[] {16384}, 1, SoundLine.RATE);
+  private static final Voice VOICE =
+      new Voice("a", HALF, 0, 1, true, 1, 4, false, new Voice.Rank(0, 0, 1));
+
+  /** A line whose buffer holds a block. */
+  private static final class FakeLine implements SoundLine {
+    final BlockingQueue<byte[]> written = new ArrayBlockingQueue<>(1);
+    final CountDownLatch closed = new CountDownLatch(1);
+
+    @Override
+    public void write(byte[] samples, int length) {
+      try {
+        while (closed.getCount() > 0
+            && !written.offer(samples.clone(), 10, TimeUnit.MILLISECONDS)) {
+          assertThat(length).isEqualTo(samples.length);
+        }
+      } catch (InterruptedException e) {
+        throw new IllegalStateException(e);
+      }
+    }
+
+    @Override
+    public void close() {
+      closed.countDown();
+    }
+  }
+
+  private static boolean running() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .anyMatch(thread -> thread.getName().equals("sound"));
+  }
+
+  @Test
+  void writesSixteenBitsForEachEarAndCutsOffWhatIsTooLoud() throws InterruptedException {
+    FakeLine line = new FakeLine();
+    try (Speaker speaker = new Speaker(() -> line)) {
+      speaker.play(List.of(VOICE));
+      byte[] block = line.written.take();
+      assertThat(block).hasSize(4 * Speaker.BLOCK);
+      for (int at = 0; at < block.length; at += 4) {
+        assertThat((short) (block[at] & 0xff | block[at + 1] << 8)).isEqualTo((short) 16384);
+        assertThat((short) (block[at + 2] & 0xff | block[at + 3] << 8)).isEqualTo((short) 32767);
+      }
+      assertThat(speaker.fault()).isEmpty();
+    }
+    assertThat(line.closed.getCount()).isZero();
+    assertThat(running()).isFalse();
+  }
+
+  @Test
+  void withoutASoundNoThreadIsStartedAndNoDeviceOpened() {
+    try (Speaker speaker =
+        new Speaker(
+            () -> {
+              throw new AssertionError();
+            })) {
+      speaker.play(List.of());
+      assertThat(running()).isFalse();
+    }
+  }
+
+  @Test
+  void aMissingDeviceIsToldOnce() throws InterruptedException {
+    try (Speaker speaker =
+        new Speaker(
+            () -> {
+              throw new SoundUnavailableException("this machine has no sound device", null);
+            })) {
+      Optional<String> fault = Optional.empty();
+      while (fault.isEmpty()) {
+        speaker.play(List.of(VOICE));
+        fault = speaker.fault();
+        Thread.onSpinWait();
+      }
+      assertThat(fault).contains("this machine has no sound device");
+      speaker.play(List.of(VOICE));
+      assertThat(speaker.fault()).isEmpty();
+    }
+  }
+}
