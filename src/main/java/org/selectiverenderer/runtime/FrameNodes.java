@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
@@ -16,6 +15,7 @@ import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
+import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
@@ -39,26 +39,28 @@ record FrameNodes(
     boolean touchable,
     boolean draggable) {
 
-  static FrameNodes of(Scene scene, InstanceTree instances) {
-    return of(Optional.of(scene), instances);
-  }
-
   /**
-   * The nodes of a part of a scene.
+   * The nodes of a layer of a scene.
    *
-   * @param scene whose nodes in no group count too
+   * @param base whether the scene's nodes in no group count too
    */
-  static FrameNodes of(Optional<Scene> scene, InstanceTree instances) {
+  static FrameNodes of(Scene scene, boolean base, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
-    boolean anchors = collect(instances.root(), inlines);
+    Set<Node> beside = new LinkedHashSet<>();
+    boolean anchors = collect(instances.root(), inlines, beside);
     List<FrameNode> nodes = new ArrayList<>();
     List<ScriptNode> scripts = new ArrayList<>();
     List<KeyDeviceSensorNode> keySensors = new ArrayList<>();
     List<Node> placed = instances.otherNodes();
-    List<Node> loose = new ArrayList<>(scene.map(Scene::loose).orElse(Set.of()));
+    Set<Node> loose = new LinkedHashSet<>(base ? scene.loose() : Set.of());
     for (InlineNode inline : inlines) {
       inline.shown().ifPresent(content -> loose.addAll(content.loose()));
     }
+    // Else they came with a scene that a script or an application has made and taken nodes of.
+    placed.forEach(node -> InstanceFace.beside(node, beside));
+    instances.shapes().forEach(shape -> InstanceFace.beside(shape.node(), beside));
+    beside.removeAll(scene.loose());
+    loose.addAll(beside);
     add(placed, FrameNode.class, nodes);
     add(formed(instances), FrameNode.class, nodes);
     add(loose, FrameNode.class, nodes);
@@ -96,15 +98,16 @@ record FrameNodes(
     return formed;
   }
 
-  /** Collects Inlines; says whether there is an Anchor. */
-  private static boolean collect(GroupInstance group, Set<InlineNode> inlines) {
+  /** Collects Inlines and what stands beside groups; says whether there is an Anchor. */
+  private static boolean collect(GroupInstance group, Set<InlineNode> inlines, Set<Node> beside) {
+    InstanceFace.beside(group.node(), beside);
     if (group.node() instanceof InlineNode inline) {
       inlines.add(inline);
     }
     boolean anchors = group.node().type().name().equals("Anchor");
     for (Instance child : group.children()) {
       if (child instanceof GroupInstance inner) {
-        anchors |= collect(inner, inlines);
+        anchors |= collect(inner, inlines, beside);
       }
     }
     return anchors;

@@ -255,7 +255,7 @@ final class LayerStack {
     boolean changed = relayered;
     relayered = false;
     for (SceneLayer layer : all()) {
-      changed |= layer.frameNodes(layer == base ? Optional.of(scene) : Optional.empty());
+      changed |= layer.frameNodes(scene, layer == base);
     }
     if (changed) {
       // A node may stand in several layers; it looks at a frame once.

@@ -150,15 +150,16 @@ final class SceneLayer {
   /**
    * Follows the structure with the nodes that look at every frame.
    *
-   * @param scene whose nodes outside of all groups count with the layer
+   * @param scene that it is a layer of
+   * @param base whether the scene's nodes outside of all groups count with this layer
    * @return whether anything was new
    */
-  boolean frameNodes(Optional<Scene> scene) {
+  boolean frameNodes(Scene scene, boolean base) {
     if (frameNodesOf == instances.structureVersion()) {
       return false;
     }
     frameNodesOf = instances.structureVersion();
-    FrameNodes walk = FrameNodes.of(scene, instances);
+    FrameNodes walk = FrameNodes.of(scene, base, instances);
     looking = walk.frameNodes();
     inlines = walk.inlines();
     scripts = walk.scripts();

@@ -23,7 +23,7 @@ class FrameRoundTest {
     Walk(String scene) {
       fixture = new WorldFixture(scene);
       World world = fixture.world;
-      nodes = FrameNodes.of(world.scene(), world.instances()).frameNodes();
+      nodes = FrameNodes.of(world.scene(), true, world.instances()).frameNodes();
       round = new FrameRound(nodes);
       world.instances().onMoved(round::moved);
     }

@@ -60,6 +60,13 @@ final class FaceBuilder {
                 link.field(), node, link.nodeField(), link.takes(), link.sends(), link.holds()));
       }
     }
+    List<Node> beside = new ArrayList<>(0);
+    for (ParsedNode other : instance.others()) {
+      Node node = made.get(other);
+      if (node != null) {
+        beside.add(node);
+      }
+    }
     Map<Integer, Object> values = new HashMap<>();
     instance
         .values()
@@ -72,6 +79,7 @@ final class FaceBuilder {
             });
     return new InstanceFace(
         body,
+        List.copyOf(beside),
         instance.type(),
         instance.within() < 0 ? null : faces[instance.within()],
         Map.copyOf(values),

@@ -28,6 +28,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
@@ -148,7 +149,13 @@ public final class SceneLoader implements AutoCloseable {
     Path folder = parent == null ? Path.of("") : parent;
     try (InputStream in = Files.newInputStream(file)) {
       return load(
-          file.toString(), in, Files.size(file), file.toRealPath().toString(), folder, hears);
+          file.toString(),
+          in,
+          Files.size(file),
+          file.toRealPath().toString(),
+          folder,
+          ContentBase.folder(folder),
+          hears);
     }
   }
 
@@ -169,17 +176,52 @@ public final class SceneLoader implements AutoCloseable {
    */
   public LoadedScene load(String name, InputStream in, Path folder, Problems hears)
       throws IOException {
-    return load(name, in, 0, folder.toString(), folder, hears);
+    return load(name, in, 0, folder.toString(), folder, ContentBase.folder(folder), hears);
+  }
+
+  /**
+   * As {@link #load(String, InputStream, Path)}.
+   *
+   * @param base against which its urls are resolved: a folder, or an address of the network
+   * @param hears hears what is wrong with this scene, in place of the loader's own
+   */
+  public LoadedScene load(String name, InputStream in, ContentBase base, Problems hears)
+      throws IOException {
+    Path folder = base instanceof ContentBase.Folder of ? of.path() : Path.of("");
+    return load(name, in, 0, base.toString(), folder, base, hears);
+  }
+
+  /**
+   * Reads a scene of the network, as far as that is allowed, or of a {@code data:} url.
+   *
+   * @param hears hears what is wrong with this scene, in place of the loader's own
+   * @throws IOException with a one-line message when it may not or cannot be read
+   */
+  public LoadedScene load(String url, Problems hears) throws IOException {
+    Path here = Path.of("");
+    ContentRoot.Target target = new ContentRoot(here, access).resolve(url, here);
+    if (target instanceof ContentRoot.Target.Refused refused) {
+      throw new IOException("url '%s' %s".formatted(UrlChoice.shown(url), refused.reason()));
+    }
+    Content content = ((ContentRoot.Target.Found) target).content();
+    try (InputStream in = content.open()) {
+      return load(content.name(), in, content.size(), content.key(), here, content.base(), hears);
+    }
   }
 
   private LoadedScene load(
-      String name, InputStream in, long size, String key, Path folder, Problems hears)
+      String name,
+      InputStream in,
+      long size,
+      String key,
+      Path folder,
+      ContentBase base,
+      Problems hears)
       throws IOException {
     ContentRoot root = new ContentRoot(folder, access);
     TaskGroup tasks = new TaskGroup(threads);
     FileContent content =
-        new FileLoader(reader, tessellator, tasks, root)
-            .first(name, in, size, key, ContentBase.folder(folder));
+        new FileLoader(reader, tessellator, tasks, root).first(name, in, size, key, base);
     TaskGroup.await(tasks.end());
     return new LoadedScene(build(content, root, List.of(), hears), this);
   }

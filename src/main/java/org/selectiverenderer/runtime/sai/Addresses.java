@@ -6,6 +6,7 @@ import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
+import org.selectiverenderer.x3d.files.ContentBase;
 
 /** Between addresses as applications write them, file names or URLs, and files. */
 final class Addresses {
@@ -13,6 +14,11 @@ final class Addresses {
   private static final Pattern SCHEME = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]+:.*");
 
   private Addresses() {}
+
+  /** Whether an address is one of a file, and none of the network or of another scheme. */
+  static boolean isFile(String url) {
+    return url.regionMatches(true, 0, "file:", 0, 5) || !SCHEME.matcher(url).lookingAt();
+  }
 
   /**
    * The file at an address.
@@ -24,9 +30,8 @@ final class Addresses {
       if (url.regionMatches(true, 0, "file:", 0, 5)) {
         return Path.of(URI.create(url));
       }
-      if (SCHEME.matcher(url).matches()) {
-        throw new IOException(
-            url + ": only local files are read, nothing is fetched from the network");
+      if (!isFile(url)) {
+        throw new IOException(url + " is not the address of a file");
       }
       return Path.of(url);
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
@@ -34,8 +39,19 @@ final class Addresses {
     }
   }
 
-  /** The folder that addresses of a scene are relative to, given the scene's own or a folder. */
-  static Path folder(String baseUrl) throws IOException {
+  /** What addresses of a scene are relative to, given the scene's own or a folder. */
+  static ContentBase base(String baseUrl) throws IOException {
+    if (isFile(baseUrl)) {
+      return ContentBase.folder(folder(baseUrl));
+    }
+    try {
+      return new ContentBase.Web(URI.create(baseUrl));
+    } catch (IllegalArgumentException e) {
+      throw new IOException(baseUrl + " is no address: " + e.getMessage(), e);
+    }
+  }
+
+  private static Path folder(String baseUrl) throws IOException {
     Path path = path(baseUrl);
     if (baseUrl.isBlank() || Files.isDirectory(path)) {
       return path;

@@ -106,7 +106,7 @@ final class SceneMaker {
 
   private EmbeddedScene read(String name, InputStream in, String baseUrl) throws IOException {
     Problems problems = new Problems(binding.problems()::add);
-    Scene scene = loader.load(name, in, Addresses.folder(baseUrl), problems).scene();
+    Scene scene = loader.load(name, in, Addresses.base(baseUrl), problems).scene();
     return checked(scene, problems, baseUrl);
   }
 
@@ -123,10 +123,12 @@ final class SceneMaker {
     String reason = "no address is given";
     for (String url : urls) {
       try {
-        Path file = Addresses.path(url);
         Problems problems = new Problems(binding.problems()::add);
-        Scene scene = loader.load(file, problems).scene();
-        return checked(scene, problems, Addresses.url(file));
+        if (Addresses.isFile(url)) {
+          Path file = Addresses.path(url);
+          return checked(loader.load(file, problems).scene(), problems, Addresses.url(file));
+        }
+        return checked(loader.load(url, problems).scene(), problems, url);
       } catch (IOException e) {
         reason = String.valueOf(e.getMessage());
       }

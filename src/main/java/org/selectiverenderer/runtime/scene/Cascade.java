@@ -61,18 +61,6 @@ public final class Cascade {
     begin(node, field, value, false);
   }
 
-  /**
-   * An event that a behaviour sends to a field of another node without a route, in answer to the
-   * first event that is being carried; outside of one it is a first event.
-   */
-  public void answer(Node node, int field, @Nullable Object value) {
-    if (carrying) {
-      deliver(node, field, value);
-    } else {
-      send(node, field, value);
-    }
-  }
-
   private void begin(Node node, int field, @Nullable Object value, boolean input) {
     if (carrying) {
       waiting.add(new First(node, field, value, input));

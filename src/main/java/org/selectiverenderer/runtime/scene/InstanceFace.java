@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.scene;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -25,6 +26,7 @@ public final class InstanceFace {
       int field, Node node, int nodeField, boolean takes, boolean sends, boolean holds) {}
 
   private final Node body;
+  private final List<Node> others;
   private final NodeType type;
   private final @Nullable InstanceFace within;
   private final Map<Integer, Object> values;
@@ -37,16 +39,19 @@ public final class InstanceFace {
    * itself, the outermost is the first.
    *
    * @param body the first node of the instance's body
+   * @param others those behind it that take part in the scene, though they stand in no other
    * @param within the instance in whose body this one stands, if any
    * @param values of fields that no node holds, by their indices
    */
   public InstanceFace(
       Node body,
+      List<Node> others,
       NodeType type,
       @Nullable InstanceFace within,
       Map<Integer, Object> values,
       List<Link> links) {
     this.body = body;
+    this.others = others;
     this.type = type;
     this.within = within;
     this.values = values;
@@ -108,6 +113,19 @@ public final class InstanceFace {
     return face.shown().links.stream()
         .filter(link -> link.field == field && (input ? link.takes : link.sends))
         .toList();
+  }
+
+  /**
+   * Gathers what stands beside a node in the bodies of instances that it is the first node of: they
+   * are in the scene as long as it is (X3D 4.0, 4.4.4.3).
+   */
+  public static void beside(Node node, Collection<Node> into) {
+    for (InstanceFace face = node.face(); face != null; face = face.inner) {
+      for (Node other : face.others) {
+        into.add(other);
+        beside(other, into);
+      }
+    }
   }
 
   private boolean holds(@Nullable InstanceFace from) {

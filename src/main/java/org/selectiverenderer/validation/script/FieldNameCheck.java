@@ -21,13 +21,29 @@ final class FieldNameCheck implements FileCheck {
     }
   }
 
+  /** What ClassicVRML declares anew for each IS that it has. */
+  private static Set<String> connectedTwice(DocumentElement element) {
+    Set<String> once = new HashSet<>();
+    Set<String> twice = new HashSet<>();
+    for (DocumentElement child : element.children()) {
+      if (child.name().equals("IS")) {
+        child.children().stream()
+            .flatMap(connect -> connect.text("nodeField").stream())
+            .filter(name -> !once.add(name))
+            .forEach(twice::add);
+      }
+    }
+    return twice;
+  }
+
   private static void fields(DocumentElement element, NodeType type, Findings findings) {
     Set<String> names = new HashSet<>(ParsedNode.TAKEN_NAMES);
+    Set<String> connected = connectedTwice(element);
     for (DocumentElement child : element.children()) {
       if (child.name().equals("field")) {
         child
             .attribute("name")
-            .filter(name -> !names.add(name.text()))
+            .filter(name -> !names.add(name.text()) && !connected.contains(name.text()))
             .ifPresent(name -> findings.add(ScriptRules.TWICE, name, type.name(), name.text()));
       }
     }

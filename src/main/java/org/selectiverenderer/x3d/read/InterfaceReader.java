@@ -38,9 +38,10 @@ final class InterfaceReader {
   /**
    * Notes an instance.
    *
-   * @param first the first node of its body, which has been read to its end
+   * @param top the nodes at the top of its body, which has been read to its end; one at least
    */
-  void end(ProtoInstance instance, ParsedNode first) {
+  void end(ProtoInstance instance, List<ParsedNode> top) {
+    ParsedNode first = top.get(0);
     ProtoDeclaration declaration = instance.declaration();
     NodeType type = types.computeIfAbsent(declaration.body(), body -> type(declaration, first));
     Map<Integer, Object> values = new HashMap<>();
@@ -55,7 +56,13 @@ final class InterfaceReader {
     }
     all.add(
         new ParsedInstance(
-            instance.number(), instance.within(), first, type, values, List.copyOf(links)));
+            instance.number(),
+            instance.within(),
+            first,
+            List.copyOf(top.subList(1, top.size())),
+            type,
+            values,
+            List.copyOf(links)));
   }
 
   private static NodeType type(ProtoDeclaration declaration, ParsedNode first) {

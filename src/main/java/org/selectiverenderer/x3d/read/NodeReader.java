@@ -1,5 +1,6 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -8,6 +9,8 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.field.Flaws;
 import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.ElementLocation;
 
@@ -241,12 +244,20 @@ final class NodeReader {
     }
   }
 
-  /** Notes where a program begins that stands in a {@code url} itself. */
+  /**
+   * Notes where a program begins that stands in a {@code url} itself, and gives it back its lines:
+   * a comment behind {@code //} ends with one.
+   */
   private void program(ElementCursor in, int attribute, ParsedNode node) {
     Matcher scheme = PROGRAM.matcher(in.attributeText(attribute));
     if (scheme.find()) {
       int leading = Tokens.leading(in.attributeText(attribute));
       node.textLocation(in.place().inAttribute(attribute, scheme.end() - leading));
+      String lines = in.place().attributeLines(attribute);
+      if (lines.indexOf('\n') >= 0 && !lines.equals(in.attributeText(attribute))) {
+        Object urls = reading.parser.parse(FieldType.MFString, lines, new Flaws());
+        node.put(node.type().indexOf("url"), Objects.requireNonNull(urls));
+      }
     }
   }
 

@@ -1,8 +1,9 @@
 package org.selectiverenderer.x3d.read;
 
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
@@ -16,17 +17,20 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * 29.2.2 and 31.2.2.3). All become known when the node ends, and with them what IS connects.
  */
 final class OwnFields {
+  /** A field that is there already: ClassicVRML declares it anew for each IS that it has. */
+  private record Repeated(String name, Location location) {}
+
   private final ParsedNode node;
   private final ReadState reading;
   private final List<FieldDefinition> fields = new ArrayList<>();
   private final List<@Nullable Object> values = new ArrayList<>();
   private final List<DocumentElement> connections = new ArrayList<>();
-  private final Set<String> names = new HashSet<>();
+  private final Map<String, FieldElement> names = new HashMap<>();
+  private final List<Repeated> repeated = new ArrayList<>();
 
   OwnFields(ParsedNode node, ReadState reading) {
     this.node = node;
     this.reading = reading;
-    names.addAll(ParsedNode.TAKEN_NAMES);
   }
 
   /** Reads the current element, a {@code field}, to its end. */
@@ -40,14 +44,12 @@ final class OwnFields {
               + node.type()
               + " needs a name, a type such as SFFloat, and one of the accessTypes "
               + "initializeOnly, inputOnly, outputOnly and inputOutput; this one is left out");
-    } else if (!names.add(declared.name())) {
-      reading.error(
-          location,
-          "the "
-              + node.type()
-              + " has a field "
-              + declared.name()
-              + " already; this one is left out; give it another name");
+    } else if (declared.equals(names.get(declared.name())) && in.indexOf("value") < 0) {
+      repeated.add(new Repeated(declared.name(), location));
+      declared = null;
+    } else if (ParsedNode.TAKEN_NAMES.contains(declared.name())
+        || names.putIfAbsent(declared.name(), declared) != null) {
+      there(declared.name(), location);
       declared = null;
     }
     Object value = value(in, declared);
@@ -76,6 +78,25 @@ final class OwnFields {
               declared.access()));
       values.add(value);
     }
+  }
+
+  private void there(String name, Location location) {
+    reading.error(
+        location,
+        "the "
+            + node.type()
+            + " has a field "
+            + name
+            + " already; this one is left out; give it another name");
+  }
+
+  /** Whether IS connects a field with more than one of the prototype. */
+  private boolean connectedTwice(String name) {
+    return connections.stream()
+            .flatMap(is -> is.children().stream())
+            .filter(connect -> connect.text("nodeField").filter(name::equals).isPresent())
+            .count()
+        > 1;
   }
 
   private @Nullable Object value(ElementCursor in, @Nullable FieldElement declared) {
@@ -130,6 +151,11 @@ final class OwnFields {
 
   /** Gives the node its fields and their values. */
   void declare() {
+    for (Repeated one : repeated) {
+      if (!connectedTwice(one.name())) {
+        there(one.name(), one.location());
+      }
+    }
     if (fields.isEmpty()) {
       return;
     }

@@ -12,6 +12,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * @param number in the order in which instances begin: outer ones before those in their bodies
  * @param within the number of the instance in whose body it stands; -1 for none
  * @param node the first node of its body
+ * @param others the nodes behind the first at the top of its body
  * @param type its interface, the same for all instances of a prototype
  * @param values of fields that no node holds, by their indices; nodes as {@link ParsedNode}s
  * @param links what its fields are connected with
@@ -20,6 +21,7 @@ public record ParsedInstance(
     int number,
     int within,
     ParsedNode node,
+    List<ParsedNode> others,
     NodeType type,
     Map<Integer, Object> values,
     List<Link> links) {

@@ -47,6 +47,9 @@ final class ProtoDeclarationReader {
         }
       }
     }
+    if (body == null && in.broken()) {
+      return; // The text broke off within it, which is told.
+    }
     if (name == null || body == null) {
       reading.error(location, "a ProtoDeclare needs a name and a ProtoBody; this one is left out");
       return;

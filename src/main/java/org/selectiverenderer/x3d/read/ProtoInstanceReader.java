@@ -62,7 +62,8 @@ final class ProtoInstanceReader {
       return null;
     }
     String containerField = in.attribute("containerField");
-    ProtoInstance instance = new ProtoInstance(declaration, reading.interfaces.begin(), scope.instance());
+    ProtoInstance instance =
+        new ProtoInstance(declaration, reading.interfaces.begin(), scope.instance());
     List<IsReader.Connection> connections = arguments(in, scope, instance);
     ParsedNode node = expand(instance, givenName != null ? givenName : def, location);
     if (node == null) {
@@ -170,31 +171,33 @@ final class ProtoInstanceReader {
     reading.base(declaration.base());
     reading.angles(declaration.angles());
     reading.startReplay();
-    ParsedNode first = null;
+    List<ParsedNode> top = new ArrayList<>(1);
     defaults(instance, scope);
     ElementCursor body = TreeCursor.at(declaration.body(), reading);
     while (body.next()) {
-      NodeReader.Child child = nodes.read(body, scope, first == null ? name : null);
-      if (first != null && child != null && child.node().type().is("X3DScriptNode")) {
-        reading.loose(child.node());
+      NodeReader.Child child = nodes.read(body, scope, top.isEmpty() ? name : null);
+      if (child != null) {
+        top.add(child.node());
+        if (top.size() > 1 && child.node().type().is("X3DScriptNode")) {
+          reading.loose(child.node());
+        }
       }
-      first = first == null && child != null ? child.node() : first;
     }
     routes.connect(scope);
     reading.endReplay();
     reading.base(outside);
     reading.angles(unitOutside);
     expanding.remove(declaration.body());
-    if (first != null) {
-      reading.interfaces.end(instance, first);
-    } else {
+    if (top.isEmpty()) {
       reading.error(
           location,
           "the body of the prototype "
               + declaration.name()
               + " has no node; the instance is left out");
+      return null;
     }
-    return first;
+    reading.interfaces.end(instance, top);
+    return top.get(0);
   }
 
   private void defaults(ProtoInstance instance, NameScope scope) {

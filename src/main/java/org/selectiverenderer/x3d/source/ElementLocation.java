@@ -53,6 +53,13 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
     }
   }
 
+  /** The value of that attribute with the ends of its lines, which XML takes for blanks. */
+  public String attributeLines(int index) {
+    synchronized (source) {
+      return source.attributeLines(offset, index);
+    }
+  }
+
   /** The value of that attribute as it is written, references and all. */
   String attributeText(int index) {
     synchronized (source) {

@@ -40,6 +40,12 @@ public interface ElementSource {
     return found == null ? "" : found.written();
   }
 
+  /** The value of that attribute with the ends of its lines, where its encoding loses them. */
+  default String attributeLines(int element, int index) {
+    WrittenAttribute found = tag(element).at(index);
+    return found == null ? "" : found.lines();
+  }
+
   /** The attributes of the tag that starts at an offset. */
   default StartTag tag(int start) {
     return StartTag.of(characters(), start);

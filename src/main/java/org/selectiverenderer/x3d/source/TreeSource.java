@@ -90,6 +90,11 @@ final class TreeSource implements ElementSource {
   }
 
   @Override
+  public String attributeLines(int element, int index) {
+    return attributeText(element, index);
+  }
+
+  @Override
   public String file() {
     return text.file();
   }

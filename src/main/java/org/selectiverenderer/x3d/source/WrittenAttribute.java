@@ -16,6 +16,11 @@ public record WrittenAttribute(
     return XmlReferences.read(text, valueFrom, valueTo);
   }
 
+  /** The same with the ends of its lines, which XML takes for blanks: for programs. */
+  String lines() {
+    return XmlReferences.read(text, valueFrom, valueTo, '\n');
+  }
+
   /** The value as it is written, references and all. */
   String written() {
     return text.subSequence(valueFrom, valueTo).toString();

@@ -6,6 +6,15 @@ final class XmlReferences {
 
   /** What a part of a text means as an attribute's value (XML 1.0, 3.3.3). */
   static String read(CharSequence text, int from, int to) {
+    return read(text, from, to, ' ');
+  }
+
+  /**
+   * The same with another character in place of each end of a line.
+   *
+   * @param lineEnd a blank, as XML has it, or {@code \n}
+   */
+  static String read(CharSequence text, int from, int to, char lineEnd) {
     StringBuilder value = new StringBuilder(to - from);
     for (int i = from; i < to; i++) {
       char c = text.charAt(i);
@@ -17,10 +26,10 @@ final class XmlReferences {
         reference(text.subSequence(i + 1, end).toString(), value);
         i = end;
       } else if (c == '\r' && i + 1 < to && text.charAt(i + 1) == '\n') {
-        value.append(' ');
+        value.append(lineEnd);
         i++;
       } else {
-        value.append(c < ' ' ? ' ' : c);
+        value.append(c == '\n' || c == '\r' ? lineEnd : c < ' ' ? ' ' : c);
       }
     }
     return value.toString();

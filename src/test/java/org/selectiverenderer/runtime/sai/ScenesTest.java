@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -133,6 +134,29 @@ class ScenesTest {
       assertThat(scene.getNamedNodes()).containsExactly("S");
       assertThat(scene.getWorldURL()).isEqualTo(file.toUri().toString());
     }
+  }
+
+  @Test
+  void dataInTheAddressIsReadAndTheNetworkOnlyIfAllowed() throws IOException {
+    X3DScene scene =
+        browser.createX3DFromURL(
+            new String[] {
+              "data:model/x3d+xml;base64,"
+                  + Base64.getEncoder().encodeToString(GOOD.getBytes(StandardCharsets.UTF_8))
+            });
+    assertThat(scene.getNamedNodes()).containsExactly("S");
+    assertThatThrownBy(
+            () -> browser.createX3DFromURL(new String[] {"https://example.org/scene.x3d"}))
+        .isInstanceOf(InvalidURLException.class)
+        .hasMessage(
+            "url 'https://example.org/scene.x3d' is on the network; --allow-net example.org would"
+                + " allow it");
+    browser.createX3DFromStream(
+        "https://example.org/scene.x3d", stream(SaiFixture.file("<Inline url='\"room.x3d\"'/>")));
+    assertThat(sai.complaints())
+        .containsExactly(
+            "Inline url 'room.x3d' is on the network; --allow-net example.org would allow it; the"
+                + " Inline is left out");
   }
 
   @Test

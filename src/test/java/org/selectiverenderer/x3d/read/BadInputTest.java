@@ -59,6 +59,21 @@ class BadInputTest {
   }
 
   @Test
+  void aPrototypeThatIsCutOffIsNoFaultBesides() {
+    fixture.read("<X3D><Scene><Group/><ProtoDeclare name='P'><ProtoInterface>\n");
+    assertThat(fixture.problems.list())
+        .singleElement()
+        .satisfies(problem -> assertThat(problem.message()).contains("the part before it is kept"));
+    fixture.read("#X3D V4.0 utf8\nGroup {}\nPROTO P [ inputOutput SFFloat size 1");
+    assertThat(fixture.problems.list())
+        .singleElement()
+        .satisfies(problem -> assertThat(problem.message()).contains("the part before it is kept"));
+    fixture.read("<X3D><Scene><ProtoDeclare name='P'/></Scene></X3D>");
+    fixture.assertOnly(
+        "test.x3d:1:13: a ProtoDeclare needs a name and a ProtoBody; this one is left out");
+  }
+
+  @Test
   void whatIsNotWellFormedKeepsWhatWasRead() {
     X3dFile file = fixture.read("<X3D><Scene><Group>\n</Transform></Scene></X3D>");
     assertThat(fixture.problems.list()).hasSize(1);
