@@ -37,8 +37,8 @@ public final class DeviceLine implements SoundLine {
   }
 
   @Override
-  public void write(byte[] samples, int length) {
-    line.write(samples, 0, length);
+  public boolean write(byte[] samples, int length) {
+    return line.write(samples, 0, length) == length;
   }
 
   @Override

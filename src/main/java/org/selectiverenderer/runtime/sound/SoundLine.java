@@ -20,8 +20,9 @@ public interface SoundLine {
    * Takes samples: 16 bits, the lower byte first, left before right. Waits while it has enough.
    *
    * @param length bytes, whole frames
+   * @return whether it has taken them: false when it is closed, or the device has gone
    */
-  void write(byte[] samples, int length);
+  boolean write(byte[] samples, int length);
 
   /** Ends it, and a {@link #write} that waits. From any thread, and more than once. */
   void close();

@@ -87,7 +87,16 @@ public final class Speaker implements AutoCloseable {
         bytes[2 * i] = (byte) sample;
         bytes[2 * i + 1] = (byte) (sample >> 8);
       }
-      to.write(bytes, bytes.length);
+      if (!to.write(bytes, bytes.length)) {
+        gone();
+        return;
+      }
+    }
+  }
+
+  private synchronized void gone() {
+    if (!closed) {
+      fault = "the sound device takes no more";
     }
   }
 

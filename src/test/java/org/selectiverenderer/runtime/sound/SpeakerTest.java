@@ -23,12 +23,13 @@ class SpeakerTest {
     final CountDownLatch closed = new CountDownLatch(1);
 
     @Override
-    public void write(byte[] samples, int length) {
+    public boolean write(byte[] samples, int length) {
       try {
         while (closed.getCount() > 0
             && !written.offer(samples.clone(), 10, TimeUnit.MILLISECONDS)) {
           assertThat(length).isEqualTo(samples.length);
         }
+        return closed.getCount() > 0;
       } catch (InterruptedException e) {
         throw new IllegalStateException(e);
       }
@@ -71,6 +72,22 @@ class SpeakerTest {
             })) {
       speaker.play(List.of());
       assertThat(running()).isFalse();
+    }
+  }
+
+  @Test
+  void aDeviceThatGoesAwayIsToldAndEndsTheThread() throws InterruptedException {
+    FakeLine line = new FakeLine();
+    try (Speaker speaker = new Speaker(() -> line)) {
+      speaker.play(List.of(VOICE));
+      line.written.take();
+      line.close();
+      Optional<String> fault = Optional.empty();
+      while (fault.isEmpty()) {
+        fault = speaker.fault();
+        Thread.onSpinWait();
+      }
+      assertThat(fault).contains("the sound device takes no more");
     }
   }
 
