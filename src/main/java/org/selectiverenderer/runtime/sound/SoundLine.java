@@ -1,5 +1,7 @@
 package org.selectiverenderer.runtime.sound;
 
+import java.io.IOException;
+
 /** Where samples go. */
 public interface SoundLine {
   /** Frames per second that it takes. */
@@ -11,9 +13,9 @@ public interface SoundLine {
     /**
      * Opens the line.
      *
-     * @throws SoundUnavailableException when there is none
+     * @throws IOException with a clause, when there is none
      */
-    SoundLine open() throws SoundUnavailableException;
+    SoundLine open() throws IOException;
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.sound;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -63,7 +64,7 @@ public final class Speaker implements AutoCloseable {
         play(opened);
       }
       opened.close();
-    } catch (SoundUnavailableException e) {
+    } catch (IOException e) {
       synchronized (this) {
         fault = e.getMessage();
       }

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.sound;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -96,7 +97,7 @@ class SpeakerTest {
     try (Speaker speaker =
         new Speaker(
             () -> {
-              throw new SoundUnavailableException("this machine has no sound device", null);
+              throw new IOException("this machine has no sound device");
             })) {
       Optional<String> fault = Optional.empty();
       while (fault.isEmpty()) {
