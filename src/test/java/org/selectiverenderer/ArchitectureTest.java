@@ -165,6 +165,9 @@ class ArchitectureTest {
       onlyIn("lsl", "org.lwjgl.system.libffi..");
 
   @ArchTest
+  static final ArchRule soundIsReadAndPlayedInOnePlace = onlyIn("runtime.sound", "javax.sound..");
+
+  @ArchTest
   static final ArchRule serialPortsAreOpenedInOnePlace = onlyIn("tracker.serial", "com.fazecast..");
 
   @ArchTest

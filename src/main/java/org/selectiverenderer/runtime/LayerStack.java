@@ -226,11 +226,11 @@ final class LayerStack {
         : all().stream().mapToLong(layer -> layer.instances.shownPolygons()).sum();
   }
 
-  /** What all layers have of a kind. */
+  /** What all layers have of a kind; what is USEd in several, once. */
   <T> List<T> gathered(Function<SceneLayer, List<T>> kind) {
     return alone()
         ? kind.apply(base)
-        : all().stream().flatMap(l -> kind.apply(l).stream()).toList();
+        : all().stream().flatMap(l -> kind.apply(l).stream()).distinct().toList();
   }
 
   /** Whether something is so of what is pointed at in any layer. */

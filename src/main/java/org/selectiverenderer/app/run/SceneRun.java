@@ -54,7 +54,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final FigureKeeper keeper = new FigureKeeper();
   private final Stopwatch time;
   private final SceneOpening opening;
-  private final Optional<SceneSound> sound;
+  private final SceneSound sound;
   private RunState state = RunState.LOADING;
   private @Nullable LiveScene scene;
   private @Nullable IOException failure;
@@ -93,10 +93,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls = new Controls(settings.motion().mouse());
     windowInput = new WindowInput(controls);
     console = new OperatorConsole(settings, head);
-    sound =
-        pace.audible() && !settings.scene().muted()
-            ? Optional.of(new SceneSound())
-            : Optional.empty();
+    sound = new SceneSound(pace.audible() && !settings.scene().muted());
     opening = new SceneOpening(settings.scene(), listener);
   }
 
@@ -178,7 +175,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     controls.looking(!head.steering());
     time.tick(guide.paused());
     advance(live, time.seconds());
-    sound.ifPresent(heard -> heard.hear(live.walk().world(), guide.paused()));
+    sound.hear(live.walk().world(), guide.paused());
     drags.decided(live.walk().world(), windowInput::accept);
     return Optional.of(live.walk().world());
   }
@@ -331,9 +328,9 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    sound.ifPresent(SceneSound::close);
     try (head;
-        opening) {
+        opening;
+        sound) {
       head.log(false); // The last one was stepped, and the window closed before it was shown.
     }
   }

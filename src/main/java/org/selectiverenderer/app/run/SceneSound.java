@@ -9,6 +9,14 @@ import org.selectiverenderer.runtime.sound.Speaker;
 /** Has the sounds of a watched run heard. Where there is no device, it says so once. */
 final class SceneSound implements AutoCloseable {
   private final Speaker speaker = new Speaker(DeviceLine::open);
+  private final boolean audible;
+
+  /**
+   * @param audible whether anything is heard at all
+   */
+  SceneSound(boolean audible) {
+    this.audible = audible;
+  }
 
   /**
    * Plays what a step has left.
@@ -16,6 +24,9 @@ final class SceneSound implements AutoCloseable {
    * @param silent whether the run is paused
    */
   void hear(World world, boolean silent) {
+    if (!audible) {
+      return;
+    }
     speaker.play(silent ? List.of() : world.voices());
     speaker
         .fault()

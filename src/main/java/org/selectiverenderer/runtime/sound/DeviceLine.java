@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.sound;
 
+import java.io.IOException;
 import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.LineUnavailableException;
@@ -21,24 +22,24 @@ public final class DeviceLine implements SoundLine {
   /**
    * Opens the device that the user has chosen for sounds.
    *
-   * @throws SoundUnavailableException when there is none, or another program has it to itself
+   * @throws IOException with a clause, when there is none or another program has it to itself
    */
-  public static DeviceLine open() throws SoundUnavailableException {
+  public static DeviceLine open() throws IOException {
     try {
       SourceDataLine line = AudioSystem.getSourceDataLine(FORMAT);
       line.open(FORMAT, BUFFER);
       line.start();
       return new DeviceLine(line);
     } catch (LineUnavailableException e) {
-      throw new SoundUnavailableException("the sound device is in use", e);
+      throw new IOException("the sound device is in use", e);
     } catch (IllegalArgumentException e) { // Java's word for there being none.
-      throw new SoundUnavailableException("this machine has no sound device", e);
+      throw new IOException("this machine has no sound device", e);
     }
   }
 
   @Override
-  public void write(byte[] samples, int length) {
-    line.write(samples, 0, length);
+  public boolean write(byte[] samples, int length) {
+    return line.write(samples, 0, length) == length;
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.sound;
 
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -18,6 +19,10 @@ public final class RecordingReader {
   /** Bytes of a file, and of what it is unpacked to. */
   public static final int MAX_BYTES = 32 << 20;
 
+  /** More than anybody has ears or loudspeakers for. */
+  private static final int MAX_CHANNELS = 64;
+
+  private static final int SOME_FRAMES = 4096;
   private static final double MAX_RATE = 400_000;
 
   private RecordingReader() {}
@@ -60,7 +65,7 @@ public final class RecordingReader {
     AudioFormat given = in.getFormat();
     float rate = given.getSampleRate();
     int channels = given.getChannels();
-    if (!(rate >= 1 && rate <= MAX_RATE) || channels < 1) {
+    if (!(rate >= 1 && rate <= MAX_RATE) || channels < 1 || channels > MAX_CHANNELS) {
       throw new IOException("has %s channels at %s samples per second".formatted(channels, rate));
     }
     AudioFormat pcm =
@@ -70,7 +75,7 @@ public final class RecordingReader {
       throw new UnsupportedAudioFileException(given.toString());
     }
     try (AudioInputStream decoded = AudioSystem.getAudioInputStream(pcm, in)) {
-      byte[] bytes = decoded.readNBytes(MAX_BYTES + 1);
+      byte[] bytes = read(decoded);
       int kept = Math.min(2, channels);
       int frames = bytes.length / (2 * channels);
       if (bytes.length > MAX_BYTES || budget.addAndGet(-2L * kept * frames) < 0) {
@@ -83,6 +88,16 @@ public final class RecordingReader {
       }
       return new Recording(samples(bytes, frames, channels, kept), kept, rate);
     }
+  }
+
+  /** Java's streams of broken files may give nothing for ever: that is taken for their end. */
+  private static byte[] read(AudioInputStream in) throws IOException {
+    ByteArrayOutputStream read = new ByteArrayOutputStream();
+    byte[] some = new byte[SOME_FRAMES * in.getFormat().getFrameSize()];
+    for (int count = in.read(some); count > 0 && read.size() <= MAX_BYTES; count = in.read(some)) {
+      read.write(some, 0, count);
+    }
+    return read.toByteArray();
   }
 
   /** Of more than two channels the first two are the left and right ones in front. */

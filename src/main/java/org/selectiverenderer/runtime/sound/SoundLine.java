@@ -1,5 +1,7 @@
 package org.selectiverenderer.runtime.sound;
 
+import java.io.IOException;
+
 /** Where samples go. */
 public interface SoundLine {
   /** Frames per second that it takes. */
@@ -11,17 +13,18 @@ public interface SoundLine {
     /**
      * Opens the line.
      *
-     * @throws SoundUnavailableException when there is none
+     * @throws IOException with a clause, when there is none
      */
-    SoundLine open() throws SoundUnavailableException;
+    SoundLine open() throws IOException;
   }
 
   /**
    * Takes samples: 16 bits, the lower byte first, left before right. Waits while it has enough.
    *
    * @param length bytes, whole frames
+   * @return whether it has taken them: false when it is closed, or the device has gone
    */
-  void write(byte[] samples, int length);
+  boolean write(byte[] samples, int length);
 
   /** Ends it, and a {@link #write} that waits. From any thread, and more than once. */
   void close();

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.sound;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -63,7 +64,7 @@ public final class Speaker implements AutoCloseable {
         play(opened);
       }
       opened.close();
-    } catch (SoundUnavailableException e) {
+    } catch (IOException e) {
       synchronized (this) {
         fault = e.getMessage();
       }
@@ -87,7 +88,16 @@ public final class Speaker implements AutoCloseable {
         bytes[2 * i] = (byte) sample;
         bytes[2 * i + 1] = (byte) (sample >> 8);
       }
-      to.write(bytes, bytes.length);
+      if (!to.write(bytes, bytes.length)) {
+        gone();
+        return;
+      }
+    }
+  }
+
+  private synchronized void gone() {
+    if (!closed) {
+      fault = "the sound device takes no more";
     }
   }
 

@@ -49,7 +49,9 @@ class NodeFactoryTest {
             RigidBodyPhysics: all
             Shaders: all
             Shape: AcousticProperties
-            Sound: all
+            Sound: Analyser AudioDestination BiquadFilter BufferAudioSource ChannelMerger ChannelSelector \
+            ChannelSplitter Convolver Delay DynamicsCompressor Gain ListenerPointSource MicrophoneSource \
+            OscillatorSource PeriodicWave SpatialSound StreamAudioDestination StreamAudioSource WaveShaper
             TextureProjection: all
             VolumeRendering: all
             """);

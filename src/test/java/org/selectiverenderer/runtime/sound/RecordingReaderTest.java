@@ -17,6 +17,7 @@ import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 
@@ -99,14 +100,15 @@ class RecordingReaderTest {
     assertThatThrownBy(() -> read(huge, 99)).hasMessageContaining("which is the limit");
   }
 
-  /** Nothing but a sentence comes of broken files. */
+  /** Nothing but a sentence comes of broken files, and soon. */
   @Test
+  @Timeout(60)
   void brokenFilesAreRefused() throws IOException {
     Random random = new Random(1);
     AudioFormat format = new AudioFormat(100, 16, 1, true, false);
     for (AudioFileFormat.Type type : TYPES) {
       byte[] whole = file(type, format, 1, 0, 2, 0, 3, 0);
-      for (int i = 0; i < 2000; i++) {
+      for (int i = 0; i < 300; i++) {
         byte[] broken = whole.clone();
         broken[random.nextInt(broken.length)] = (byte) random.nextInt(256);
         broken[random.nextInt(broken.length)] = (byte) random.nextInt(256);

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.sound;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -23,12 +24,13 @@ class SpeakerTest {
     final CountDownLatch closed = new CountDownLatch(1);
 
     @Override
-    public void write(byte[] samples, int length) {
+    public boolean write(byte[] samples, int length) {
       try {
         while (closed.getCount() > 0
             && !written.offer(samples.clone(), 10, TimeUnit.MILLISECONDS)) {
           assertThat(length).isEqualTo(samples.length);
         }
+        return closed.getCount() > 0;
       } catch (InterruptedException e) {
         throw new IllegalStateException(e);
       }
@@ -75,11 +77,27 @@ class SpeakerTest {
   }
 
   @Test
+  void aDeviceThatGoesAwayIsToldAndEndsTheThread() throws InterruptedException {
+    FakeLine line = new FakeLine();
+    try (Speaker speaker = new Speaker(() -> line)) {
+      speaker.play(List.of(VOICE));
+      line.written.take();
+      line.close();
+      Optional<String> fault = Optional.empty();
+      while (fault.isEmpty()) {
+        fault = speaker.fault();
+        Thread.onSpinWait();
+      }
+      assertThat(fault).contains("the sound device takes no more");
+    }
+  }
+
+  @Test
   void aMissingDeviceIsToldOnce() throws InterruptedException {
     try (Speaker speaker =
         new Speaker(
             () -> {
-              throw new SoundUnavailableException("this machine has no sound device", null);
+              throw new IOException("this machine has no sound device");
             })) {
       Optional<String> fault = Optional.empty();
       while (fault.isEmpty()) {
