@@ -37,8 +37,7 @@ public final class NodeContent {
           "HAnimSegment",
           "HAnimSite",
           "GeoLocation",
-          "GeoTransform",
-          "Layer");
+          "GeoTransform");
 
   private NodeContent() {}
 
