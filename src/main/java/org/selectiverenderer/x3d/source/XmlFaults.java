@@ -97,7 +97,8 @@ final class XmlFaults {
     }
     if (message.contains("name start character") || message.contains("entity")) {
       int ampersand = back(text, end, '&');
-      if (end - ampersand < LONGEST_REFERENCE && text.charAt(ampersand) == '&') {
+      boolean found = ampersand < length && text.charAt(ampersand) == '&';
+      if (found && end - ampersand < LONGEST_REFERENCE) {
         return source.location(ampersand);
       }
     }

@@ -92,6 +92,18 @@ class BadInputTest {
   }
 
   @Test
+  void aTagThatEndsWithTheFileIsTold() {
+    for (String end : new String[] {"<", "<\n", "&", "&\n", "<Group\n", "</\n"}) {
+      X3dFile file = fixture.read("<X3D><Scene><Group/>\n" + end);
+      assertThat(fixture.problems.list()).as(end).hasSize(1);
+      assertThat(fixture.problems.list().get(0).toString())
+          .startsWith("test.x3d:")
+          .endsWith("the part before it is kept");
+      assertThat(file.nodes()).as(end).hasSize(1);
+    }
+  }
+
+  @Test
   void whatIsNoSceneIsTold() {
     fixture.read("hello");
     fixture.assertOnly(

@@ -17,6 +17,12 @@ import org.selectiverenderer.runtime.instance.VolumeTexture;
 final class TextureFilters {
   private static final float ANISOTROPY = 4;
 
+  /**
+   * Pixels a side from which on a texture is filtered anisotropically. It helps what is made
+   * smaller; a few pixels are made larger, and then Mesa's software renderer draws arcs with it.
+   */
+  private static final int ANISOTROPIC_FROM = 32;
+
   private TextureFilters() {}
 
   static void set(GL3 gl, int target, TextureSource source) {
@@ -32,12 +38,19 @@ final class TextureFilters {
     boolean linear = sampling == null || sampling.magnifyLinear();
     gl.glTexParameteri(target, GL.GL_TEXTURE_MAG_FILTER, linear ? GL.GL_LINEAR : GL.GL_NEAREST);
     boundaries(gl, target, source);
-    float wanted = sampling == null ? ANISOTROPY : sampling.anisotropy();
+    float wanted = sampling == null ? anisotropy(source) : sampling.anisotropy();
     if (wanted > 1 && gl.isExtensionAvailable("GL_EXT_texture_filter_anisotropic")) {
       float[] most = new float[1];
       gl.glGetFloatv(GL2ES2.GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, most, 0);
       gl.glTexParameterf(target, GL.GL_TEXTURE_MAX_ANISOTROPY_EXT, Math.min(wanted, most[0]));
     }
+  }
+
+  private static float anisotropy(TextureSource source) {
+    boolean tiny =
+        source instanceof Texture texture
+            && Math.max(texture.image().width(), texture.image().height()) < ANISOTROPIC_FROM;
+    return tiny ? 1 : ANISOTROPY;
   }
 
   private static int minify(Sampling.Minify filter) {
