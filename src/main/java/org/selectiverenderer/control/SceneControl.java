@@ -52,8 +52,8 @@ final class SceneControl implements ControlledArea.Listener {
     this.events = events;
     this.problems = problems;
     this.inlined = inlined;
-    this.walk = new SceneWatch(
-            scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), this::changed);
+    this.walk =
+        new SceneWatch(scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), this::changed);
   }
 
   /** Reads the scene, sets what the condition sets, and says so. */

@@ -98,8 +98,6 @@ final class TextureTransforms {
           (float) (rotation[1] / length),
           (float) (rotation[2] / length));
     }
-    return matrix
-        .scale(scale[0], scale[1], scale[2])
-        .translate(-center[0], -center[1], -center[2]);
+    return matrix.scale(scale[0], scale[1], scale[2]).translate(-center[0], -center[1], -center[2]);
   }
 }

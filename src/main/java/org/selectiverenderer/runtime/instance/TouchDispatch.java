@@ -75,7 +75,9 @@ public final class TouchDispatch {
   }
 
   private static Optional<PointingSensorNode> sensor(PlainInstance place) {
-    return place.node() instanceof PointingSensorNode sensor ? Optional.of(sensor) : Optional.empty();
+    return place.node() instanceof PointingSensorNode sensor
+        ? Optional.of(sensor)
+        : Optional.empty();
   }
 
   /** Whether the button is held for a drag. */
@@ -137,11 +139,7 @@ public final class TouchDispatch {
   }
 
   private static void tell(
-      PlainInstance place,
-      Optional<Hit> hit,
-      Optional<Ray> ray,
-      boolean pressed,
-      Cascade cascade) {
+      PlainInstance place, Optional<Hit> hit, Optional<Ray> ray, boolean pressed, Cascade cascade) {
     sensor(place)
         .ifPresent(
             sensor ->

@@ -39,9 +39,7 @@ final class NodeProxy implements InvocationHandler {
     this.realized = realized;
     kind = binding.types().kind(node.type());
     proxy =
-        (X3DNode)
-            Proxy.newProxyInstance(
-                X3DNode.class.getClassLoader(), kind.interfaces(), this);
+        (X3DNode) Proxy.newProxyInstance(X3DNode.class.getClassLoader(), kind.interfaces(), this);
   }
 
   Binding binding() {

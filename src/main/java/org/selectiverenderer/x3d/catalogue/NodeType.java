@@ -10,8 +10,8 @@ import java.util.Set;
 
 /**
  * A concrete node type of the catalogue, one with fields of a single node's own besides (see {@link
- * #with}), or that of a prototype's instances ({@link #ofPrototype}). Immutable. Those of the catalogue may be compared by identity, all by {@link
- * #name()} and {@link #is}.
+ * #with}), or that of a prototype's instances ({@link #ofPrototype}). Immutable. Those of the
+ * catalogue may be compared by identity, all by {@link #name()} and {@link #is}.
  */
 public final class NodeType {
   private static final String INSTANCE = "X3DPrototypeInstance";

@@ -7,9 +7,9 @@
  * mean is said by who reads elements, for all encodings alike. The order of an object's members
  * says nothing, but for the order of elements.
  *
- * <p>In: text. Out: calls of a {@link org.selectiverenderer.x3d.source.DocumentBuilder}. Uses {@code
- * x3d.source}, {@code x3d.catalogue}, {@code x3d.field}, {@code base.json} and the JSON parser
- * Jackson.
+ * <p>In: text. Out: calls of a {@link org.selectiverenderer.x3d.source.DocumentBuilder}. Uses
+ * {@code x3d.source}, {@code x3d.catalogue}, {@code x3d.field}, {@code base.json} and the JSON
+ * parser Jackson.
  */
 @NullMarked
 package org.selectiverenderer.x3d.json;

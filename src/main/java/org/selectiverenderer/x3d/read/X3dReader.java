@@ -240,7 +240,21 @@ public final class X3dReader {
 
   private static X3dFile empty(String source) {
     return new X3dFile(
-        source, "", "", Map.of(), List.of(), List.of(), List.of(), List.of(), Map.of(), List.of(),
-        List.of(), List.of(), List.of(), Map.of(), ParsedInstance.Listing.NONE, List.of());
+        source,
+        "",
+        "",
+        Map.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        Map.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        Map.of(),
+        ParsedInstance.Listing.NONE,
+        List.of());
   }
 }

@@ -110,7 +110,8 @@ public final class XmlEvents {
   public int textStart() {
     CharSequence characters = source.characters();
     int at = start();
-    if (CDATA.contentEquals(characters.subSequence(at, Math.min(at + CDATA.length(), characters.length())))) {
+    if (CDATA.contentEquals(
+        characters.subSequence(at, Math.min(at + CDATA.length(), characters.length())))) {
       at += CDATA.length();
     }
     while (at < characters.length() && characters.charAt(at) <= ' ') {

@@ -10,7 +10,8 @@
  * edited text leave them in the text.
  *
  * <p>A text of another encoding becomes the same elements: its parser calls a {@link
- * org.selectiverenderer.x3d.source.DocumentBuilder}, and the elements' places are those of that text.
+ * org.selectiverenderer.x3d.source.DocumentBuilder}, and the elements' places are those of that
+ * text.
  *
  * <p>In: bytes of a file, plain or compressed. Out: text, elements, {@link
  * org.selectiverenderer.x3d.source.XmlDocument}s. Uses {@code x3d.catalogue}, {@code x3d.field},

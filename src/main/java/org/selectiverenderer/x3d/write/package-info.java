@@ -11,8 +11,8 @@
  * <p>A document that is written anew in another encoding ({@link
  * org.selectiverenderer.x3d.write.SceneFormat}) first becomes {@code SceneItem}s, which know the
  * types of values, the fields of nodes and the places of comments; the text of each encoding is one
- * class that writes these. Uses {@code x3d.catalogue}, {@code x3d.field}, {@code x3d.source}, {@code
- * x3d.read}, {@code base.problem}, {@code base.decimal} and Jackson's quoting of strings.
+ * class that writes these. Uses {@code x3d.catalogue}, {@code x3d.field}, {@code x3d.source},
+ * {@code x3d.read}, {@code base.problem}, {@code base.decimal} and Jackson's quoting of strings.
  */
 @NullMarked
 package org.selectiverenderer.x3d.write;

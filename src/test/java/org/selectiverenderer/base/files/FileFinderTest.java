@@ -54,7 +54,9 @@ class FileFinderTest {
 
     assertThatThrownBy(() -> FileFinder.SCENES.find(empty.toString()))
         .isInstanceOf(IOException.class)
-        .hasMessage("no scene (.x3d, .x3dz, .x3dv, .x3dvz, .wrl, .wrz, .wrl.gz, .x3dj, .x3djz) in " + empty);
+        .hasMessage(
+            "no scene (.x3d, .x3dz, .x3dv, .x3dvz, .wrl, .wrz, .wrl.gz, .x3dj, .x3djz) in "
+                + empty);
     assertThatThrownBy(() -> FileFinder.SCENES.find(dir + "/gone/*.x3d"))
         .isInstanceOf(NoSuchFileException.class);
   }

@@ -193,7 +193,9 @@ class SimulateBadSceneTest {
   void rubbishShowsNothing() {
     byte[] rubbish = new byte[3000];
     new Random(1).nextBytes(rubbish);
-    assertNothingShown(rubbish, "scene.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
+    assertNothingShown(
+        rubbish,
+        "scene.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
             + "'#VRML V2.0' or '{'; nothing can be shown");
   }
 

@@ -37,7 +37,8 @@ class DdsImageTest {
   private Texture.Image decode(ByteBuffer file) throws IOException {
     Path path = folder.resolve("a.dds");
     Files.write(path, file.array());
-    return ImageDecoder.read(new Content.OfFile(path, path.toString()), new AtomicLong(Long.MAX_VALUE));
+    return ImageDecoder.read(
+        new Content.OfFile(path, path.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test

@@ -18,7 +18,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.Content;
-import org.selectiverenderer.x3d.files.Content;
 
 class ImageDecoderTest {
   @TempDir private Path folder;
@@ -51,7 +50,8 @@ class ImageDecoderTest {
     image.getRaster().setSample(0, 0, 0, sample);
     Path file = folder.resolve("grey.png");
     ImageIO.write(image, "png", file.toFile());
-    return ImageDecoder.read(new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
+    return ImageDecoder.read(
+        new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test
@@ -76,7 +76,9 @@ class ImageDecoderTest {
     } finally {
       writer.dispose();
     }
-    Texture.Image image = ImageDecoder.read(new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
+    Texture.Image image =
+        ImageDecoder.read(
+            new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
     // Cyan, and a fifth of black.
     assertThat(image.components()).isEqualTo(3);
     assertThat(image.rgba()[0] & 0xff).isLessThan(4);

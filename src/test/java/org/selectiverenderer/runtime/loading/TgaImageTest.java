@@ -33,7 +33,8 @@ class TgaImageTest {
     }
     Path path = folder.resolve("A.TGA");
     Files.write(path, file);
-    return ImageDecoder.read(new Content.OfFile(path, path.toString()), new AtomicLong(Long.MAX_VALUE));
+    return ImageDecoder.read(
+        new Content.OfFile(path, path.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test

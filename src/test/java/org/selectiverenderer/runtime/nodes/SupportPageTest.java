@@ -46,7 +46,8 @@ class SupportPageTest {
           "removeChildren");
 
   /** Fields whose names are put together: those of textures, of backs, of a Background's sides. */
-  private static final Pattern COMPUTED = Pattern.compile("\\w+TextureMapping|back[A-Z]\\w+|\\w+Url");
+  private static final Pattern COMPUTED =
+      Pattern.compile("\\w+TextureMapping|back[A-Z]\\w+|\\w+Url");
 
   private static final Pattern LITERAL = Pattern.compile("\"([A-Za-z_0-9]+)\"");
 

@@ -19,7 +19,9 @@ record DragRay(Vector3dc origin, Vector3dc direction) {
   Optional<Vector3d> onPlane(Vector3dc point, Vector3dc normal) {
     double along = direction.dot(normal);
     double distance = point.sub(origin, new Vector3d()).dot(normal) / along;
-    return distance >= 0 && Double.isFinite(distance) ? Optional.of(at(distance)) : Optional.empty();
+    return distance >= 0 && Double.isFinite(distance)
+        ? Optional.of(at(distance))
+        : Optional.empty();
   }
 
   /**

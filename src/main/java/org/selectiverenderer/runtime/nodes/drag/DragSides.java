@@ -6,7 +6,9 @@ import org.joml.Vector3dc;
 final class DragSides {
   private DragSides() {}
 
-  /** Whether a point that a ray hits is nearer to the second place at that radius than the first. */
+  /**
+   * Whether a point that a ray hits is nearer to the second place at that radius than the first.
+   */
   static boolean far(DragRay ray, Vector3dc hit, double radius, Vector3dc axes) {
     return ray.atRadius(radius, axes, true).distanceSquared(hit)
         < ray.atRadius(radius, axes, false).distanceSquared(hit);

@@ -97,11 +97,7 @@ final class DrawLooks {
   }
 
   private DrawLook detailed(
-      GL3 gl,
-      ShapeInstance shape,
-      SurfaceDetail detail,
-      Mesh drawn,
-      List<LightInstance> reaching) {
+      GL3 gl, ShapeInstance shape, SurfaceDetail detail, Mesh drawn, List<LightInstance> reaching) {
     Surface surface = shape.surface();
     List<GpuTexture> images = new ArrayList<>();
     detail.units().forEach(unit -> images.add(texture(gl, unit.source())));
