@@ -20,12 +20,12 @@ public final class GlStart {
   }
 
   /**
-   * Begins it if there may be a display.
+   * Begins it; where there is no display nothing comes of it.
    *
    * @param wanted whether anything will be drawn
    */
   public static GlStart begin(boolean wanted) {
-    if (!wanted || GlAvailability.checkNow().isPresent()) {
+    if (!wanted) {
       return new GlStart(Optional.empty());
     }
     FutureTask<Boolean> task = new FutureTask<>(GlStart::start);
@@ -35,7 +35,11 @@ public final class GlStart {
     return new GlStart(Optional.of(task));
   }
 
+  /** To ask the X server takes some 30 ms, which whoever begins this need not wait for. */
   private static boolean start() {
+    if (GlAvailability.checkNow().isPresent()) {
+      return false; // Without a server that answers JOGL would find none, once and for all.
+    }
     jar().ifPresent(JoglLibraries::use);
     return GLProfile.isAvailable(GLProfile.GL3);
   }
