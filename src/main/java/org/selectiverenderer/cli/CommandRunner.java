@@ -11,7 +11,10 @@ import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFailure;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Sets up picocli, runs one command and makes one line of whatever goes wrong. */
@@ -39,17 +42,28 @@ final class CommandRunner {
   private CommandLine commandLine(List<? extends CliCommand> commands, StringWriter help) {
     CommandLine line = new CommandLine(root);
     commands.forEach(command -> add(line, command));
+    Reports reports = new Reports();
     return line.setOut(new PrintWriter(help))
         .setErr(new PrintWriter(console.err(), true))
         .setColorScheme(CommandLine.Help.defaultColorScheme(console.colours() ? Ansi.ON : Ansi.OFF))
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setExpandAtFiles(false) // A file may be called @something.
-        .setParameterExceptionHandler(
-            (failure, args) ->
-                report(name(failure.getCommandLine()), CommandFailure.usage(sentence(failure)))
-                    .code())
-        .setExecutionExceptionHandler(
-            (failure, command, parsed) -> report(name(command), failure).code());
+        .setParameterExceptionHandler(reports)
+        .setExecutionExceptionHandler(reports);
+  }
+
+  /** A class, as a lambda of picocli's types, whose class files are old, is made at each start. */
+  private final class Reports implements IParameterExceptionHandler, IExecutionExceptionHandler {
+    @Override
+    public int handleParseException(ParameterException failure, String[] args) {
+      return report(name(failure.getCommandLine()), CommandFailure.usage(sentence(failure))).code();
+    }
+
+    @Override
+    public int handleExecutionException(
+        Exception failure, CommandLine command, ParseResult parsed) {
+      return report(name(command), failure).code();
+    }
   }
 
   private static void add(CommandLine parent, CliCommand command) {

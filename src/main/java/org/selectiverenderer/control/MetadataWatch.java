@@ -47,8 +47,8 @@ final class MetadataWatch {
     watched = List.of();
   }
 
-  private void watch(SaiMetadata source, Set<SaiMetadata> seen, List<X3DField> fields) {
-    if (seen.add(source)) {
+  private void watch(SaiMetadata source, Set<X3DNode> seen, List<X3DField> fields) {
+    if (seen.add(source.node())) {
       watch(source.node(), "value", fields);
       if (!source.isSet()) { // the name of a set means nothing here
         watch(source.node(), "name", fields);

@@ -30,15 +30,14 @@ final class NodeNames {
   /** Names a node that appeared, each in the order of its scene. */
   void add(X3DNode node, SceneScope scope) {
     String type = node.getNodeName();
-    int number =
-        numbers.computeIfAbsent(scope, known -> new HashMap<>()).merge(type, 1, Integer::sum);
+    int number = count(numbers.computeIfAbsent(scope, known -> new HashMap<>()), type);
     unnamed.put(node, new Unnamed(scope, type + "#" + number));
   }
 
   private void look() {
     Map<X3DNode, String> defs = defs();
     Map<String, Integer> uses = new HashMap<>();
-    defs.values().forEach(def -> uses.merge(def, 1, Integer::sum));
+    defs.values().forEach(def -> count(uses, def));
     Map<SceneScope, String> paths = new HashMap<>();
     unnamed.forEach(
         (node, known) -> {
@@ -53,6 +52,10 @@ final class NodeNames {
         });
     unnamed.keySet().forEach(node -> taken.add(names.get(node)));
     unnamed.clear();
+  }
+
+  private static int count(Map<String, Integer> uses, String name) {
+    return uses.merge(name, 1, Integer::sum);
   }
 
   private Map<X3DNode, String> defs() {

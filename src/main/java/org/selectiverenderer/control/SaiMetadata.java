@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.schema.MetadataSource;
 import org.web3d.x3d.sai.X3DMetadataObject;
 import org.web3d.x3d.sai.X3DNode;
@@ -19,6 +20,17 @@ import org.web3d.x3d.sai.core.MetadataString;
  * @param node which is an {@link X3DMetadataObject} too
  */
 record SaiMetadata(X3DNode node) implements MetadataSource {
+  /** Equal when the nodes are. Written out, as Java makes a record's own code at its first use. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof SaiMetadata metadata && node.equals(metadata.node);
+  }
+
+  @Override
+  public int hashCode() {
+    return node.hashCode();
+  }
+
   /** The metadata of a node, if it has any. */
   static Optional<SaiMetadata> of(X3DNode owner) {
     return owner.getMetadata() instanceof X3DNode node

@@ -205,18 +205,17 @@ final class SceneWatch {
 
     Place(X3DNode node, SceneScope scope) {
       List<Branch> found = new ArrayList<>();
+      Branch.Listener listener = SceneWatch.this::replace;
       for (X3DFieldDefinition definition : node.getFieldDefinitions()) {
         int type = definition.getFieldType();
         if ((type == X3DFieldTypes.SFNODE || type == X3DFieldTypes.MFNODE)
             && definition.getAccessType() != X3DFieldTypes.INPUT_ONLY
             && !definition.getName().equals("metadata")) {
-          found.add(
-              new FieldBranch(
-                  scope, node.getField(definition.getName()), SceneWatch.this::replace));
+          found.add(new FieldBranch(scope, node.getField(definition.getName()), listener));
         }
       }
       if (inlined != null && node instanceof Inline) {
-        found.add(new InlineBranch(scope, node, inlined, wanted, SceneWatch.this::replace));
+        found.add(new InlineBranch(scope, node, inlined, wanted, listener));
       }
       branches = List.copyOf(found);
     }

@@ -108,10 +108,14 @@ final class SceneLayer {
         viewer,
         backdrop(),
         fog(),
-        bindables.bound("NavigationInfo").map(Node.class::cast),
-        bindables.bound("X3DViewpointNode").map(Node.class::cast),
+        bound("NavigationInfo"),
+        bound("X3DViewpointNode"),
         part,
         active);
+  }
+
+  private Optional<Node> bound(String type) {
+    return bindables.bound(type).map(Node.class::cast);
   }
 
   /** Adapts LOD and Billboard nodes to its viewer. */

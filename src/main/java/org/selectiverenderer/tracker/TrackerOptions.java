@@ -34,6 +34,11 @@ public record TrackerOptions(
     }
   }
 
+  /** Whether they change anything of a record. */
+  public boolean change() {
+    return swapped.isPresent() || !inverted.isEmpty() || smoothing.isPresent() || prediction > 0;
+  }
+
   /** Two angles that change places. */
   public record Swap(Axis one, Axis other) {
     /**

@@ -1,5 +1,6 @@
 package org.selectiverenderer.cli.option;
 
+import java.util.Optional;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.control.SelectiveController;
 import picocli.CommandLine.ITypeConverter;
@@ -35,11 +36,12 @@ public final class ConditionOptions {
   public static final class Converter implements ITypeConverter<Condition> {
     @Override
     public Condition convert(String value) {
-      return Condition.of(value)
-          .orElseThrow(
-              () ->
-                  new TypeConversionException(
-                      "'" + value + "' is unknown; choose selective, high, high-low or random"));
+      Optional<Condition> condition = Condition.of(value);
+      if (condition.isEmpty()) {
+        throw new TypeConversionException(
+            "'" + value + "' is unknown; choose selective, high, high-low or random");
+      }
+      return condition.get();
     }
   }
 }

@@ -48,7 +48,7 @@ public final class TrackerFlags {
 
   /** Refuses options that would do nothing. */
   public void check(TrackerSpec spec) {
-    if (spec instanceof TrackerSpec.None && !options().equals(TrackerOptions.NONE)) {
+    if (spec instanceof TrackerSpec.None && options().change()) {
       throw CommandFailure.usage("--invert, --swap, --smooth and --predict need --tracker");
     }
   }

@@ -10,6 +10,12 @@ record PixelSize(int width, int height) {
   private static final int MOST = 16384;
   private static final Pattern FORM = Pattern.compile("([0-9]{1,5})[xX]([0-9]{1,5})");
 
+  /** As on the command line; a record's own text is made by code that is made at its first use. */
+  @Override
+  public String toString() {
+    return width + "x" + height;
+  }
+
   /** Reads a size. */
   static final class Converter implements ITypeConverter<PixelSize> {
     @Override

@@ -12,19 +12,16 @@ final class StrokeReader {
     if (appearance == null || !appearance.type().name().equals("Appearance")) {
       return Stroke.PLAIN;
     }
-    Stroke stroke =
-        new Stroke(
-            part(appearance, "lineProperties", "LineProperties")
-                .filter(node -> node.bool("applied"))
-                .map(StrokeReader::line)
-                .orElse(null),
-            part(appearance, "pointProperties", "PointProperties")
-                .map(StrokeReader::dot)
-                .orElse(null),
-            part(appearance, "fillProperties", "FillProperties")
-                .map(StrokeReader::fill)
-                .orElse(null));
-    return stroke.equals(Stroke.PLAIN) ? Stroke.PLAIN : stroke;
+    Stroke.@Nullable Line line =
+        part(appearance, "lineProperties", "LineProperties")
+            .filter(node -> node.bool("applied"))
+            .map(StrokeReader::line)
+            .orElse(null);
+    Stroke.@Nullable Dot dot =
+        part(appearance, "pointProperties", "PointProperties").map(StrokeReader::dot).orElse(null);
+    Stroke.@Nullable Fill fill =
+        part(appearance, "fillProperties", "FillProperties").map(StrokeReader::fill).orElse(null);
+    return line == null && dot == null && fill == null ? Stroke.PLAIN : new Stroke(line, dot, fill);
   }
 
   private static Optional<Node> part(Node appearance, String field, String type) {

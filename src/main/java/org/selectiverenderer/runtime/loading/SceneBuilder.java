@@ -120,9 +120,7 @@ final class SceneBuilder {
 
     Scene build() {
       X3dFile file = content.file();
-      List<Node> roots = new ArrayList<>(file.nodes().size());
-      file.nodes().forEach(node -> make(node).ifPresent(roots::add));
-      scene.root().init(groupType.indexOf("children"), List.copyOf(roots));
+      scene.root().init(groupType.indexOf("children"), makeAll(file.nodes()));
       file.loose().forEach(this::end);
       scene.types(content.types());
       file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
@@ -202,17 +200,21 @@ final class SceneBuilder {
       return !tooMany;
     }
 
+    private List<Node> makeAll(List<? extends NodeView> parsed) {
+      List<Node> made = new ArrayList<>(parsed.size());
+      for (NodeView node : parsed) {
+        make((ParsedNode) node).ifPresent(made::add);
+      }
+      return List.copyOf(made);
+    }
+
     private Object convert(FieldDefinition field, ParsedNode parsed) {
       Object value = parsed.value(field.index());
       if (field.type() == FieldType.SFNode) {
         return value instanceof ParsedNode child ? make(child).orElse(null) : null;
       }
       if (field.type() == FieldType.MFNode) {
-        List<Node> children = new ArrayList<>();
-        for (NodeView child : parsed.nodes(field.name())) {
-          make((ParsedNode) child).ifPresent(children::add);
-        }
-        return List.copyOf(children);
+        return makeAll(parsed.nodes(field.name()));
       }
       return value;
     }

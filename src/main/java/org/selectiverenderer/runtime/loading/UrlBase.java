@@ -28,7 +28,7 @@ record UrlBase(ContentRoot root, ContentBase base, List<String> including, doubl
   /** That of a node of the file, which may have come with a prototype of another one. */
   UrlBase of(ParsedNode node) {
     ContentBase own = node.base(base);
-    return own.equals(base) ? this : new UrlBase(root, own, including, unitLength);
+    return own == base || own.equals(base) ? this : new UrlBase(root, own, including, unitLength);
   }
 
   /** The files that inlined one another down to the one that inlines this one. */

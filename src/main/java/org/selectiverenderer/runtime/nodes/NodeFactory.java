@@ -1,7 +1,5 @@
 package org.selectiverenderer.runtime.nodes;
 
-import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -41,63 +39,69 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Makes the node for a node type: the class with its behaviour where there is one. */
+/**
+ * Makes the node for a node type: the class with its behaviour where there is one. A maker is found
+ * when it is asked for, as to make all of them would cost each start of the program.
+ */
 public final class NodeFactory {
-  private final Map<String, NodeMaker> makers = new HashMap<>(EventUtilities.MAKERS);
+  private static @Nullable NodeMaker maker(NodeType type) {
+    return switch (type.name()) {
+      case "Group",
+          "StaticGroup",
+          "Anchor",
+          "CADAssembly",
+          "CADLayer",
+          "PickableGroup",
+          "Layer",
+          "ViewpointGroup" ->
+          GroupingNode::new;
+      case "Transform", "CADPart", "HAnimJoint", "HAnimSite" -> TransformNode::new;
+      case "HAnimHumanoid" -> HumanoidNode::new;
+      case "HAnimMotion" -> MotionNode::new;
+      case "HAnimSegment" -> SegmentNode::new;
+      case "ParticleSystem" -> ParticleSystemNode::new;
+      case "CADFace" -> CadFaceNode::new;
+      case "Switch" -> SwitchNode::new;
+      case "LOD" -> LodNode::new;
+      case "Billboard" -> BillboardNode::new;
+      case "Collision" -> CollisionNode::new;
+      case "Inline" -> InlineNode::new;
 
-  public NodeFactory() {
-    makers.putAll(DragSensors.MAKERS);
-    makers.putAll(KeyDevice.MAKERS);
-    makers.putAll(Followers.MAKERS);
-    makers.putAll(Geospatial.MAKERS);
-    makers.putAll(Sounds.MAKERS);
-    makers.putAll(SplineInterpolators.MAKERS);
-    put(
-        GroupingNode::new,
-        "Group",
-        "StaticGroup",
-        "Anchor",
-        "CADAssembly",
-        "CADLayer",
-        "PickableGroup",
-        "Layer",
-        "ViewpointGroup");
-    put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
-    put(HumanoidNode::new, "HAnimHumanoid");
-    put(MotionNode::new, "HAnimMotion");
-    put(SegmentNode::new, "HAnimSegment");
-    put(ParticleSystemNode::new, "ParticleSystem");
-    put(CadFaceNode::new, "CADFace");
-    put(SwitchNode::new, "Switch");
-    put(LodNode::new, "LOD");
-    put(BillboardNode::new, "Billboard");
-    put(CollisionNode::new, "Collision");
-    put(InlineNode::new, "Inline");
+      case "ProximitySensor" -> ProximitySensorNode::new;
+      case "TransformSensor" -> TransformSensorNode::new;
+      case "VisibilitySensor" -> VisibilitySensorNode::new;
+      case "TouchSensor" -> TouchSensorNode::new;
+      case "TimeSensor" -> TimeSensorNode::new;
 
-    put(ProximitySensorNode::new, "ProximitySensor");
-    put(TransformSensorNode::new, "TransformSensor");
-    put(VisibilitySensorNode::new, "VisibilitySensor");
-    put(TouchSensorNode::new, "TouchSensor");
-    put(TimeSensorNode::new, "TimeSensor");
+      case "Background", "TextureBackground", "Fog", "NavigationInfo" -> BindableNode::new;
+      case "Script" -> ScriptNode::new;
+      case "Viewpoint", "OrthoViewpoint" -> ViewpointNode::new;
 
-    put(BindableNode::new, "Background", "TextureBackground", "Fog", "NavigationInfo");
-    put(ScriptNode::new, "Script");
-    put(ViewpointNode::new, "Viewpoint", "OrthoViewpoint");
-
-    put(SequencerNode::new, "BooleanSequencer", "IntegerSequencer");
-    put(EaseInEaseOutNode::new, "EaseInEaseOut");
-    put(interpolating(() -> Blend.linear(1)), "ScalarInterpolator");
-    put(interpolating(() -> Blend.linear(2)), "PositionInterpolator2D", "CoordinateInterpolator2D");
-    put(interpolating(() -> Blend.linear(3)), "PositionInterpolator", "CoordinateInterpolator");
-    put(interpolating(Blend::rotation), "OrientationInterpolator");
-    put(interpolating(Blend::normal), "NormalInterpolator");
-    put(interpolating(Blend::hsv), "ColorInterpolator");
+      case "BooleanSequencer", "IntegerSequencer" -> SequencerNode::new;
+      case "EaseInEaseOut" -> EaseInEaseOutNode::new;
+      case "ScalarInterpolator" -> interpolating(() -> Blend.linear(1));
+      case "PositionInterpolator2D", "CoordinateInterpolator2D" ->
+          interpolating(() -> Blend.linear(2));
+      case "PositionInterpolator", "CoordinateInterpolator" -> interpolating(() -> Blend.linear(3));
+      case "OrientationInterpolator" -> interpolating(Blend::rotation);
+      case "NormalInterpolator" -> interpolating(Blend::normal);
+      case "ColorInterpolator" -> interpolating(Blend::hsv);
+      default -> makers(type.component()).get(type.name());
+    };
   }
 
-  private void put(NodeMaker maker, String... names) {
-    for (String name : List.of(names)) {
-      makers.put(name, maker);
-    }
+  /** Those of the components that have a package of their own. */
+  private static Map<String, NodeMaker> makers(String component) {
+    return switch (component) {
+      case "EventUtilities" -> EventUtilities.MAKERS;
+      case "Followers" -> Followers.MAKERS;
+      case "Geospatial" -> Geospatial.MAKERS;
+      case "Interpolation", "NURBS" -> SplineInterpolators.MAKERS;
+      case "KeyDeviceSensor" -> KeyDevice.MAKERS;
+      case "PointingDeviceSensor" -> DragSensors.MAKERS;
+      case "Sound" -> Sounds.MAKERS;
+      default -> Map.of();
+    };
   }
 
   /** Each node has a blend of its own, which keeps what it calculates with. */
@@ -107,7 +111,8 @@ public final class NodeFactory {
 
   /** A node with all fields at their defaults. */
   public Node make(NodeType type, @Nullable String name, Location location) {
-    return makers.getOrDefault(type.name(), Node::new).make(type, name, location);
+    NodeMaker maker = maker(type);
+    return maker == null ? new Node(type, name, location) : maker.make(type, name, location);
   }
 
   /**
@@ -115,6 +120,6 @@ public final class NodeFactory {
    * data that is read. Nodes of other types are kept with their fields, and that is all.
    */
   public boolean actsOn(NodeType type) {
-    return makers.containsKey(type.name()) || PassiveNodes.isRead(type.name());
+    return maker(type) != null || PassiveNodes.isRead(type.name());
   }
 }

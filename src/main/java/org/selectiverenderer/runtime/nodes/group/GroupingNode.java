@@ -24,8 +24,12 @@ public class GroupingNode extends Node {
 
   public GroupingNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
-    children = type.field("children").map(FieldDefinition::index).orElse(-1);
-    visible = type.field("visible").map(FieldDefinition::index).orElse(-1);
+    children = index(type, "children");
+    visible = index(type, "visible");
+  }
+
+  private static int index(NodeType type, String field) {
+    return type.field(field).map(FieldDefinition::index).orElse(-1);
   }
 
   /** What stands in the group, in order. */
