@@ -70,7 +70,8 @@ record FrameNodes(
     add(loose, KeyDeviceSensorNode.class, keySensors);
     List<SoundNode> sounds = new ArrayList<>();
     add(placed, SoundNode.class, sounds);
-    boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
+    boolean touchable =
+        anchors || placed.stream().anyMatch(node -> node instanceof PointingSensorNode);
     boolean draggable =
         placed.stream().anyMatch(node -> node instanceof PointingSensorNode on && on.drags());
     return new FrameNodes(

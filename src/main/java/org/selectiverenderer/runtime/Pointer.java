@@ -22,6 +22,8 @@ public record Pointer(Optional<Vector3dc> direction, boolean pressed, double asp
   }
 
   public Pointer {
-    direction = direction.map(Vector3d::new);
+    if (direction.isPresent()) {
+      direction = Optional.of(new Vector3d(direction.get()));
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime;
 
+import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -126,7 +127,8 @@ final class ViewpointFollower {
 
   /** From a viewpoint's local coordinates to the world; the identity when it is nowhere. */
   Matrix4dc placeOf(Node viewpoint) {
-    Matrix4dc place = instances.places(viewpoint).stream().findFirst().orElseGet(Matrix4d::new);
+    List<Matrix4dc> places = instances.places(viewpoint);
+    Matrix4dc place = places.isEmpty() ? new Matrix4d() : places.get(0);
     return viewpoint instanceof ViewpointNode looking
         ? place.mul(looking.frame(), new Matrix4d())
         : place;

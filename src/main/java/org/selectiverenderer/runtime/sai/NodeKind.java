@@ -42,13 +42,14 @@ final class NodeKind {
   private static Class<?>[] interfacesOf(NodeType type) {
     List<Class<?>> all = new ArrayList<>();
     all.add(X3DNode.class);
+    List<String> names = new ArrayList<>();
     if (type.isPrototype()) {
       all.add(X3DProtoInstance.class);
     } else {
-      SaiTypes.find(type.component().toLowerCase(Locale.ROOT) + "." + type.name())
-          .ifPresent(all::add);
+      names.add(type.component().toLowerCase(Locale.ROOT) + "." + type.name());
     }
-    type.ancestors().stream().sorted().forEach(name -> SaiTypes.find(name).ifPresent(all::add));
+    type.ancestors().stream().sorted().forEach(names::add);
+    names.forEach(name -> SaiTypes.find(name).ifPresent(all::add));
     return all.stream().distinct().toArray(Class<?>[]::new);
   }
 
