@@ -3,11 +3,8 @@ package org.selectiverenderer.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.cli.author.ApartmentCommand;
 import org.selectiverenderer.cli.author.ConvertCommand;
@@ -34,9 +31,26 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 final class CommandCatalogue {
   private CommandCatalogue() {}
 
+  private static final List<String> NAMES =
+      List.of(
+          "run",
+          "simulate",
+          "validate",
+          "enrich",
+          "convert",
+          "simplify",
+          "versions",
+          "polygons",
+          "track",
+          "experiment",
+          "apartment",
+          "radiosity",
+          "bench",
+          "sai");
+
   /** All commands. */
   static List<CliCommand> commands(Console console) {
-    return makers().values().stream().map(maker -> maker.apply(console)).toList();
+    return NAMES.stream().flatMap(name -> command(name, console).stream()).toList();
   }
 
   /**
@@ -45,8 +59,8 @@ final class CommandCatalogue {
    * takes longer than Java takes to start.
    */
   static List<CliCommand> commands(Console console, String[] args) {
-    Function<Console, CliCommand> named = args.length == 0 ? null : makers().get(args[0]);
-    return named == null ? commands(console) : List.of(named.apply(console));
+    Optional<CliCommand> named = args.length == 0 ? Optional.empty() : command(args[0], console);
+    return named.map(List::of).orElseGet(() -> commands(console));
   }
 
   /** Whether a command line shows a scene, as soon as it can. */
@@ -56,24 +70,25 @@ final class CommandCatalogue {
         && Arrays.stream(args).noneMatch(arg -> arg.equals("--help") || arg.equals("-h"));
   }
 
-  /** By name. */
-  private static Map<String, Function<Console, CliCommand>> makers() {
-    Map<String, Function<Console, CliCommand>> all = new LinkedHashMap<>();
-    all.put("run", RunCommand::new);
-    all.put("simulate", SimulateCommand::new);
-    all.put("validate", console -> new ValidateCommand(console, System.in));
-    all.put("enrich", console -> new EnrichCommand(console, CommandCatalogue::enricher));
-    all.put("convert", ConvertCommand::new);
-    all.put("simplify", SimplifyCommand::new);
-    all.put("versions", VersionsCommand::new);
-    all.put("polygons", PolygonsCommand::new);
-    all.put("track", TrackCommand::new);
-    all.put("experiment", ExperimentCommand::new);
-    all.put("apartment", ApartmentCommand::new);
-    all.put("radiosity", RadiosityCommand::new);
-    all.put("bench", console -> new BenchCommand(console, Main.class.getName()));
-    all.put("sai", console -> new SaiCommand(console, System.in));
-    return all;
+  private static Optional<CliCommand> command(String name, Console console) {
+    return Optional.ofNullable(
+        switch (name) {
+          case "run" -> new RunCommand(console);
+          case "simulate" -> new SimulateCommand(console);
+          case "validate" -> new ValidateCommand(console, System.in);
+          case "enrich" -> new EnrichCommand(console, CommandCatalogue::enricher);
+          case "convert" -> new ConvertCommand(console);
+          case "simplify" -> new SimplifyCommand(console);
+          case "versions" -> new VersionsCommand(console);
+          case "polygons" -> new PolygonsCommand(console);
+          case "track" -> new TrackCommand(console);
+          case "experiment" -> new ExperimentCommand(console);
+          case "apartment" -> new ApartmentCommand(console);
+          case "radiosity" -> new RadiosityCommand(console);
+          case "bench" -> new BenchCommand(console, Main.class.getName());
+          case "sai" -> new SaiCommand(console, System.in);
+          default -> null;
+        });
   }
 
   private static ExitStatus enricher(Optional<Path> scene, ContentAccess access)
