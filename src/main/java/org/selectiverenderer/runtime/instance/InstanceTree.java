@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
+import org.selectiverenderer.runtime.nodes.layout.Seen;
+import org.selectiverenderer.runtime.nodes.layout.Sight;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
@@ -49,6 +51,8 @@ public final class InstanceTree {
   private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
   private final List<Node> otherNodes = new ArrayList<>();
   private final List<GroupInstance> viewerDependent = new ArrayList<>();
+  private final List<GroupInstance> seenGroups = new ArrayList<>();
+  private final List<ShapeInstance> screenShapes = new ArrayList<>();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
   private final List<LightInstance> lights = new ArrayList<>();
@@ -61,6 +65,7 @@ public final class InstanceTree {
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
+  private Sight sight = Sight.NONE;
   private int instances;
   private long shownPolygons;
 
@@ -209,6 +214,35 @@ public final class InstanceTree {
     }
   }
 
+  /** Whether anything in it depends on the picture: {@link #see} does something. */
+  public boolean dependsOnPicture() {
+    return !seenGroups.isEmpty() || !screenShapes.isEmpty();
+  }
+
+  /**
+   * Places what depends on the picture, each place by itself (X3D 4.0, clause 36). To be called
+   * after the viewer has moved, and again where a picture of another size is drawn.
+   */
+  public void see(Sight now) {
+    sight = now;
+    for (GroupInstance group : seenGroups) {
+      if (group.see()) {
+        group.moved(this);
+        moved();
+      }
+    }
+    for (ShapeInstance shape : screenShapes) {
+      if (shape.see(now)) {
+        moved();
+      }
+    }
+  }
+
+  /** As of the last {@link #see}. */
+  Sight sight() {
+    return sight;
+  }
+
   private Instance build(Node node, @Nullable GroupInstance parent, int depth) {
     instances++;
     if (node instanceof GroupingNode group) {
@@ -224,6 +258,7 @@ public final class InstanceTree {
       ShapeLook look = looks.computeIfAbsent(node, shape -> new ShapeLook(shape, assets, this));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.instances.add(instance);
+      instance.see(sight);
       return instance;
     }
     if (LightReader.isLight(node)) {
@@ -308,6 +343,8 @@ public final class InstanceTree {
     places.clear();
     otherNodes.clear();
     viewerDependent.clear();
+    seenGroups.clear();
+    screenShapes.clear();
     collect(root, all);
     shapes = List.copyOf(all);
     light();
@@ -323,9 +360,15 @@ public final class InstanceTree {
       if (first && group.node() instanceof ViewerDependent) {
         viewerDependent.add(group);
       }
+      if (group.node() instanceof Seen) {
+        seenGroups.add(group);
+      }
       group.children.forEach(child -> collect(child, all));
     } else if (instance instanceof ShapeInstance shape) {
       all.add(shape);
+      if (shape.look().onScreen()) {
+        screenShapes.add(shape);
+      }
     } else if (instance instanceof LightInstance light) {
       lights.add(light);
     } else if (first && instance instanceof PlainInstance) {

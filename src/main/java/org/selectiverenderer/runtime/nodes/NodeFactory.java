@@ -28,6 +28,7 @@ import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
 import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
+import org.selectiverenderer.runtime.nodes.layout.Layouts;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
@@ -50,6 +51,7 @@ public final class NodeFactory {
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
+    makers.putAll(Layouts.MAKERS);
     makers.putAll(Sounds.MAKERS);
     makers.putAll(SplineInterpolators.MAKERS);
     put(

@@ -85,6 +85,7 @@ final class PassiveNodes {
           "MultiTextureCoordinate",
           "NurbsCurve2D",
           "NurbsTextureCoordinate",
+          "ScreenFontStyle",
           "TextureCoordinate",
           "TextureCoordinate3D",
           "TextureCoordinate4D",
@@ -105,7 +106,7 @@ final class PassiveNodes {
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
   private static final Set<String> EFFECTS =
-      Set.of("LocalFog", "ClipPlane", "LayerSet", "Viewport");
+      Set.of("LocalFog", "ClipPlane", "LayerSet", "Layout", "Viewport");
 
   private static final Set<String> DESCRIPTIONS =
       Set.of(

@@ -42,7 +42,6 @@ class NodeFactoryTest {
             CubeMapTexturing: GeneratedCubeMapTexture
             DIS: all
             EnvironmentalEffects: FogCoordinate
-            Layout: all
             NURBS: NurbsSet
             Networking: LoadSensor
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
