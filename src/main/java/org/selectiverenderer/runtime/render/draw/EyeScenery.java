@@ -110,7 +110,7 @@ final class EyeScenery {
     Stroke.Dot dot = key.stroke().dot();
     Stroke.Fill fill = key.stroke().fill();
     return switch (key.form()) {
-      case WIDE, PATTERN ->
+      case WIDE, PATTERN, BREAK, ENDED ->
           line == null
               ? NOTHING
               : new float[] {
