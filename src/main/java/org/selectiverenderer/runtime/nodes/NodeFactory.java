@@ -18,6 +18,7 @@ import org.selectiverenderer.runtime.nodes.follow.Followers;
 import org.selectiverenderer.runtime.nodes.geo.Geospatial;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
+import org.selectiverenderer.runtime.nodes.group.CollidableNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
@@ -63,8 +64,10 @@ public final class NodeFactory {
         "CADLayer",
         "PickableGroup",
         "Layer",
+        "Viewport",
         "ViewpointGroup");
-    put(TransformNode::new, "Transform", "CADPart", "HAnimJoint", "HAnimSite");
+    put(TransformNode::new, "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite");
+    put(CollidableNode::new, "CollidableShape", "CollidableOffset");
     put(HumanoidNode::new, "HAnimHumanoid");
     put(MotionNode::new, "HAnimMotion");
     put(SegmentNode::new, "HAnimSegment");

@@ -105,8 +105,7 @@ final class PassiveNodes {
 
   private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
 
-  private static final Set<String> EFFECTS =
-      Set.of("LocalFog", "ClipPlane", "LayerSet", "Layout", "Viewport");
+  private static final Set<String> EFFECTS = Set.of("LocalFog", "ClipPlane", "LayerSet", "Layout");
 
   private static final Set<String> DESCRIPTIONS =
       Set.of(
