@@ -37,6 +37,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.shape.InstancedShapeNode;
 import org.selectiverenderer.runtime.nodes.sound.Sounds;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
@@ -73,6 +74,7 @@ public final class NodeFactory {
     put(SegmentNode::new, "HAnimSegment");
     put(ParticleSystemNode::new, "ParticleSystem");
     put(CadFaceNode::new, "CADFace");
+    put(InstancedShapeNode::new, "InstancedShape");
     put(SwitchNode::new, "Switch");
     put(LodNode::new, "LOD");
     put(BillboardNode::new, "Billboard");

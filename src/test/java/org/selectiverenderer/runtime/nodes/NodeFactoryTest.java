@@ -42,9 +42,11 @@ class NodeFactoryTest {
             CubeMapTexturing: GeneratedCubeMapTexture
             DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
             EnvironmentalEffects: FogCoordinate
+            Lighting: EnvironmentLight
             NURBS: NurbsSet
             Networking: LoadSensor
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
+            Rendering: Tangent
             RigidBodyPhysics: BallJoint CollisionCollection CollisionSensor CollisionSpace Contact \
             DoubleAxisHingeJoint MotorJoint RigidBody RigidBodyCollection SingleAxisHingeJoint SliderJoint \
             UniversalJoint
