@@ -56,6 +56,7 @@ public final class InstanceTree {
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
   private final List<LightInstance> lights = new ArrayList<>();
+  private final List<EffectInstance> environments = new ArrayList<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
   private final Vector3d localUp = new Vector3d();
@@ -267,7 +268,7 @@ public final class InstanceTree {
       return instance;
     }
     if (EffectInstance.isEffect(node)) {
-      return new EffectInstance(node, parent);
+      return new EffectInstance(node, parent, assets);
     }
     plainMoved(node); // It may have been in other places before.
     return new PlainInstance(node, parent);
@@ -340,6 +341,7 @@ public final class InstanceTree {
   private void collect() {
     List<ShapeInstance> all = new ArrayList<>();
     lights.clear();
+    environments.clear();
     places.clear();
     otherNodes.clear();
     viewerDependent.clear();
@@ -371,6 +373,8 @@ public final class InstanceTree {
       }
     } else if (instance instanceof LightInstance light) {
       lights.add(light);
+    } else if (instance instanceof EffectInstance effect && effect.environment()) {
+      environments.add(effect);
     } else if (first && instance instanceof PlainInstance) {
       otherNodes.add(instance.node());
     }
@@ -384,7 +388,7 @@ public final class InstanceTree {
     Map<LightInstance, Integer> order = new IdentityHashMap<>();
     lights.forEach(light -> order.put(light, order.size()));
     List<LightInstance> global = lights.stream().filter(light -> light.light().global()).toList();
-    light(root, global, Surroundings.NONE, Comparator.comparing(order::get));
+    light(root, global, Surroundings.of(environments), Comparator.comparing(order::get));
   }
 
   private static void light(

@@ -103,7 +103,8 @@ final class PassiveNodes {
           "VolumeEmitter",
           "WindPhysicsModel");
 
-  private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
+  private static final Set<String> LIGHTS =
+      Set.of("DirectionalLight", "EnvironmentLight", "PointLight", "SpotLight");
 
   private static final Set<String> EFFECTS = Set.of("LocalFog", "ClipPlane", "LayerSet", "Layout");
 

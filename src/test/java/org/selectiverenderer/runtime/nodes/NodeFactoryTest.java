@@ -42,7 +42,6 @@ class NodeFactoryTest {
             CubeMapTexturing: GeneratedCubeMapTexture
             DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
             EnvironmentalEffects: FogCoordinate
-            Lighting: EnvironmentLight
             NURBS: NurbsSet
             Networking: LoadSensor
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
