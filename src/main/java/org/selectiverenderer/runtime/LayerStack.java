@@ -51,11 +51,14 @@ final class LayerStack {
 
   private SceneLayer active;
   private Pointer pointed = Pointer.AWAY;
+  private Picture picture;
 
   /**
    * @param user who walks in the active layer
+   * @param picture that the scene is seen in
    */
-  LayerStack(Scene scene, Parts parts, Viewer user) {
+  LayerStack(Scene scene, Parts parts, Viewer user, Picture picture) {
+    this.picture = picture;
     this.scene = scene;
     this.parts = parts;
     this.user = user;
@@ -184,7 +187,13 @@ final class LayerStack {
   }
 
   void look(Cascade cascade) {
-    all().forEach(layer -> layer.look(cascade));
+    all().forEach(layer -> layer.look(picture, part(layer), cascade));
+  }
+
+  /** What depends on the picture follows it. */
+  void see(Picture now) {
+    picture = now;
+    all().forEach(layer -> layer.see(now, part(layer)));
   }
 
   /**

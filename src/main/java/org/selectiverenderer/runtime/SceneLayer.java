@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.Fog;
@@ -19,6 +22,7 @@ import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -26,6 +30,11 @@ import org.selectiverenderer.runtime.viewer.Viewer;
  * it, what is pointed at, its sensors (X3D 4.0, 35.2). Belongs to the thread that steps the world.
  */
 final class SceneLayer {
+  /** Who sees a LayoutLayer: in parallel, -1 to 1 of the smaller side (X3D 4.0, 36.4.3). */
+  private static final Vector3dc FLAT_EYE = new Vector3d(0, 0, 10);
+
+  private static final Quaterniondc UPRIGHT = new Quaterniond();
+
   final GroupingNode root;
   final InstanceTree instances;
   final BindStacks bindables;
@@ -43,12 +52,16 @@ final class SceneLayer {
   private List<SoundNode> sounds = List.of();
   private boolean draggable;
 
+  /** Whether it is a layer of rectangles, which no viewpoint and no walking moves. */
+  private final boolean flat;
+
   /**
    * @param viewer who sees it
    */
   SceneLayer(GroupingNode root, LayerStack.Parts parts, Viewer viewer) {
     this.root = root;
     this.viewer = viewer;
+    flat = root.type().name().equals("LayoutLayer");
     instances = new InstanceTree(root, parts.assets());
     instances.onMoved(node -> round.moved(node));
     backdrops = new BackdropReader(parts.assets());
@@ -118,11 +131,28 @@ final class SceneLayer {
     return bindables.bound(type).map(Node.class::cast);
   }
 
-  /** Adapts LOD and Billboard nodes to its viewer. */
-  void look(Cascade cascade) {
+  /**
+   * Adapts LOD and Billboard nodes to its viewer.
+   *
+   * @param picture that the scene was last seen in
+   */
+  void look(Picture picture, LayerView.Part part, Cascade cascade) {
+    if (flat) {
+      viewer.moveTo(FLAT_EYE);
+      viewer.turnTo(UPRIGHT);
+      viewer.extent(Optional.of(Extent.DEFAULT));
+    }
+    see(picture, part);
     Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
     instances.view(viewer.position(), up, cascade);
     instances.update();
+  }
+
+  /** Places what depends on the picture. */
+  void see(Picture picture, LayerView.Part part) {
+    if (instances.dependsOnPicture()) {
+      instances.see(picture.sight(viewer, part));
+    }
   }
 
   /** Its sensors and clocks look at the frame. */

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
@@ -29,6 +30,7 @@ import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.script.ScriptWorld;
 import org.selectiverenderer.runtime.script.Scripts;
 import org.selectiverenderer.runtime.sound.Voice;
+import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
@@ -70,6 +72,7 @@ public final class World {
   private double time = Double.NaN;
   private double epoch = EPOCH;
   private volatile boolean running = true;
+  private Picture picture = Picture.DEFAULT;
 
   public World(LoadedScene loaded, Problems problems) {
     this.problems = problems;
@@ -93,7 +96,10 @@ public final class World {
     }
     layers =
         new LayerStack(
-            scene, new LayerStack.Parts(live.assets(), meshes, links::follow, cascade), viewer);
+            scene,
+            new LayerStack.Parts(live.assets(), meshes, links::follow, cascade),
+            viewer,
+            picture);
     if (scripts != null) {
       scripts.close();
     }
@@ -226,6 +232,21 @@ public final class World {
    */
   public List<LayerView> layers() {
     return layers.views();
+  }
+
+  /**
+   * A picture of that size is about to be drawn, of one eye where there are two: what the scene
+   * measures by the picture or in pixels follows (X3D 4.0, clause 36). Without a picture 1024 x 768
+   * are assumed. For the thread that steps.
+   *
+   * @param width in pixels of the desktop, above 0
+   * @param height in pixels of the desktop, above 0
+   * @param frustum of a display that shows another angle than the viewer's: what is seen at a
+   *     distance of 1
+   */
+  public void seenIn(double width, double height, Optional<Extent> frustum) {
+    picture = new Picture(width, height, frustum);
+    layers.see(picture);
   }
 
   /**

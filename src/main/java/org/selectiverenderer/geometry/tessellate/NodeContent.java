@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
@@ -16,12 +17,15 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  */
 public final class NodeContent {
   private static final Set<String> TRANSFORMS =
-      Set.of("Transform", "CADPart", "HAnimHumanoid", "HAnimJoint", "HAnimSite");
+      Set.of("Transform", "CADPart", "EspduTransform", "HAnimHumanoid", "HAnimJoint", "HAnimSite");
   private static final Set<String> WITH_CHILDREN =
       Set.of(
           "Group",
           "StaticGroup",
           "Layer",
+          "LayoutGroup",
+          "LayoutLayer",
+          "ScreenGroup",
           "Anchor",
           "CADAssembly",
           "CADLayer",
@@ -29,6 +33,8 @@ public final class NodeContent {
           "PickableGroup",
           "ViewpointGroup",
           "Transform",
+          "EspduTransform",
+          "Viewport",
           "Switch",
           "LOD",
           "Billboard",
@@ -45,6 +51,8 @@ public final class NodeContent {
   public static boolean isGroup(NodeType type) {
     return WITH_CHILDREN.contains(type.name())
         || type.name().equals("CADFace")
+        || type.name().equals("CollidableShape")
+        || type.name().equals("CollidableOffset")
         || type.name().equals("GeoLOD")
         || type.name().equals("HAnimHumanoid");
   }
@@ -52,15 +60,17 @@ public final class NodeContent {
   /** The nodes in a group or the layers of a LayerSet, shown or not; none for all others. */
   public static List<? extends NodeView> of(NodeView node) {
     return switch (node.type().name()) {
-      case "CADFace" -> {
-        NodeView shape = node.node("shape");
-        yield shape == null ? List.of() : List.of(shape);
-      }
+      case "CADFace", "CollidableShape" -> one(node.node("shape"));
+      case "CollidableOffset" -> one(node.node("collidable"));
       case "GeoLOD" -> node.nodes("rootNode");
       case "HAnimHumanoid" -> figure(node);
       case "LayerSet" -> node.nodes("layers");
       default -> WITH_CHILDREN.contains(node.type().name()) ? node.nodes("children") : List.of();
     };
+  }
+
+  private static List<? extends NodeView> one(@Nullable NodeView held) {
+    return held == null ? List.of() : List.of(held);
   }
 
   /**
@@ -95,6 +105,8 @@ public final class NodeContent {
     return switch (node.type().name()) {
       case "GeoLocation" -> Optional.of(GeoPlacement.location(node));
       case "GeoTransform" -> Optional.of(GeoPlacement.transform(node));
+      case "CollidableShape", "CollidableOffset" ->
+          Optional.of(TransformPlacement.ofCollidable(node));
       default ->
           TRANSFORMS.contains(node.type().name())
               ? Optional.of(TransformPlacement.of(node, new Matrix4d()))

@@ -3,7 +3,8 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * How a FontStyle node lays out text (X3D 4.0, 15.4.1).
+ * How a FontStyle (X3D 4.0, 15.4.1) or ScreenFontStyle (36.4.4) lays out text. A ScreenFontStyle's
+ * units are pixels: whoever draws it sees to that.
  *
  * @param size of an em
  * @param spacing of lines, in ems
@@ -30,10 +31,27 @@ record TextLayout(
   static final TextLayout DEFAULT =
       new TextLayout(1, 1, true, true, true, Justify.BEGIN, Justify.FIRST);
 
+  private static final String ON_SCREEN = "ScreenFontStyle";
+
+  /** Pixels of a point, which is a 72nd of an inch, at the 96 pixels per inch of CSS. */
+  private static final double PIXELS_PER_POINT = 96.0 / 72;
+
+  /** Whether a node is one of the two. */
+  static boolean known(NodeView fontStyle) {
+    String name = fontStyle.type().name();
+    return name.equals("FontStyle") || name.equals(ON_SCREEN);
+  }
+
+  private static double em(TessellationJob job, NodeView fontStyle) {
+    return fontStyle.type().name().equals(ON_SCREEN)
+        ? PIXELS_PER_POINT * positive(job, fontStyle, "pointSize")
+        : positive(job, fontStyle, "size");
+  }
+
   static TextLayout of(TessellationJob job, NodeView fontStyle) {
     String[] justify = fontStyle.strings("justify");
     return new TextLayout(
-        positive(job, fontStyle, "size"),
+        em(job, fontStyle),
         positive(job, fontStyle, "spacing"),
         fontStyle.bool("horizontal"),
         fontStyle.bool("leftToRight"),
@@ -47,7 +65,8 @@ record TextLayout(
     if (value > 0 && value < Float.POSITIVE_INFINITY || value == 0 && field.equals("spacing")) {
       return value;
     }
-    job.problem("has a FontStyle whose " + field + " is not above 0; 1 is used");
+    job.problem(
+        "has a %s whose %s is not above 0; 1 is used".formatted(fontStyle.type().name(), field));
     return 1;
   }
 

@@ -29,7 +29,7 @@ final class TextShape {
 
   static Mesh mesh(TessellationJob job, TextMesher mesher) {
     NodeView fontStyle = job.node().node("fontStyle");
-    if (fontStyle != null && !fontStyle.type().name().equals("FontStyle")) {
+    if (fontStyle != null && !TextLayout.known(fontStyle)) {
       job.problem(
           "has a " + fontStyle.type().name() + ", which is not supported; plain text is drawn");
       fontStyle = null;

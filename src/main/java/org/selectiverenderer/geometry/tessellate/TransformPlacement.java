@@ -38,6 +38,14 @@ public final class TransformPlacement {
     return matrix.translate(-(double) c[0], -(double) c[1], -(double) c[2]);
   }
 
+  /** What only has a translation and a rotation, T R: a collidable (X3D 4.0, 37.3.2). */
+  static Matrix4d ofCollidable(NodeView collidable) {
+    float[] t = collidable.floats("translation");
+    Matrix4d matrix = new Matrix4d().translation(t[0], t[1], t[2]);
+    rotate(matrix, collidable.floats("rotation"), 1);
+    return matrix;
+  }
+
   private static void rotate(Matrix4d matrix, float[] r, int sign) {
     double length = Math.sqrt(r[0] * (double) r[0] + r[1] * (double) r[1] + r[2] * (double) r[2]);
     if (length > 0 && r[3] != 0) {

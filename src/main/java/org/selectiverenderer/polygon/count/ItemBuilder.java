@@ -12,6 +12,7 @@ import java.util.Set;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.tessellate.InstancePlaces;
 import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
@@ -22,6 +23,9 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * Objects and areas count in whatever file they stand, as the controller sees them.
  */
 final class ItemBuilder {
+  /** As many copies of one triangle as are drawn at most. */
+  private static final int MOST_COPIES = 4_000_000 / 3;
+
   private final Problems problems;
   private final Map<ParsedNode, CountedItem> items = new IdentityHashMap<>();
   private final Map<CountedFile, CountedItem> contents = new IdentityHashMap<>();
@@ -100,7 +104,10 @@ final class ItemBuilder {
     String name = names.get(file).of(node);
     CountedItem.Builder builder = new CountedItem.Builder(node).name(name);
     if (Structure.isShape(node)) {
-      Structure.geometry(node).ifPresent(geometry -> builder.size(file.size(geometry)));
+      Structure.geometry(node)
+          .map(file::size)
+          .map(size -> placed(node, size))
+          .ifPresent(builder::size);
     } else if (Structure.isInline(node)) {
       fill(node, name, file, builder);
     } else {
@@ -110,6 +117,10 @@ final class ItemBuilder {
       NodeContent.placement(node).ifPresent(builder::placement);
     }
     return builder.build();
+  }
+
+  private static Size placed(ParsedNode shape, Size size) {
+    return Structure.isInstanced(shape) ? size.copied(InstancePlaces.of(shape, MOST_COPIES)) : size;
   }
 
   private void fill(ParsedNode inline, String name, CountedFile file, CountedItem.Builder builder) {

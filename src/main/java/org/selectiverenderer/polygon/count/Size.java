@@ -1,5 +1,7 @@
 package org.selectiverenderer.polygon.count;
 
+import java.util.List;
+import org.joml.Matrix4dc;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
@@ -27,5 +29,18 @@ public record Size(int polygons, Bounds bounds) {
                 .map(at -> Bounds.of(own.min().add(at), own.max().add(at)))
                 .orElse(own);
     return new Size(mesh.polygons(), placed);
+  }
+
+  /**
+   * The same in each of several places, together.
+   *
+   * @param places from the geometry's coordinates to the shape's
+   */
+  Size copied(List<? extends Matrix4dc> places) {
+    Bounds all = Bounds.EMPTY;
+    for (Matrix4dc place : places) {
+      all = bounds.isEmpty() ? all : all.union(bounds.transformed(place));
+    }
+    return new Size((int) Math.min(Integer.MAX_VALUE, (long) polygons * places.size()), all);
   }
 }

@@ -20,7 +20,12 @@ final class Structure {
   }
 
   static boolean isShape(ParsedNode node) {
-    return node.type().name().equals("Shape");
+    return node.type().name().equals("Shape") || isInstanced(node);
+  }
+
+  /** Whether a shape has one geometry in many places. */
+  static boolean isInstanced(ParsedNode shape) {
+    return shape.type().name().equals("InstancedShape");
   }
 
   static boolean isSwitch(ParsedNode node) {

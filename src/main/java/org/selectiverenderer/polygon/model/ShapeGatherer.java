@@ -11,8 +11,10 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.MeshCopies;
 import org.selectiverenderer.geometry.mesh.MeshPlacement;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.geometry.tessellate.InstancePlaces;
 import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -104,6 +106,9 @@ final class ShapeGatherer {
     }
     if (mesh.isEmpty()) {
       return;
+    }
+    if (shape.type().name().equals("InstancedShape")) {
+      mesh = MeshCopies.of(mesh, InstancePlaces.of(shape, MeshCopies.most(mesh)));
     }
     NodeView appearance = shape.node("appearance");
     Matrix4dc place =

@@ -54,6 +54,13 @@ public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int wid
     return new Camera(viewer.view(), projection, 0, 0, width, height);
   }
 
+  /** What is seen at a distance of 1, as if the eye looked at its middle; empty if parallel. */
+  public Optional<Extent> angle() {
+    double x = 1 / projection.m00();
+    double y = 1 / projection.m11();
+    return parallel() ? Optional.empty() : Optional.of(new Extent(-x, -y, x, y));
+  }
+
   /** Whether lines of sight are parallel. */
   public boolean parallel() {
     return projection.m33() != 0;

@@ -20,6 +20,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.layout.LayoutGroupNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
@@ -75,7 +76,8 @@ public final class Colliders {
   private void collect(Instance instance, List<CollisionNode> above, List<PlacedMesh> all) {
     if (instance instanceof ShapeInstance shape) {
       all.add(new PlacedMesh.OfShape(shape, above));
-    } else if (instance instanceof GroupInstance group) {
+    } else if (instance instanceof GroupInstance group
+        && !(group.node() instanceof LayoutGroupNode)) {
       if (group.node() instanceof CollisionNode collision) {
         List<CollisionNode> with = new ArrayList<>(above);
         with.add(collision);

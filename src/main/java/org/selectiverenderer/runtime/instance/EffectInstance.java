@@ -7,16 +7,24 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * A LocalFog or ClipPlane in one place: what the other children of its group, and all below them,
- * are seen with (X3D 4.0, 24.4.4 and 11.4.1). {@link #world()} takes its fields to the world.
+ * A LocalFog, ClipPlane or EnvironmentLight in one place: what the other children of its group, and
+ * all below them, are seen with (X3D 4.0, 24.4.4 and 11.4.1). {@link #world()} takes its fields to
+ * the world.
  */
 public final class EffectInstance extends Instance {
-  EffectInstance(Node node, @Nullable GroupInstance parent) {
+  private final @Nullable EnvironmentReader environment;
+
+  EffectInstance(Node node, @Nullable GroupInstance parent, Assets assets) {
     super(node, parent);
+    environment = isEnvironment(node) ? new EnvironmentReader(node, assets) : null;
   }
 
   static boolean isEffect(Node node) {
-    return isFog(node) || node.type().name().equals("ClipPlane");
+    return isFog(node) || isEnvironment(node) || node.type().name().equals("ClipPlane");
+  }
+
+  private static boolean isEnvironment(Node node) {
+    return node.type().name().equals("EnvironmentLight");
   }
 
   private static boolean isFog(Node node) {
@@ -27,8 +35,17 @@ public final class EffectInstance extends Instance {
     return isFog(node());
   }
 
+  boolean environment() {
+    return environment != null;
+  }
+
+  /** Whether it lights all of the scene, not only its group. */
+  boolean everywhere() {
+    return environment() && node().bool("global");
+  }
+
   private boolean on() {
-    return shown && node().bool("enabled");
+    return shown && node().bool(environment() ? "on" : "enabled");
   }
 
   /** The fog in force here, else empty. */
@@ -36,12 +53,17 @@ public final class EffectInstance extends Instance {
     return fog() && on() ? Optional.of(Fog.read(node(), world())) : Optional.empty();
   }
 
+  /** The light from all around that it gives now; empty when it gives none. */
+  Optional<Environment> environmentNow() {
+    return environment != null && on() ? environment.read(world()) : Optional.empty();
+  }
+
   /**
    * The plane in the world, a, b, c, d: what has {@code a * x + b * y + c * z + d} below 0 is cut
    * off. Empty when it cuts nothing now.
    */
   public Optional<Vector4d> planeNow() {
-    if (fog() || !on()) {
+    if (fog() || environment() || !on()) {
       return Optional.empty();
     }
     float[] plane = node().floats("plane");

@@ -4,10 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.nodes.layout.Region;
+import org.selectiverenderer.runtime.nodes.layout.Seen;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 
@@ -20,6 +23,10 @@ public final class GroupInstance extends Instance implements NodeObserver {
   private Matrix4dc content = IDENTITY;
   List<Instance> children = List.of();
   boolean disposed;
+
+  /** The rectangle of a layout that groups below lie in; null where it is the one above. */
+  private @Nullable Region region;
+
   private GroupingNode.Effect[] pending = NOTHING;
 
   GroupInstance(GroupingNode node, @Nullable GroupInstance parent, InstanceTree tree) {
@@ -73,10 +80,34 @@ public final class GroupInstance extends Instance implements NodeObserver {
   }
 
   private void place() {
-    content = placed();
+    if (group instanceof Seen seen) {
+      Seen.Spot spot = spot(seen);
+      content = spot.content();
+      region = spot.region().orElse(null);
+    } else {
+      content = placed();
+    }
+  }
+
+  /** Follows the picture; says whether its content is elsewhere by it. */
+  boolean see() {
+    Seen.Spot spot = spot((Seen) group);
+    region = spot.region().orElse(null);
+    return !content.equals(spot.content());
+  }
+
+  private Seen.Spot spot(Seen seen) {
+    Optional<Region> above = Optional.empty();
+    for (GroupInstance at = parent(); at != null && above.isEmpty(); at = at.parent()) {
+      above = Optional.ofNullable(at.region);
+    }
+    return seen.spot(world(), tree.sight(), above);
   }
 
   private Matrix4dc placed() {
+    if (group instanceof Seen seen) {
+      return spot(seen).content();
+    }
     return group.placement().map(local -> (Matrix4dc) world().mul(local, local)).orElse(world());
   }
 

@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
+import org.selectiverenderer.runtime.nodes.layout.Seen;
+import org.selectiverenderer.runtime.nodes.layout.Sight;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
@@ -49,9 +51,12 @@ public final class InstanceTree {
   private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
   private final List<Node> otherNodes = new ArrayList<>();
   private final List<GroupInstance> viewerDependent = new ArrayList<>();
+  private final List<GroupInstance> seenGroups = new ArrayList<>();
+  private final List<ShapeInstance> screenShapes = new ArrayList<>();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
   private final List<LightInstance> lights = new ArrayList<>();
+  private final List<EffectInstance> environments = new ArrayList<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
   private final Vector3d localUp = new Vector3d();
@@ -61,6 +66,7 @@ public final class InstanceTree {
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
+  private Sight sight = Sight.NONE;
   private int instances;
   private long shownPolygons;
 
@@ -209,6 +215,35 @@ public final class InstanceTree {
     }
   }
 
+  /** Whether anything in it depends on the picture: {@link #see} does something. */
+  public boolean dependsOnPicture() {
+    return !seenGroups.isEmpty() || !screenShapes.isEmpty();
+  }
+
+  /**
+   * Places what depends on the picture, each place by itself (X3D 4.0, clause 36). To be called
+   * after the viewer has moved, and again where a picture of another size is drawn.
+   */
+  public void see(Sight now) {
+    sight = now;
+    for (GroupInstance group : seenGroups) {
+      if (group.see()) {
+        group.moved(this);
+        moved();
+      }
+    }
+    for (ShapeInstance shape : screenShapes) {
+      if (shape.see(now)) {
+        moved();
+      }
+    }
+  }
+
+  /** As of the last {@link #see}. */
+  Sight sight() {
+    return sight;
+  }
+
   private Instance build(Node node, @Nullable GroupInstance parent, int depth) {
     instances++;
     if (node instanceof GroupingNode group) {
@@ -224,6 +259,7 @@ public final class InstanceTree {
       ShapeLook look = looks.computeIfAbsent(node, shape -> new ShapeLook(shape, assets, this));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.instances.add(instance);
+      instance.see(sight);
       return instance;
     }
     if (LightReader.isLight(node)) {
@@ -232,7 +268,7 @@ public final class InstanceTree {
       return instance;
     }
     if (EffectInstance.isEffect(node)) {
-      return new EffectInstance(node, parent);
+      return new EffectInstance(node, parent, assets);
     }
     plainMoved(node); // It may have been in other places before.
     return new PlainInstance(node, parent);
@@ -305,9 +341,12 @@ public final class InstanceTree {
   private void collect() {
     List<ShapeInstance> all = new ArrayList<>();
     lights.clear();
+    environments.clear();
     places.clear();
     otherNodes.clear();
     viewerDependent.clear();
+    seenGroups.clear();
+    screenShapes.clear();
     collect(root, all);
     shapes = List.copyOf(all);
     light();
@@ -323,11 +362,19 @@ public final class InstanceTree {
       if (first && group.node() instanceof ViewerDependent) {
         viewerDependent.add(group);
       }
+      if (group.node() instanceof Seen) {
+        seenGroups.add(group);
+      }
       group.children.forEach(child -> collect(child, all));
     } else if (instance instanceof ShapeInstance shape) {
       all.add(shape);
+      if (shape.look().onScreen()) {
+        screenShapes.add(shape);
+      }
     } else if (instance instanceof LightInstance light) {
       lights.add(light);
+    } else if (instance instanceof EffectInstance effect && effect.environment()) {
+      environments.add(effect);
     } else if (first && instance instanceof PlainInstance) {
       otherNodes.add(instance.node());
     }
@@ -341,7 +388,7 @@ public final class InstanceTree {
     Map<LightInstance, Integer> order = new IdentityHashMap<>();
     lights.forEach(light -> order.put(light, order.size()));
     List<LightInstance> global = lights.stream().filter(light -> light.light().global()).toList();
-    light(root, global, Surroundings.NONE, Comparator.comparing(order::get));
+    light(root, global, Surroundings.of(environments), Comparator.comparing(order::get));
   }
 
   private static void light(

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** Measures lines, so that the pattern of a dashed line goes on around its corners. */
+/**
+ * Measures lines, so that the pattern of a dashed line goes on around its corners, or marks their
+ * ends, where arrows are.
+ */
 final class LineLengths {
   private LineLengths() {}
 
@@ -15,6 +18,15 @@ final class LineLengths {
    * @param lines whose indices are the ends of stretches, those of one line in turn
    */
   static Mesh measure(Mesh lines) {
+    return marked(lines, false);
+  }
+
+  /** Likewise, but it says -1 of the first vertex of a line, 1 of the last, 0 of those between. */
+  static Mesh ends(Mesh lines) {
+    return marked(lines, true);
+  }
+
+  private static Mesh marked(Mesh lines, boolean endsOnly) {
     int[] ends = lines.indices();
     int[] source = new int[ends.length];
     float[] lengths = new float[2 * ends.length];
@@ -22,11 +34,15 @@ final class LineLengths {
     int count = 0;
     for (int i = 0; i + 1 < ends.length; i += 2) {
       if (i == 0 || ends[i] != ends[i - 1]) {
+        lengths[2 * count] = endsOnly ? -1 : 0;
         source[count++] = ends[i];
       }
       source[count] = ends[i + 1];
+      boolean last = i + 2 >= ends.length || ends[i + 2] != ends[i + 1];
       lengths[2 * count] =
-          lengths[2 * (count - 1)] + distance(lines.positions(), ends[i], ends[i + 1]);
+          endsOnly
+              ? last ? 1 : 0
+              : lengths[2 * (count - 1)] + distance(lines.positions(), ends[i], ends[i + 1]);
       indices[i] = count - 1;
       indices[i + 1] = count++;
     }
@@ -58,13 +74,15 @@ final class LineLengths {
     return picked;
   }
 
-  /** The mesh of a shape, measured if its lines have a pattern. */
+  /** The mesh of a shape, measured if its lines have a pattern, marked if they have arrows. */
   static @Nullable Mesh of(@Nullable Mesh mesh, Stroke stroke) {
-    return mesh != null
-            && mesh.primitive() == Mesh.Primitive.LINES
-            && stroke.line() != null
-            && stroke.line().type() != 1
-        ? measure(mesh)
-        : mesh;
+    Stroke.Line line = stroke.line();
+    if (mesh == null
+        || mesh.primitive() != Mesh.Primitive.LINES
+        || line == null
+        || line.type() == 1) {
+      return mesh;
+    }
+    return line.ended() ? ends(mesh) : measure(mesh);
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.instance;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -8,6 +9,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.nodes.layout.Sight;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** A Shape in one place: what a renderer draws and a ray hits. */
@@ -17,6 +19,9 @@ public final class ShapeInstance extends Instance {
   private @Nullable Matrix4dc placed;
   private List<LightInstance> lights = List.of();
   private Surroundings surroundings = Surroundings.NONE;
+
+  /** What it is seen in, where its text is measured in pixels. */
+  private @Nullable Sight sight;
 
   ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
     super(node, parent);
@@ -37,12 +42,15 @@ public final class ShapeInstance extends Instance {
   @Override
   public Matrix4dc world() {
     Vector3dc anchor = look.anchor();
-    if (anchor == null) {
+    if (anchor == null && sight == null) {
       return super.world();
     }
     Matrix4dc known = placed;
     if (known == null) {
-      known = super.world().translate(anchor, new Matrix4d());
+      known =
+          anchor != null
+              ? super.world().translate(anchor, new Matrix4d())
+              : super.world().scale(sight.pixelScale(super.world()), new Matrix4d());
       placed = known;
     }
     return known;
@@ -84,6 +92,17 @@ public final class ShapeInstance extends Instance {
           mesh().map(mesh -> transform(mesh.bounds(), world())).orElseGet(ShapeInstance::empty);
     }
     return bounds;
+  }
+
+  /** Follows the picture where its text is measured in pixels; says whether it moved by it. */
+  boolean see(Sight now) {
+    Sight wanted = look.onScreen() ? now : null;
+    if (Objects.equals(wanted, sight)) {
+      return false;
+    }
+    sight = wanted;
+    forgetBounds();
+    return true;
   }
 
   void forgetBounds() {

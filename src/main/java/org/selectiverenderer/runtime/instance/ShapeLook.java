@@ -33,6 +33,7 @@ final class ShapeLook implements NodeObserver {
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean disposed;
+  private boolean onScreen;
   private @Nullable Node geometry;
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
@@ -67,6 +68,11 @@ final class ShapeLook implements NodeObserver {
     return mesh == null ? 0 : mesh.polygons();
   }
 
+  /** Whether it is text that is measured in pixels (X3D 4.0, 36.4.4). */
+  boolean onScreen() {
+    return onScreen;
+  }
+
   boolean visible() {
     return shape.type().field("visible").map(f -> (Boolean) shape.value(f.index())).orElse(true);
   }
@@ -81,7 +87,16 @@ final class ShapeLook implements NodeObserver {
       anchor = geometry == null ? null : GeoAnchor.of(geometry).orElse(null);
     }
     mesh = LineLengths.of(formed, stroke);
+    onScreen = isOnScreen(geometry);
     surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
+  }
+
+  private static boolean isOnScreen(@Nullable Node geometry) {
+    if (geometry == null || !geometry.type().name().equals("Text")) {
+      return false;
+    }
+    Node style = geometry.node("fontStyle");
+    return style != null && style.type().name().equals("ScreenFontStyle");
   }
 
   private void observe() {
@@ -141,8 +156,13 @@ final class ShapeLook implements NodeObserver {
       instance.show(false, tree);
       instance.wanted = wanted;
     }
+    boolean before = onScreen;
     read();
+    if (onScreen != before) {
+      tree.structureChanged();
+    }
     for (ShapeInstance instance : instances) {
+      instance.see(tree.sight());
       instance.forgetBounds();
       instance.show(instance.wanted, tree);
     }

@@ -17,7 +17,12 @@ public record Stroke(@Nullable Line line, @Nullable Dot dot, @Nullable Fill fill
    * @param type its {@code linetype}, 1 for solid
    * @param width its {@code linewidthScaleFactor}: lines are so many pixels wide, at least one
    */
-  public record Line(int type, float width) {}
+  public record Line(int type, float width) {
+    /** Whether there is something at its ends: an arrow (6), a dot (7), two arrows (8). */
+    public boolean ended() {
+      return type >= 6 && type <= 8;
+    }
+  }
 
   /**
    * A PointProperties node. A point at the distance {@code r} from the eye is {@code scale / (a + b
@@ -38,7 +43,7 @@ public record Stroke(@Nullable Line line, @Nullable Dot dot, @Nullable Fill fill
    *
    * @param filled whether the area itself is seen
    * @param hatched whether lines are drawn over it
-   * @param style of these lines, 1 horizontal .. 6 diagonal cross
+   * @param style of these lines, 1 horizontal .. 19 dots in rows
    */
   public record Fill(
       boolean filled, boolean hatched, int style, float red, float green, float blue) {}

@@ -10,9 +10,10 @@
  * The sum of the triangles shown is kept along. Drawing, sensors, rays, collisions and counting all
  * read this one tree.
  *
- * <p>A LocalFog or ClipPlane is an {@link org.selectiverenderer.runtime.instance.EffectInstance};
- * the {@link org.selectiverenderer.runtime.instance.Surroundings} of a shape are those whose scope
- * it is in. How its lines, points and areas are drawn is its {@link
+ * <p>A LocalFog, ClipPlane or EnvironmentLight is an {@link
+ * org.selectiverenderer.runtime.instance.EffectInstance}; the {@link
+ * org.selectiverenderer.runtime.instance.Surroundings} of a shape are those whose scope it is in.
+ * How its lines, points and areas are drawn is its {@link
  * org.selectiverenderer.runtime.instance.Stroke}.
  *
  * <p>A {@link Surface} is a shape's look. Most are one material and at most one image; what goes

@@ -16,6 +16,7 @@ import org.selectiverenderer.runtime.nodes.follow.Followers;
 import org.selectiverenderer.runtime.nodes.geo.Geospatial;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
+import org.selectiverenderer.runtime.nodes.group.CollidableNode;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
@@ -26,6 +27,7 @@ import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
 import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
+import org.selectiverenderer.runtime.nodes.layout.Layouts;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
@@ -33,6 +35,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.shape.InstancedShapeNode;
 import org.selectiverenderer.runtime.nodes.sound.Sounds;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
@@ -53,13 +56,16 @@ public final class NodeFactory {
           "CADLayer",
           "PickableGroup",
           "Layer",
+          "Viewport",
           "ViewpointGroup" ->
           GroupingNode::new;
-      case "Transform", "CADPart", "HAnimJoint", "HAnimSite" -> TransformNode::new;
+      case "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite" -> TransformNode::new;
       case "HAnimHumanoid" -> HumanoidNode::new;
       case "HAnimMotion" -> MotionNode::new;
       case "HAnimSegment" -> SegmentNode::new;
       case "ParticleSystem" -> ParticleSystemNode::new;
+      case "CollidableShape", "CollidableOffset" -> CollidableNode::new;
+      case "InstancedShape" -> InstancedShapeNode::new;
       case "CADFace" -> CadFaceNode::new;
       case "Switch" -> SwitchNode::new;
       case "LOD" -> LodNode::new;
@@ -98,6 +104,7 @@ public final class NodeFactory {
       case "Geospatial" -> Geospatial.MAKERS;
       case "Interpolation", "NURBS" -> SplineInterpolators.MAKERS;
       case "KeyDeviceSensor" -> KeyDevice.MAKERS;
+      case "Layout" -> Layouts.MAKERS;
       case "PointingDeviceSensor" -> DragSensors.MAKERS;
       case "Sound" -> Sounds.MAKERS;
       default -> Map.of();

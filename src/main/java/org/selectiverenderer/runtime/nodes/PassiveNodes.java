@@ -85,6 +85,7 @@ final class PassiveNodes {
           "MultiTextureCoordinate",
           "NurbsCurve2D",
           "NurbsTextureCoordinate",
+          "ScreenFontStyle",
           "TextureCoordinate",
           "TextureCoordinate3D",
           "TextureCoordinate4D",
@@ -102,10 +103,10 @@ final class PassiveNodes {
           "VolumeEmitter",
           "WindPhysicsModel");
 
-  private static final Set<String> LIGHTS = Set.of("DirectionalLight", "PointLight", "SpotLight");
+  private static final Set<String> LIGHTS =
+      Set.of("DirectionalLight", "EnvironmentLight", "PointLight", "SpotLight");
 
-  private static final Set<String> EFFECTS =
-      Set.of("LocalFog", "ClipPlane", "LayerSet", "Viewport");
+  private static final Set<String> EFFECTS = Set.of("LocalFog", "ClipPlane", "LayerSet", "Layout");
 
   private static final Set<String> DESCRIPTIONS =
       Set.of(

@@ -16,8 +16,10 @@
  *   <li>{@code follow} values that follow a destination: chasers and dampers
  *   <li>{@code script} Scripts, whose programs {@code runtime.script} runs
  *   <li>{@code geo} what is placed on the earth
+ *   <li>{@code layout} what is placed and measured in the picture
  *   <li>{@code hanim} figures: skeletons and their skin
  *   <li>{@code particle} particle systems
+ *   <li>{@code shape} shapes that make their own mesh: many copies of one
  *   <li>{@code sound} clips of sound, and where they are heard
  *   <li>{@code spline} interpolators along smooth curves
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers

@@ -104,10 +104,13 @@ final class HeadRules {
 
   static final Rule YOUNGER =
       Rule.warning("SR128", "{node} is a node of X3D 4.1; this program leaves it out")
-          .because("This program knows the nodes of X3D 4.0, the last edition that is a standard.")
-          .bad("<EnvironmentLight/>")
-          .good("<DirectionalLight/>")
-          .see("X3D 4.0, 17.5, where EnvironmentLight is named, but not defined; draft of X3D 4.1");
+          .because(
+              """
+              X3D 4.0 is the last edition that is a standard. Of the draft of 4.1 this program knows \
+              EnvironmentLight, Tangent, and X_ITE's InstancedShape.""")
+          .bad("<RenderedTexture/>")
+          .good("<ImageTexture url='\"picture.png\"'/>")
+          .see("draft of X3D 4.1");
 
   static final List<Rule> ALL =
       List.of(VERSION, PROFILE, COMPONENT, NEEDS_COMPONENT, NEWER, ORDER, INCOMPLETE, YOUNGER);

@@ -22,6 +22,8 @@ final class LanguageVersionCheck implements FileCheck {
    */
   private final Map<String, String> since = new HashMap<>();
 
+  private static final String NEWEST = HeadCheck.VERSIONS.get(HeadCheck.VERSIONS.size() - 1);
+
   LanguageVersionCheck() {
     try (InputStream in =
         Objects.requireNonNull(LanguageVersionCheck.class.getResourceAsStream("since.tsv"))) {
@@ -43,7 +45,7 @@ final class LanguageVersionCheck implements FileCheck {
   public void check(FileView file, Findings findings) {
     String version =
         file.document().root().flatMap(root -> root.text("version")).map(String::strip).orElse("");
-    if (!HeadCheck.VERSIONS.contains(version) || version.compareTo("4.0") >= 0) {
+    if (!HeadCheck.VERSIONS.contains(version) || version.equals(NEWEST)) {
       return;
     }
     Set<String> told = new HashSet<>();

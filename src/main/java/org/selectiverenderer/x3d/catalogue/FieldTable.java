@@ -10,38 +10,55 @@ import org.selectiverenderer.x3d.field.FieldType;
 
 /**
  * The table of all fields, whose rows stand together for each node. Cells that repeat from node to
- * node (260 times {@code metadata}) are kept once. Safe for use by several threads.
+ * node (260 times {@code metadata}) are kept once. A second table has fields that nodes of the
+ * first have besides, and nodes of its own. Safe for use by several threads.
  */
 final class FieldTable {
   private static final int COLUMNS = 9;
 
-  private final String table;
-  private final Map<String, Integer> starts = new HashMap<>(512);
+  private final List<Rows> tables = new ArrayList<>(2);
   private final Map<String, String> words = new HashMap<>();
   private final Map<String, List<String>> lists = new HashMap<>();
   private final FieldParser parser = new FieldParser();
 
-  /** A table of lines that end with a line feed, the first being the heading. */
-  FieldTable(String table) {
-    this.table = table;
-    String node = "\n";
-    for (int at = table.indexOf('\n') + 1; at < table.length(); at = table.indexOf('\n', at) + 1) {
-      if (!table.startsWith(node, at)) {
-        node = table.substring(at, table.indexOf('\t', at) + 1);
-        starts.put(node, at);
+  /**
+   * A table as text, and where the rows of each node begin in it.
+   *
+   * @param starts by the node's name and a tab
+   */
+  private record Rows(String table, Map<String, Integer> starts) {
+    static Rows of(String table) {
+      Map<String, Integer> starts = new HashMap<>(512);
+      String node = "\n";
+      int at = table.indexOf('\n') + 1;
+      for (; at < table.length(); at = table.indexOf('\n', at) + 1) {
+        if (!table.startsWith(node, at)) {
+          node = table.substring(at, table.indexOf('\t', at) + 1);
+          starts.put(node, at);
+        }
       }
+      return new Rows(table, starts);
     }
+  }
+
+  /** Tables of lines that end with a line feed, the first being the heading. */
+  FieldTable(String table, String further) {
+    tables.add(Rows.of(table));
+    tables.add(Rows.of(further));
   }
 
   /** The fields of a node in the table's order. */
   synchronized List<FieldDefinition> of(String node) {
     String first = node + "\t";
     List<FieldDefinition> fields = new ArrayList<>(32);
-    int at = starts.getOrDefault(first, table.length());
-    while (table.startsWith(first, at)) {
-      int end = table.indexOf('\n', at);
-      fields.add(field(fields.size(), cells(table.substring(at, end), COLUMNS)));
-      at = end + 1;
+    for (Rows rows : tables) {
+      String table = rows.table();
+      int at = rows.starts().getOrDefault(first, table.length());
+      while (table.startsWith(first, at)) {
+        int end = table.indexOf('\n', at);
+        fields.add(field(fields.size(), cells(table.substring(at, end), COLUMNS)));
+        at = end + 1;
+      }
     }
     return fields;
   }

@@ -7,23 +7,29 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Spelling;
 
 /**
  * All concrete node types of X3D 4.0, read from two tables that are part of the program: {@code
- * x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}. One instance is made at the start and handed
- * to whoever needs it; any thread may use it. A type is made when it is first asked for, since a
- * scene has some 20 of the 260 and a program's start should not pay for the others.
+ * x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}; and the nodes and fields of today's browsers
+ * that are drafts of X3D 4.1, or X_ITE's own, from {@code x3d-4.1-nodes.tsv} and {@code
+ * x3d-4.1-fields.tsv} (X_ITE 11, castle-engine 7). One instance is made at the start and handed to
+ * whoever needs it; any thread may use it. A type is made when it is first asked for, since a scene
+ * has some 20 of the 260 and a program's start should not pay for the others.
  */
 public final class NodeCatalogue {
   private static final int COLUMNS = 5;
+
+  private static final Comparator<String> ALPHABETICAL =
+      String.CASE_INSENSITIVE_ORDER.thenComparing(Comparator.naturalOrder());
 
   private final Map<String, String> rows;
   private final FieldTable fields;
@@ -40,14 +46,19 @@ public final class NodeCatalogue {
    * @throws IllegalStateException if a table is missing, which is a fault of the build
    */
   public static NodeCatalogue load() {
-    String nodes = resource("x3d-4.0-nodes.tsv");
-    Map<String, String> rows = new LinkedHashMap<>(512);
+    Map<String, String> rows = new TreeMap<>(ALPHABETICAL);
+    read(resource("x3d-4.0-nodes.tsv"), rows);
+    read(resource("x3d-4.1-nodes.tsv"), rows);
+    return new NodeCatalogue(
+        rows, new FieldTable(resource("x3d-4.0-fields.tsv"), resource("x3d-4.1-fields.tsv")));
+  }
+
+  private static void read(String nodes, Map<String, String> rows) {
     for (int at = nodes.indexOf('\n') + 1; at < nodes.length(); ) {
       int end = nodes.indexOf('\n', at);
       rows.put(nodes.substring(at, nodes.indexOf('\t', at)), nodes.substring(at, end));
       at = end + 1;
     }
-    return new NodeCatalogue(rows, new FieldTable(resource("x3d-4.0-fields.tsv")));
   }
 
   /** The node type of exactly that name. */

@@ -20,6 +20,10 @@ struct Light {
   vec3 highlight;
 };
 
+#ifdef ENVIRONMENT
+#include environment.glsl
+#endif
+
 #ifdef PHYSICAL
 #include physical.glsl
 #else
@@ -81,6 +85,12 @@ Light lightAt(vec3 place, vec3 n) {
 #define POINT(i) positional(sum, 5 * i, false, place, n, v);
 #define SPOT(i) positional(sum, 5 * i, true, place, n, v);
   EACH_LIGHT
+#if defined(ENVIRONMENT) && defined(PHYSICAL)
+  sum.highlight += surrounded(n, v);
+#elif defined(ENVIRONMENT)
+  // The other materials count with colours as images and screens hold them.
+  sum.diffuse += pow(allAround(toEnvironment(n)), vec3(1.0 / 2.2));
+#endif
 #ifdef SPECULAR
   sum.highlight *= SPECULAR_HERE;
 #endif

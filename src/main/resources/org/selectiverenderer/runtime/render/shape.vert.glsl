@@ -51,7 +51,7 @@ out vec3 cutPlace;  // Lines are cut where their rectangles are made.
 #elif defined(PLANES)
 #include clip.glsl
 #endif
-#ifdef PATTERN
+#if defined(PATTERN) || defined(ENDED)
 out float along;
 #endif
 
@@ -94,7 +94,7 @@ void main() {
 #elif defined(PLANES)
   cutOff(seenAt);
 #endif
-#ifdef PATTERN
+#if defined(PATTERN) || defined(ENDED)
   along = texCoord.x;
 #endif
 #ifdef LIT

@@ -75,9 +75,15 @@ class SameAsRunningTest {
                 + "</Transform></Anchor>",
             "<Transform USE='T'/>",
             "<Shape><IndexedLineSet coordIndex='0 1 -1'><Coordinate point='0 0 0 1 1 1'/>"
-                + "</IndexedLineSet></Shape>");
+                + "</IndexedLineSet></Shape>",
+            "<CollidableShape><Shape containerField='shape'><Box/></Shape></CollidableShape>",
+            "<ScreenGroup>" + SmallScene.shape(31) + "</ScreenGroup>",
+            "<InstancedShape translations='0 0 0 1 0 0' scales='1 1 1 2 2 2 3 3 3'><Box/>"
+                + "</InstancedShape>");
 
-    assertThat(counted(scene)).isEqualTo(running(scene)).isEqualTo(3 + 11 + 19 + 23 + 12 + 58);
+    assertThat(counted(scene))
+        .isEqualTo(running(scene))
+        .isEqualTo(3 + 11 + 19 + 23 + 12 + 58 + 12 + 31 + 3 * 12);
   }
 
   @Test

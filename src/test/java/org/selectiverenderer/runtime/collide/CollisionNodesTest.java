@@ -51,6 +51,13 @@ class CollisionNodesTest {
     assertThat(walk(walker)).isBetween(1.749, 1.751);
   }
 
+  /** It goes with the viewer, in front of it: else nobody could look down without falling up. */
+  @Test
+  void whatIsLaidOutInThePictureDoesNotHoldTheViewerUp() {
+    world.add(world.group("LayoutGroup", wallAt(-2)));
+    assertThat(walk(walker())).isGreaterThan(4.9);
+  }
+
   @Test
   void aProxyStandsForTheChildrenAndIsNotDrawn() {
     CollisionNode collision = world.collision(wallAt(-3), wallAt(-2));

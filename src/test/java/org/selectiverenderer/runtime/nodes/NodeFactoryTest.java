@@ -40,13 +40,15 @@ class NodeFactoryTest {
             """
             Core: ProtoInstance
             CubeMapTexturing: GeneratedCubeMapTexture
-            DIS: all
+            DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
             EnvironmentalEffects: FogCoordinate
-            Layout: all
             NURBS: NurbsSet
             Networking: LoadSensor
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
-            RigidBodyPhysics: all
+            Rendering: Tangent
+            RigidBodyPhysics: BallJoint CollisionCollection CollisionSensor CollisionSpace Contact \
+            DoubleAxisHingeJoint MotorJoint RigidBody RigidBodyCollection SingleAxisHingeJoint SliderJoint \
+            UniversalJoint
             Shaders: all
             Shape: AcousticProperties
             Sound: Analyser AudioDestination BiquadFilter BufferAudioSource ChannelMerger ChannelSelector \

@@ -13,13 +13,24 @@ class NodeCatalogueTest {
 
   @Test
   void knowsAllConcreteNodesOfTheStandard() {
-    assertThat(catalogue.all()).hasSize(260).doesNotHaveDuplicates();
+    assertThat(catalogue.all()).hasSize(263).doesNotHaveDuplicates();
     assertThat(catalogue.all().stream().mapToInt(type -> type.fields().size()).sum())
-        .isEqualTo(2636);
+        .isEqualTo(2673);
     assertThat(catalogue.all())
         .allSatisfy(type -> assertThat(catalogue.get(type.name())).isSameAs(type))
         .allSatisfy(type -> assertThat(type.fields()).isNotEmpty())
         .allSatisfy(type -> assertThat(type.ancestors()).isNotEmpty().doesNotContain(""));
+  }
+
+  @Test
+  void knowsNodesAndFieldsOfTheDraftOf41AfterThoseOfTheStandard() {
+    NodeType faces = catalogue.get("IndexedFaceSet");
+    assertThat(faces.fields().get(faces.fields().size() - 1).name()).isEqualTo("tangent");
+    assertThat(catalogue.get("Tangent").field("vector").orElseThrow().type())
+        .isEqualTo(FieldType.MFVec4f);
+    assertThat(List.copyOf(catalogue.names()))
+        .containsSubsequence("Layout", "LayoutGroup", "Tangent", "Text")
+        .isSortedAccordingTo(String.CASE_INSENSITIVE_ORDER);
   }
 
   @Test

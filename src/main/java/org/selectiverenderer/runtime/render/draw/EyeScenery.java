@@ -5,13 +5,19 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Vector4d;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.EffectInstance;
+import org.selectiverenderer.runtime.instance.Environment;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.Stroke;
 import org.selectiverenderer.runtime.instance.Surroundings;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.Scenery;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
 import org.selectiverenderer.runtime.render.gpu.StrokeForm;
@@ -19,11 +25,13 @@ import org.selectiverenderer.runtime.render.gpu.StrokeForm;
 /** Fog, planes that cut, lines and hatches as one eye's frame wants them. */
 final class EyeScenery {
   private static final float[] NOTHING = {};
-  private static final Packed PLAIN = new Packed(Scenery.NONE, NOTHING, NOTHING, NOTHING);
+  private static final Packed PLAIN =
+      new Packed(Scenery.NONE, NOTHING, NOTHING, NOTHING, NOTHING, null);
 
   private final Camera camera;
   private final Fog fog;
   private final float pointSize;
+  private final Function<CubeTexture, GpuTexture> images;
   private final Map<Key, Packed> packed = new HashMap<>();
 
   /**
@@ -32,8 +40,16 @@ final class EyeScenery {
    * @param stroke eight numbers, unless the stroke is plain
    * @param fog four numbers, unless the air is clear
    * @param planes four numbers for each
+   * @param around as {@code environment.glsl} says, unless there is no light from all around
+   * @param mirrored what is mirrored of it, or null
    */
-  record Packed(Scenery scenery, float[] stroke, float[] fog, float[] planes) {
+  record Packed(
+      Scenery scenery,
+      float[] stroke,
+      float[] fog,
+      float[] planes,
+      float[] around,
+      @Nullable GpuTexture mirrored) {
     void send(GL3 gl, ShapeProgram program) {
       if (stroke.length > 0) {
         program.stroke(gl, stroke);
@@ -44,6 +60,9 @@ final class EyeScenery {
       if (planes.length > 0) {
         program.planes(gl, planes);
       }
+      if (around.length > 0) {
+        program.environment(gl, around, mirrored);
+      }
     }
   }
 
@@ -52,11 +71,13 @@ final class EyeScenery {
   /**
    * @param fog where no LocalFog reaches
    * @param pointSize side of a point of the usual size in pixels
+   * @param images on the graphics card
    */
-  EyeScenery(Camera camera, Fog fog, float pointSize) {
+  EyeScenery(Camera camera, Fog fog, float pointSize, Function<CubeTexture, GpuTexture> images) {
     this.camera = camera;
     this.fog = fog;
     this.pointSize = pointSize;
+    this.images = images;
   }
 
   Packed of(DrawItem item) {
@@ -70,10 +91,51 @@ final class EyeScenery {
   private Packed pack(Key key) {
     Fog here = key.around().fog().orElse(fog);
     float[] planes = planes(key.around());
-    Scenery scenery = new Scenery(key.form(), mist(here), planes.length / 4);
+    Environment around = key.around().environment().orElse(null);
+    Scenery scenery = new Scenery(key.form(), mist(here), planes.length / 4, kind(around));
     return scenery.equals(Scenery.NONE)
         ? PLAIN
-        : new Packed(scenery, stroke(key), here.isClear() ? NOTHING : numbers(here), planes);
+        : new Packed(
+            scenery,
+            stroke(key),
+            here.isClear() ? NOTHING : numbers(here),
+            planes,
+            around == null ? NOTHING : numbers(around),
+            around == null ? null : around.image().map(images).orElse(null));
+  }
+
+  private static Scenery.Around kind(@Nullable Environment around) {
+    if (around == null) {
+      return Scenery.Around.DARK;
+    }
+    return around.image().isPresent() ? Scenery.Around.IMAGE : Scenery.Around.SMOOTH;
+  }
+
+  private float[] numbers(Environment around) {
+    float[] numbers = new float[52];
+    for (int i = 0; i < around.diffuse().length; i++) {
+      numbers[4 * (i / 3) + i % 3] = around.diffuse()[i];
+    }
+    // Directions: from the eye to the world to the light.
+    Matrix3d toLight =
+        camera.view().mul(around.place(), new Matrix4d()).get3x3(new Matrix3d()).invert();
+    for (int row = 0; row < 3 && toLight.isFinite(); row++) {
+      for (int column = 0; column < 3; column++) {
+        numbers[36 + 4 * row + column] = (float) toLight.get(column, row);
+      }
+    }
+    System.arraycopy(around.color(), 0, numbers, 48, 3);
+    numbers[51] = around.image().map(EyeScenery::sizes).orElse(0f);
+    return numbers;
+  }
+
+  /** How many times an image can be halved until its faces have four pixels a side. */
+  private static float sizes(CubeTexture image) {
+    int size = 1;
+    for (CubeTexture.Face face : image.faces()) {
+      size = Math.max(size, Math.max(face.image().width(), face.image().height()));
+    }
+    return Math.max(0, 29 - Integer.numberOfLeadingZeros(size));
   }
 
   private static Scenery.Mist mist(Fog fog) {
@@ -110,7 +172,7 @@ final class EyeScenery {
     Stroke.Dot dot = key.stroke().dot();
     Stroke.Fill fill = key.stroke().fill();
     return switch (key.form()) {
-      case WIDE, PATTERN ->
+      case WIDE, PATTERN, BREAK, ENDED ->
           line == null
               ? NOTHING
               : new float[] {

@@ -31,6 +31,7 @@ public final class SceneRenderer {
   private final Visible visible = new Visible();
   private final Culler culler = new Culler(visible);
   private final Occlusion occlusion = new Occlusion();
+  private final MirroredImages mirrored = new MirroredImages();
   private final float pointSize;
   private boolean wireframe;
 
@@ -72,6 +73,7 @@ public final class SceneRenderer {
       portions = new Portions(info.software());
       list = new DrawList(assets);
     }
+    mirrored.forgetOthers(gl);
     list.follow(gl, tree, all);
   }
 
@@ -130,7 +132,7 @@ public final class SceneRenderer {
             seen,
             camera,
             new EyeLights(camera, setting.headlight()),
-            new EyeScenery(camera, setting.fog(), pointSize),
+            new EyeScenery(camera, setting.fog(), pointSize, image -> mirrored.of(gl, image)),
             pointSize,
             portions);
     portions.begin(seen.count(0, seen.ranges));
@@ -173,6 +175,8 @@ public final class SceneRenderer {
 
   /** Frees everything on the graphics card. */
   public void dispose(GL3 gl) {
+    mirrored.forgetOthers(gl);
+    mirrored.forgetOthers(gl); // Also what the last picture had.
     if (assets != null) {
       assets.dispose(gl);
     }

@@ -7,11 +7,16 @@ import org.selectiverenderer.runtime.render.gpu.StrokeForm;
 
 /** What the standard's line types and hatches look like (X3D 4.0, 12.4.3 and 12.4.5). */
 final class Strokes {
-  /** Hatches of two directions and one, which the standard asks for; others look like the third. */
-  private static final int HATCHES = 6;
+  /** The hatches that the register of graphical items has; others look like the third. */
+  private static final int HATCHES = 19;
 
   private static final int SLANTED = 3;
   private static final int ALL = 0xffff;
+  private static final int FREEHAND = 14;
+  private static final int ZIGZAG = 15;
+
+  /** Pixels that arrows, dots and breaks reach beside their line, or for each of its width. */
+  private static final double BESIDE = 9;
 
   private Strokes() {}
 
@@ -27,6 +32,12 @@ final class Strokes {
   private static StrokeForm form(Stroke.@Nullable Line line) {
     if (line == null) {
       return StrokeForm.PLAIN;
+    }
+    if (line.ended()) {
+      return StrokeForm.ENDED;
+    }
+    if (line.type() == FREEHAND || line.type() == ZIGZAG) {
+      return StrokeForm.BREAK;
     }
     if (bits(line.type()) != ALL) {
       return StrokeForm.PATTERN;
@@ -51,9 +62,14 @@ final class Strokes {
     return fill.filled() ? StrokeForm.HATCHED : StrokeForm.HATCH_ONLY;
   }
 
-  /** The pattern of a line: a bit for each of sixteen stretches, the first the lowest. */
+  /**
+   * The pattern of a line: a bit for each of sixteen stretches, the first the lowest; the type of
+   * one with ends or breaks.
+   */
   static int pattern(Stroke.Line line) {
-    return bits(line.type());
+    return form(line) == StrokeForm.ENDED || form(line) == StrokeForm.BREAK
+        ? line.type()
+        : bits(line.type());
   }
 
   private static int bits(int type) {
@@ -62,6 +78,7 @@ final class Strokes {
       case 3 -> 0x3333; // dotted
       case 4 -> 0x18ff; // dash and dot
       case 5 -> 0x333f; // dash and two dots
+      case 9 -> 0x7777; // stitch
       case 10 -> 0x0c3f; // chain
       case 11 -> 0x39ff; // centre
       case 12 -> 0x0f0f; // hidden
@@ -74,13 +91,19 @@ final class Strokes {
     return fill.style() >= 1 && fill.style() <= HATCHES ? fill.style() : SLANTED;
   }
 
+  private static double width(Stroke.Line line) {
+    return form(line) == StrokeForm.ENDED || form(line) == StrokeForm.BREAK
+        ? BESIDE * line.width()
+        : line.width();
+  }
+
   /** How far a shape may reach beyond its box in the picture, in pixels. */
   static double reach(Stroke stroke, Mesh.Primitive primitive, double least) {
     Stroke.Line line = stroke.line();
     Stroke.Dot dot = stroke.dot();
     return switch (primitive) {
       case TRIANGLES -> 0;
-      case LINES -> line == null ? least : Math.max(least, line.width());
+      case LINES -> line == null ? least : Math.max(least, width(line));
       case POINTS -> dot == null ? least : Math.max(least, least * dot.scale());
     };
   }

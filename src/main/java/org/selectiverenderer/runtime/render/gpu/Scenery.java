@@ -8,19 +8,28 @@ import java.util.List;
  * scenes without them know nothing of it.
  *
  * @param planes that cut, at most {@link #MAX_PLANES}
+ * @param around light from all around
  */
-public record Scenery(StrokeForm stroke, Mist mist, int planes) {
+public record Scenery(StrokeForm stroke, Mist mist, int planes, Around around) {
   /** Planes that can cut one shape, as many as every OpenGL 3.3 has; those beyond do not cut. */
   public static final int MAX_PLANES = 8;
 
   /** Nothing of all that. */
-  public static final Scenery NONE = new Scenery(StrokeForm.PLAIN, Mist.CLEAR, 0);
+  public static final Scenery NONE = new Scenery(StrokeForm.PLAIN, Mist.CLEAR, 0, Around.DARK);
 
   /** How fog thickens with distance. */
   public enum Mist {
     CLEAR,
     LINEAR,
     EXPONENTIAL
+  }
+
+  /** Light from all around. */
+  public enum Around {
+    DARK,
+    /** Without an image that is mirrored. */
+    SMOOTH,
+    IMAGE
   }
 
   List<String> defines() {
@@ -33,6 +42,12 @@ public record Scenery(StrokeForm stroke, Mist mist, int planes) {
     }
     if (planes > 0) {
       defines.add("PLANES " + planes);
+    }
+    if (around != Around.DARK) {
+      defines.add("ENVIRONMENT");
+    }
+    if (around == Around.IMAGE) {
+      defines.add("ENVIRONMENT_IMAGE");
     }
     return defines;
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.render.gpu;
 
+import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +14,9 @@ public final class ShapeProgram {
   /** Lights that one shape can have; those beyond are left out. */
   public static final int MAX_LIGHTS = 16;
 
+  /** The texture unit of what is mirrored, which no texture of a surface has. */
+  private static final int ENVIRONMENT_UNIT = SurfaceDetail.MOST_UNITS;
+
   private final Program program;
   private final int object;
   private final int material;
@@ -22,12 +26,14 @@ public final class ShapeProgram {
   private final int stroke;
   private final int fog;
   private final int planes;
+  private final int environment;
   private final @Nullable Details details;
   private float @Nullable [] currentMaterial;
   private float @Nullable [] currentLights;
   private float @Nullable [] currentStroke;
   private float @Nullable [] currentFog;
   private float @Nullable [] currentPlanes;
+  private float @Nullable [] currentEnvironment;
   private float currentPointSize;
 
   ShapeProgram(GL3 gl, ShapeVariant variant, LightCounts counts, Scenery scenery) {
@@ -42,7 +48,9 @@ public final class ShapeProgram {
     stroke = program.uniform(gl, "stroke");
     fog = program.uniform(gl, "fog");
     planes = program.uniform(gl, "planes");
+    environment = program.uniform(gl, "environment");
     program.use(gl);
+    gl.glUniform1i(program.uniform(gl, "environmentImage"), ENVIRONMENT_UNIT);
     gl.glUniform1i(program.uniform(gl, "image"), 0);
     details = variant.detail().isEmpty() ? null : new Details(gl, program);
   }
@@ -166,6 +174,21 @@ public final class ShapeProgram {
     if (currentPlanes != numbers) {
       currentPlanes = numbers;
       gl.glUniform4fv(planes, numbers.length / 4, numbers, 0);
+    }
+  }
+
+  /**
+   * @param numbers 52, as {@code environment.glsl} says; not written to afterwards
+   * @param image what is mirrored, or null
+   */
+  public void environment(GL3 gl, float[] numbers, @Nullable GpuTexture image) {
+    if (currentEnvironment != numbers) {
+      currentEnvironment = numbers;
+      gl.glUniform4fv(environment, numbers.length / 4, numbers, 0);
+    }
+    if (image != null) {
+      image.bind(gl, ENVIRONMENT_UNIT);
+      gl.glActiveTexture(GL.GL_TEXTURE0);
     }
   }
 

@@ -11,6 +11,10 @@ public enum StrokeForm {
   WIDE("line", "LINES", "WIDE"),
   /** Lines with a pattern, of any width. */
   PATTERN("line", "LINES", "PATTERN"),
+  /** Lines that lie beside the straight one: freehand, zigzag. */
+  BREAK("line", "LINES", "PATTERN", "BREAK"),
+  /** Lines with arrows or dots at their ends. */
+  ENDED("line", "LINES", "WIDE", "ENDED"),
   /** Points with a size of their own. */
   SIZED(null, "SIZED"),
   /** Points that distance makes smaller. */

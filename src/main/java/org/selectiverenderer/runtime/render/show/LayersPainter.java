@@ -45,9 +45,12 @@ final class LayersPainter {
    * Prepares the layers of a frame.
    *
    * @param whole the cameras of the user's views over the whole picture
+   * @param scale pixels per pixel of the desktop
    * @param mono whether these are the viewer's own view
    */
-  void begin(GL3 gl, World world, List<Camera> whole, boolean mono) {
+  void begin(GL3 gl, World world, List<Camera> whole, boolean mono, double scale) {
+    Camera eye = whole.get(0);
+    world.seenIn(eye.width() / scale, eye.height() / scale, mono ? Optional.empty() : eye.angle());
     List<LayerView> layers = world.layers();
     forget(gl, layers);
     drawings.clear();

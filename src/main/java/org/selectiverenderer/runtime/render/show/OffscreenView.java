@@ -96,7 +96,7 @@ public final class OffscreenView implements AutoCloseable {
     if (previousTriangles > MOST_OVERLAPPED) {
       pace.await(gl);
     }
-    Drawn drawn = painter.paint(gl, world, target.width(), target.height());
+    Drawn drawn = painter.paint(gl, world, target.width(), target.height(), 1);
     pace.submitted(gl);
     previousTriangles = drawn.triangles();
     return drawn;

@@ -55,17 +55,19 @@ final class WorldPainter {
   /**
    * Draws over a whole target of that size while no other thread changes the world; returns what
    * was drawn.
+   *
+   * @param scale pixels per pixel of the desktop
    */
-  Drawn paint(GL3 gl, World world, int width, int height) {
-    world.hold(() -> drawn = paintHeld(gl, world, width, height));
+  Drawn paint(GL3 gl, World world, int width, int height, double scale) {
+    world.hold(() -> drawn = paintHeld(gl, world, width, height, scale));
     return drawn;
   }
 
-  private Drawn paintHeld(GL3 gl, World world, int width, int height) {
+  private Drawn paintHeld(GL3 gl, World world, int width, int height, double scale) {
     VisibleRange sight = VisibleRange.of(world);
     List<EyeView> views = layout.views(world, width, height, sight.range());
     layers.begin(
-        gl, world, views.stream().map(EyeView::camera).toList(), layout == ViewLayout.MONO);
+        gl, world, views.stream().map(EyeView::camera).toList(), layout == ViewLayout.MONO, scale);
     if (!layout.showsWorld() || !covered(views, width, height)) {
       gl.glClearColor(0, 0, 0, 1);
       gl.glClear(GL.GL_COLOR_BUFFER_BIT);

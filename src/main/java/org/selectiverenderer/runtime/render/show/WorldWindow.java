@@ -170,14 +170,14 @@ public final class WorldWindow {
 
     private Drawn paint(GL3 gl, World shown, FrameSize frame) {
       if (!split) {
-        Drawn drawn = painter.paint(gl, shown, frame.width(), frame.height());
+        Drawn drawn = painter.paint(gl, shown, frame.width(), frame.height(), frame.scale());
         darken(gl, frame.width(), frame.height());
         return drawn;
       }
       int[] bound = new int[1];
       gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
       eyes.bind(gl, frame.width(), frame.height());
-      Drawn drawn = painter.paint(gl, shown, 2 * frame.width(), frame.height());
+      Drawn drawn = painter.paint(gl, shown, 2 * frame.width(), frame.height(), frame.scale());
       darken(gl, 2 * frame.width(), frame.height());
       eyes.split(gl, bound[0], right);
       return drawn;

@@ -1,0 +1,78 @@
+package org.selectiverenderer.runtime.nodes.layout;
+
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * One direction of a Layout node (X3D 4.0, 36.4.1), as numbers of the world. What the scene leaves
+ * out of its lists is as in the direction before, or the default.
+ *
+ * @param size of the rectangle
+ * @param middle of the rectangle, from the middle of the one above
+ * @param scale of the content; 0 for STRETCH, which takes the other direction's
+ */
+record LayoutAxis(double size, double middle, double scale) {
+  private static final String WORLD = "WORLD";
+
+  /**
+   * What a direction is measured by.
+   *
+   * @param above size of the rectangle above
+   * @param pixel size of a pixel
+   * @param unit length of the unit above; 0 where there is none above: then the scene's units and
+   *     scale are those of the rectangle (36.4.1: FRACTION)
+   */
+  record Measure(double above, double pixel, double unit) {}
+
+  /**
+   * @param direction 0 for the horizontal, 1 for the vertical
+   */
+  static LayoutAxis of(Node layout, int direction, Measure by) {
+    double size = length(layout, "size", "sizeUnits", direction, 1, by);
+    double middle =
+        aligned(word(layout, "align", direction, "CENTER"), by.above() - size)
+            + length(layout, "offset", "offsetUnits", direction, 0, by);
+    return new LayoutAxis(
+        size, middle, scale(word(layout, "scaleMode", direction, "NONE"), size, by));
+  }
+
+  private static double length(
+      Node layout, String field, String units, int direction, double missing, Measure by) {
+    float[] numbers = layout.floats(field);
+    double number =
+        numbers.length == 0 ? missing : numbers[Math.min(direction, numbers.length - 1)];
+    return switch (word(layout, units, direction, WORLD)) {
+      case "PIXEL" -> number * by.pixel();
+      case "FRACTION" -> number * by.above();
+      default -> number * (by.unit() == 0 ? by.above() : by.unit());
+    };
+  }
+
+  /**
+   * @param free what the rectangle above has more than this one
+   */
+  private static double aligned(String align, double free) {
+    return switch (align) {
+      case "LEFT", "BOTTOM" -> -free / 2;
+      case "RIGHT", "TOP" -> free / 2;
+      default -> 0;
+    };
+  }
+
+  private static double scale(String mode, double size, Measure by) {
+    return switch (mode) {
+      case "PIXEL" -> by.pixel();
+      case "FRACTION" -> size;
+      case "STRETCH" -> 0;
+      default -> by.unit() == 0 ? size : by.unit();
+    };
+  }
+
+  /** One value counts for both directions, but an alignment: that is CENTER for the other one. */
+  private static String word(Node layout, String field, int direction, String missing) {
+    String[] words = layout.strings(field);
+    if (direction < words.length) {
+      return words[direction];
+    }
+    return words.length == 0 || field.equals("align") ? missing : words[0];
+  }
+}

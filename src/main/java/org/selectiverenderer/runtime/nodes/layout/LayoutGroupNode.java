@@ -1,0 +1,61 @@
+package org.selectiverenderer.runtime.nodes.layout;
+
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * LayoutGroup and LayoutLayer: what they hold lies in a rectangle, which is measured by the
+ * rectangle above it, in the end by the whole picture (X3D 4.0, 36.4.1 to 36.4.3). The rectangle's
+ * middle is the origin of the content. Where nothing lies above, it stands in front of the viewer
+ * and goes with it. Depths are scaled as the smaller of width and height, so that a solid keeps its
+ * form. Without a {@code layout} it is a group like any other.
+ */
+public final class LayoutGroupNode extends GroupingNode implements Seen {
+  public LayoutGroupNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+  }
+
+  @Override
+  public Spot spot(Matrix4dc world, Sight sight, Optional<Region> above) {
+    Node layout = node("layout");
+    if (layout == null || !layout.type().name().equals("Layout")) {
+      return new Spot(world, Optional.empty());
+    }
+    Region outer = above.orElseGet(() -> new Region(sight.width(), sight.height()));
+    Vector3d units =
+        above.isPresent() ? world.getScale(new Vector3d()) : new Vector3d(); // None above: 0.
+    LayoutAxis across =
+        LayoutAxis.of(
+            layout,
+            0,
+            new LayoutAxis.Measure(outer.width(), sight.width() / sight.pixelsWide(), units.x));
+    LayoutAxis up =
+        LayoutAxis.of(
+            layout,
+            1,
+            new LayoutAxis.Measure(outer.height(), sight.height() / sight.pixelsHigh(), units.y));
+    double both = Math.max(across.size(), up.size()); // Where each is to be as the other.
+    double x = across.scale() != 0 ? across.scale() : up.scale() != 0 ? up.scale() : both;
+    double y = up.scale() != 0 ? up.scale() : x;
+    Matrix4d content =
+        (above.isPresent() ? unscaled(world) : sight.frame())
+            .translate(across.middle(), up.middle(), 0)
+            .scale(x, y, Math.min(Math.abs(x), Math.abs(y)));
+    return new Spot(content, Optional.of(new Region(across.size(), up.size())));
+  }
+
+  /** Where it stands and how it is turned. */
+  private static Matrix4d unscaled(Matrix4dc world) {
+    Vector3d size = world.getScale(new Vector3d());
+    return size.x == 0 || size.y == 0 || size.z == 0
+        ? new Matrix4d(world)
+        : world.scale(1 / size.x, 1 / size.y, 1 / size.z, new Matrix4d());
+  }
+}

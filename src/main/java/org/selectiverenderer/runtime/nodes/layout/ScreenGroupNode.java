@@ -1,0 +1,21 @@
+package org.selectiverenderer.runtime.nodes.layout;
+
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/** One unit in it is one pixel, wherever it stands (X3D 4.0, 36.4.5). */
+public final class ScreenGroupNode extends GroupingNode implements Seen {
+  public ScreenGroupNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+  }
+
+  @Override
+  public Spot spot(Matrix4dc world, Sight sight, Optional<Region> above) {
+    return new Spot(world.scale(sight.pixelScale(world), new Matrix4d()), Optional.empty());
+  }
+}
