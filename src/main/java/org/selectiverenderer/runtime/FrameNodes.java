@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -14,6 +15,7 @@ import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
@@ -27,6 +29,7 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param scripts all Scripts, those that stand in no group last
  * @param keySensors sensors of the keyboard
  * @param sounds all Sounds
+ * @param movies all MovieTextures on shapes and backgrounds
  * @param touchable whether there is a sensor of the pointing device or an Anchor
  * @param draggable whether there is a drag sensor
  */
@@ -36,6 +39,7 @@ record FrameNodes(
     List<ScriptNode> scripts,
     List<KeyDeviceSensorNode> keySensors,
     List<SoundNode> sounds,
+    List<MovieTextureNode> movies,
     boolean touchable,
     boolean draggable) {
 
@@ -62,7 +66,9 @@ record FrameNodes(
     beside.removeAll(scene.loose());
     loose.addAll(beside);
     add(placed, FrameNode.class, nodes);
+    Set<Node> films = films(instances, placed);
     add(formed(instances), FrameNode.class, nodes);
+    add(films, FrameNode.class, nodes);
     add(loose, FrameNode.class, nodes);
     add(placed, ScriptNode.class, scripts);
     add(loose, ScriptNode.class, scripts);
@@ -70,6 +76,8 @@ record FrameNodes(
     add(loose, KeyDeviceSensorNode.class, keySensors);
     List<SoundNode> sounds = new ArrayList<>();
     add(placed, SoundNode.class, sounds);
+    List<MovieTextureNode> movies = new ArrayList<>();
+    add(films, MovieTextureNode.class, movies);
     boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
     boolean draggable =
         placed.stream().anyMatch(node -> node instanceof PointingSensorNode on && on.drags());
@@ -79,6 +87,7 @@ record FrameNodes(
         List.copyOf(scripts),
         List.copyOf(keySensors),
         List.copyOf(sounds),
+        List.copyOf(movies),
         touchable,
         draggable);
   }
@@ -96,6 +105,22 @@ record FrameNodes(
       }
     }
     return formed;
+  }
+
+  /** What plays on shapes and in backgrounds, each once. */
+  private static Set<Node> films(InstanceTree instances, List<Node> placed) {
+    Set<Node> films = new LinkedHashSet<>();
+    instances.shapes().forEach(shape -> films.addAll(shape.films()));
+    for (Node node : placed) {
+      if (node.type().name().equals("TextureBackground")) {
+        for (Backdrop.Side side : Backdrop.Side.values()) {
+          if (node.node(side.textureField()) instanceof MovieTextureNode film) {
+            films.add(film);
+          }
+        }
+      }
+    }
+    return films;
   }
 
   /** Collects Inlines and what stands beside groups; says whether there is an Anchor. */

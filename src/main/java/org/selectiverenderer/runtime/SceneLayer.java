@@ -15,6 +15,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -41,6 +42,7 @@ final class SceneLayer {
   private List<ScriptNode> scripts = List.of();
   private List<KeyDeviceSensorNode> keySensors = List.of();
   private List<SoundNode> sounds = List.of();
+  private List<MovieTextureNode> movies = List.of();
   private boolean draggable;
 
   /**
@@ -82,6 +84,10 @@ final class SceneLayer {
 
   List<SoundNode> sounds() {
     return sounds;
+  }
+
+  List<MovieTextureNode> movies() {
+    return movies;
   }
 
   /** Whether it has a drag sensor. */
@@ -165,6 +171,7 @@ final class SceneLayer {
     scripts = walk.scripts();
     keySensors = walk.keySensors();
     sounds = walk.sounds();
+    movies = walk.movies();
     draggable = walk.draggable();
     pointing.touchable(walk.touchable());
     return true;

@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
@@ -34,6 +35,7 @@ final class ShapeLook implements NodeObserver {
   private boolean pending;
   private boolean disposed;
   private @Nullable Node geometry;
+  private List<PlayedNode> films = List.of();
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
@@ -84,6 +86,11 @@ final class ShapeLook implements NodeObserver {
     surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
   }
 
+  /** The films in its appearance. */
+  List<PlayedNode> films() {
+    return films;
+  }
+
   private void observe() {
     observed.add(shape);
     shape.addObserver(this);
@@ -102,6 +109,10 @@ final class ShapeLook implements NodeObserver {
       return;
     }
     node.addObserver(this);
+    if (node instanceof PlayedNode film) {
+      films = films.isEmpty() ? new ArrayList<>(1) : films;
+      films.add(film);
+    }
     for (FieldDefinition field : node.type().fields()) {
       if (field.name().equals("metadata")) {
         continue;
@@ -117,6 +128,9 @@ final class ShapeLook implements NodeObserver {
 
   @Override
   public void changed(Node node, int field) {
+    if (node instanceof PlayedNode film && field != film.urlField() && field != film.loadField()) {
+      return; // It runs, on the same surface.
+    }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
     } else if (node.type().is("X3DTextureNode")) {
@@ -134,8 +148,12 @@ final class ShapeLook implements NodeObserver {
     if (disposed) {
       return; // Its last instance left the scene between the change and this update.
     }
+    List<PlayedNode> before = films;
     forget();
     observe();
+    if (!films.equals(before)) {
+      tree.structureChanged();
+    }
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
       instance.show(false, tree);
@@ -155,6 +173,7 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void forget() {
+    films = List.of();
     observed.forEach(node -> node.removeObserver(this));
     observed.clear();
     inGeometry.forEach(node -> node.removeObserver(this));

@@ -13,6 +13,7 @@ import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Recording;
@@ -36,6 +37,7 @@ public final class LiveFiles {
   private final LiveInlines inlines;
   private final LiveImages images;
   private final LiveSounds sounds;
+  private final LiveMovies movies;
 
   /**
    * @param problems hears what is wrong with the files read
@@ -48,6 +50,7 @@ public final class LiveFiles {
     inlines = new LiveInlines(this, new LiveImports(loaded.scene(), problems));
     images = new LiveImages(this, loaded.loader().store().assets());
     sounds = new LiveSounds(this);
+    movies = new LiveMovies(images, problems);
   }
 
   /** The meshes and images of the scene's nodes, those that arrive later too. */
@@ -65,10 +68,21 @@ public final class LiveFiles {
     sounds.watch(present);
   }
 
+  /** Tells which MovieTextures are shown in the scene, whenever its structure has changed. */
+  public void watchMovies(List<MovieTextureNode> present) {
+    movies.watch(present);
+  }
+
+  /** Has whoever draws wait for the pictures of films. */
+  public void waitForFilms() {
+    loaded.loader().room().waitForPictures();
+  }
+
   /** Begins to read what the events of a frame have asked for. */
   public void update() {
     inlines.update();
     sounds.update();
+    movies.update();
   }
 
   /**
