@@ -29,7 +29,6 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param scripts all Scripts, those that stand in no group last
  * @param keySensors sensors of the keyboard
  * @param sounds all Sounds
- * @param movies all MovieTextures on shapes and backgrounds
  * @param touchable whether there is a sensor of the pointing device or an Anchor
  * @param draggable whether there is a drag sensor
  */
@@ -39,7 +38,6 @@ record FrameNodes(
     List<ScriptNode> scripts,
     List<KeyDeviceSensorNode> keySensors,
     List<SoundNode> sounds,
-    List<MovieTextureNode> movies,
     boolean touchable,
     boolean draggable) {
 
@@ -66,9 +64,8 @@ record FrameNodes(
     beside.removeAll(scene.loose());
     loose.addAll(beside);
     add(placed, FrameNode.class, nodes);
-    Set<Node> films = films(instances, placed);
     add(formed(instances), FrameNode.class, nodes);
-    add(films, FrameNode.class, nodes);
+    add(films(instances, placed), FrameNode.class, nodes);
     add(loose, FrameNode.class, nodes);
     add(placed, ScriptNode.class, scripts);
     add(loose, ScriptNode.class, scripts);
@@ -76,8 +73,6 @@ record FrameNodes(
     add(loose, KeyDeviceSensorNode.class, keySensors);
     List<SoundNode> sounds = new ArrayList<>();
     add(placed, SoundNode.class, sounds);
-    List<MovieTextureNode> movies = new ArrayList<>();
-    add(films, MovieTextureNode.class, movies);
     boolean touchable = anchors || placed.stream().anyMatch(PointingSensorNode.class::isInstance);
     boolean draggable =
         placed.stream().anyMatch(node -> node instanceof PointingSensorNode on && on.drags());
@@ -87,7 +82,6 @@ record FrameNodes(
         List.copyOf(scripts),
         List.copyOf(keySensors),
         List.copyOf(sounds),
-        List.copyOf(movies),
         touchable,
         draggable);
   }

@@ -15,7 +15,6 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
-import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -42,7 +41,6 @@ final class SceneLayer {
   private List<ScriptNode> scripts = List.of();
   private List<KeyDeviceSensorNode> keySensors = List.of();
   private List<SoundNode> sounds = List.of();
-  private List<MovieTextureNode> movies = List.of();
   private boolean draggable;
 
   /**
@@ -86,8 +84,9 @@ final class SceneLayer {
     return sounds;
   }
 
-  List<MovieTextureNode> movies() {
-    return movies;
+  /** What looks at frames, also where another layer has it look. */
+  List<FrameNode> looking() {
+    return looking;
   }
 
   /** Whether it has a drag sensor. */
@@ -171,7 +170,6 @@ final class SceneLayer {
     scripts = walk.scripts();
     keySensors = walk.keySensors();
     sounds = walk.sounds();
-    movies = walk.movies();
     draggable = walk.draggable();
     pointing.touchable(walk.touchable());
     return true;

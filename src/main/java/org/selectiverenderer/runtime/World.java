@@ -439,7 +439,7 @@ public final class World {
     if (layers.frameNodes()) {
       files.watch(layers.gathered(SceneLayer::inlines));
       files.watchClips(clips());
-      files.watchMovies(layers.gathered(SceneLayer::movies));
+      files.watchFrameNodes(layers.gathered(SceneLayer::looking));
       scripts.watch(layers.gathered(SceneLayer::scripts));
       keys.follow(layers.gathered(SceneLayer::keySensors), cascade);
     }

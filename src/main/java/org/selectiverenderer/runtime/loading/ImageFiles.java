@@ -74,9 +74,9 @@ final class ImageFiles {
     return texture.is("X3DTextureNode") && texture.field("url").isPresent();
   }
 
-  /** Whether a texture's image is to be read; it is taken for one that has none if not. */
-  static boolean wanted(NodeView texture) {
-    return texture.type().field("load").isEmpty() || texture.bool("load");
+  /** Whether the file that a node names is to be read. */
+  static boolean wanted(NodeView node) {
+    return node.type().field("load").isEmpty() || node.bool("load");
   }
 
   /** The image in a PixelTexture or PixelTexture3D; of other textures none. */
@@ -150,7 +150,9 @@ final class ImageFiles {
 
   private Decoded still(Content file) throws IOException {
     if (!ImageDecoder.knows(file)) {
-      throw new IOException("is no film that can be shown (MPEG-1 video, animated GIF)");
+      throw new IOException(
+          "is no film that can be shown: MPEG-1 video, such as ffmpeg makes of others as FILE.mpg,"
+              + " or animated GIF");
     }
     return decode(file);
   }

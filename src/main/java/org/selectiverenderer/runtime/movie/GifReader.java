@@ -1,10 +1,12 @@
 package org.selectiverenderer.runtime.movie;
 
 import java.io.ByteArrayInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadata;
@@ -74,7 +76,9 @@ final class GifReader {
         parts.add(part);
       }
       return Optional.of(new GifMovie(file, width, height, translucent, parts));
-    } catch (RuntimeException e) { // The library throws what it likes at damaged files.
+    } catch (IIOException
+        | EOFException
+        | RuntimeException e) { // The library throws what it likes at damaged files.
       throw new IOException("is a damaged GIF", e);
     } finally {
       reader.dispose();

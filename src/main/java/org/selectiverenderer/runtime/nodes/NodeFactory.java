@@ -28,6 +28,7 @@ import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
 import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
+import org.selectiverenderer.runtime.nodes.network.LoadSensorNode;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
@@ -51,6 +52,7 @@ public final class NodeFactory {
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
     makers.putAll(Sounds.MAKERS);
+    put(LoadSensorNode::new, "LoadSensor");
     makers.putAll(SplineInterpolators.MAKERS);
     put(
         GroupingNode::new,

@@ -44,7 +44,6 @@ class NodeFactoryTest {
             EnvironmentalEffects: FogCoordinate
             Layout: all
             NURBS: NurbsSet
-            Networking: LoadSensor
             Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             RigidBodyPhysics: all
             Shaders: all

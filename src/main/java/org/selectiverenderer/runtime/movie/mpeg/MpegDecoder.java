@@ -76,9 +76,8 @@ public final class MpegDecoder {
       afterIs = code;
       forward = before;
     }
-    Planes gone = new Planes(0, 0);
-    boolean whole = video.type(code) == MpegVideo.WHOLE;
-    Planes from = forward != null ? forward : whole ? gone : new Planes(across, down);
+    // Without one before it, as in damaged films, what is not coded stays as it was.
+    Planes from = forward == null ? target : forward;
     Planes to = after == null ? from : after;
     slices(code, target, from, to);
   }

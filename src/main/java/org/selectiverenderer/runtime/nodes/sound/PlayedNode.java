@@ -53,6 +53,11 @@ public abstract class PlayedNode extends TimeDependentNode implements Sleeper {
     tellObservers(duration);
   }
 
+  /** Whether it has a file that it can play. */
+  public final boolean loaded() {
+    return !Double.isNaN(seconds);
+  }
+
   /** What its file takes at its own rate, in seconds; NaN without a file. */
   final double seconds() {
     return seconds;
