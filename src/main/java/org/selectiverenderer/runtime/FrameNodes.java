@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -14,6 +15,7 @@ import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
 import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
@@ -63,6 +65,7 @@ record FrameNodes(
     loose.addAll(beside);
     add(placed, FrameNode.class, nodes);
     add(formed(instances), FrameNode.class, nodes);
+    add(films(instances, placed), FrameNode.class, nodes);
     add(loose, FrameNode.class, nodes);
     add(placed, ScriptNode.class, scripts);
     add(loose, ScriptNode.class, scripts);
@@ -97,6 +100,22 @@ record FrameNodes(
       }
     }
     return formed;
+  }
+
+  /** What plays on shapes and in backgrounds, each once. */
+  private static Set<Node> films(InstanceTree instances, List<Node> placed) {
+    Set<Node> films = new LinkedHashSet<>();
+    instances.shapes().forEach(shape -> films.addAll(shape.films()));
+    for (Node node : placed) {
+      if (node.type().name().equals("TextureBackground")) {
+        for (Backdrop.Side side : Backdrop.Side.values()) {
+          if (node.node(side.textureField()) instanceof MovieTextureNode film) {
+            films.add(film);
+          }
+        }
+      }
+    }
+    return films;
   }
 
   /** Collects Inlines and what stands beside groups; says whether there is an Anchor. */

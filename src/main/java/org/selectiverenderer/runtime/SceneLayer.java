@@ -97,6 +97,11 @@ final class SceneLayer {
     return sounds;
   }
 
+  /** What looks at frames, also where another layer has it look. */
+  List<FrameNode> looking() {
+    return looking;
+  }
+
   /** Whether it has a drag sensor. */
   boolean draggable() {
     return draggable;

@@ -460,6 +460,7 @@ public final class World {
     if (layers.frameNodes()) {
       files.watch(layers.gathered(SceneLayer::inlines));
       files.watchClips(clips());
+      files.watchFrameNodes(layers.gathered(SceneLayer::looking));
       scripts.watch(layers.gathered(SceneLayer::scripts));
       keys.follow(layers.gathered(SceneLayer::keySensors), cascade);
     }
@@ -477,6 +478,14 @@ public final class World {
     return layers.gathered(SceneLayer::sounds).stream()
         .flatMap(sound -> sound.clip().stream())
         .toList();
+  }
+
+  /**
+   * Has pictures wait for those of films. Where times are not those of a clock, what is seen must
+   * not depend on how fast this machine decodes.
+   */
+  public void waitForFilms() {
+    files.waitForFilms();
   }
 
   /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */

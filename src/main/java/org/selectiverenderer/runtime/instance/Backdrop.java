@@ -42,7 +42,7 @@ public record Backdrop(
     }
 
     /** The field of a TextureBackground that holds its texture. */
-    String textureField() {
+    public String textureField() {
       return name().toLowerCase(Locale.ROOT) + "Texture";
     }
   }

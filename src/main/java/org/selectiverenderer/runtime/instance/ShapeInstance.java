@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.nodes.layout.Sight;
+import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** A Shape in one place: what a renderer draws and a ray hits. */
@@ -54,6 +55,11 @@ public final class ShapeInstance extends Instance {
       placed = known;
     }
     return known;
+  }
+
+  /** The films that lie on it. */
+  public List<PlayedNode> films() {
+    return look.films();
   }
 
   /** How its lines, points and areas are drawn; the same object until that changes. */

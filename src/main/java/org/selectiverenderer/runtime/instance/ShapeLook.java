@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
@@ -35,6 +36,7 @@ final class ShapeLook implements NodeObserver {
   private boolean disposed;
   private boolean onScreen;
   private @Nullable Node geometry;
+  private List<PlayedNode> films = List.of();
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
@@ -99,6 +101,11 @@ final class ShapeLook implements NodeObserver {
     return style != null && style.type().name().equals("ScreenFontStyle");
   }
 
+  /** The films in its appearance. */
+  List<PlayedNode> films() {
+    return films;
+  }
+
   private void observe() {
     observed.add(shape);
     shape.addObserver(this);
@@ -117,6 +124,10 @@ final class ShapeLook implements NodeObserver {
       return;
     }
     node.addObserver(this);
+    if (node instanceof PlayedNode film) {
+      films = films.isEmpty() ? new ArrayList<>(1) : films;
+      films.add(film);
+    }
     for (FieldDefinition field : node.type().fields()) {
       if (field.name().equals("metadata")) {
         continue;
@@ -132,6 +143,9 @@ final class ShapeLook implements NodeObserver {
 
   @Override
   public void changed(Node node, int field) {
+    if (node instanceof PlayedNode film && field != film.urlField() && field != film.loadField()) {
+      return; // It runs, on the same surface.
+    }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
     } else if (node.type().is("X3DTextureNode")) {
@@ -149,8 +163,12 @@ final class ShapeLook implements NodeObserver {
     if (disposed) {
       return; // Its last instance left the scene between the change and this update.
     }
+    List<PlayedNode> before = films;
     forget();
     observe();
+    if (!films.equals(before)) {
+      tree.structureChanged();
+    }
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
       instance.show(false, tree);
@@ -175,6 +193,7 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void forget() {
+    films = List.of();
     observed.forEach(node -> node.removeObserver(this));
     observed.clear();
     inGeometry.forEach(node -> node.removeObserver(this));

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.instance;
 
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.movie.Film;
 
 /**
  * A texture image with its sampling.
@@ -31,11 +32,23 @@ public record Texture(Image image, boolean repeatS, boolean repeatT, @Nullable S
    *     or 2 the material's diffuse colour tints, with 3 or 4 the image's colour replaces it
    * @param rgba width * height * layers pixels of four bytes r, g, b, a; the first row is the
    *     lowest
+   * @param film whose pictures are seen in its place, of which it is the first; or null
    */
-  public record Image(int width, int height, int layers, int components, byte[] rgba) {
+  public record Image(
+      int width, int height, int layers, int components, byte[] rgba, @Nullable Film film) {
+    /** One that stands still. */
+    public Image(int width, int height, int layers, int components, byte[] rgba) {
+      this(width, height, layers, components, rgba, null);
+    }
+
     /** A plain picture. */
     public Image(int width, int height, int components, byte[] rgba) {
       this(width, height, 1, components, rgba);
+    }
+
+    /** The same with another film. */
+    public Image with(@Nullable Film other) {
+      return new Image(width, height, layers, components, rgba, other);
     }
 
     /** Whether the image has an alpha channel. */

@@ -21,8 +21,9 @@
  * coordinates are numbered as {@code geometry.tessellate} numbers those of the mesh.
  *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
- * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh},
- * {@code geometry.tessellate}, {@code x3d.catalogue} and {@code x3d.field}; no GL.
+ * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.nodes.sound}, {@code
+ * runtime.scene}, the films of {@code runtime.movie}, {@code geometry.mesh}, {@code
+ * geometry.tessellate}, {@code x3d.catalogue} and {@code x3d.field}; no GL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.instance;

@@ -9,6 +9,8 @@ import java.util.function.Function;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.movie.Film;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
@@ -44,8 +46,15 @@ final class AssetStore implements Assets {
     meshes.put(geometry, mesh);
   }
 
+  /** Keeps an image; each MovieTexture shows a film of its own. */
   synchronized void putImage(Node texture, Optional<Texture.Image> image) {
-    images.put(texture, image);
+    Optional<Texture.Image> own = image;
+    if (texture instanceof MovieTextureNode movie) {
+      Film film = image.map(Texture.Image::film).map(Film::anew).orElse(null);
+      own = image.map(first -> first.with(film));
+      movie.film(film);
+    }
+    images.put(texture, own);
   }
 
   /** Whether it is known which image a texture has, or that it has none. */

@@ -13,6 +13,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
+import org.selectiverenderer.runtime.movie.ProjectionRoom;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
@@ -38,12 +39,17 @@ final class FileLoader {
   private final SoundFiles sounds;
   private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
-  FileLoader(X3dReader reader, Tessellator tessellator, TaskGroup tasks, ContentRoot root) {
+  FileLoader(
+      X3dReader reader,
+      Tessellator tessellator,
+      TaskGroup tasks,
+      ContentRoot root,
+      ProjectionRoom room) {
     this.reader = reader;
     this.tessellator = tessellator;
     this.tasks = tasks;
     this.root = root;
-    images = new ImageFiles(root);
+    images = new ImageFiles(root, room);
     libraries = new FileLibraries(reader, root);
     scripts = new ScriptFiles(root);
     sounds = new SoundFiles(root);
@@ -121,7 +127,7 @@ final class FileLoader {
             assets.add(task(content, problems -> program(node, content, problems)));
           } else if (node.type().name().equals("AudioClip") && node.bool("load")) {
             assets.add(task(content, problems -> sound(node, content, problems)));
-          } else if (node.type().is("X3DTextureNode")) {
+          } else if (node.type().is("X3DTextureNode") && ImageFiles.wanted(node)) {
             assets.add(task(content, problems -> image(node, node, content, problems)));
           } else if (BackgroundPictures.names(node.type())) {
             Map<Backdrop.Side, ParsedNode> pictures =

@@ -66,6 +66,17 @@ final class ImageDecoder {
     }
   }
 
+  /** Whether a file is an image of a format that this reads, judged by how it begins. */
+  static boolean knows(Content file) throws IOException {
+    if (TgaImage.is(file.name()) || DdsImage.is(beginning(file))) {
+      return true;
+    }
+    try (InputStream in = file.open();
+        ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
+      return ImageIO.getImageReaders(stream).hasNext();
+    }
+  }
+
   private static byte[] beginning(Content file) throws IOException {
     try (InputStream in = file.open()) {
       return in.readNBytes(DdsImage.HEADER);

@@ -9,6 +9,9 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.movie.Movie;
+import org.selectiverenderer.runtime.movie.MovieReader;
+import org.selectiverenderer.runtime.movie.ProjectionRoom;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.Content;
@@ -17,8 +20,9 @@ import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
 
 /**
- * The images of texture nodes, for one load. A file that several nodes name is read once, and all
- * images together take no more than a quarter of the heap. Thread-safe.
+ * The images of texture nodes, for one load. A file that several nodes name is read once. All
+ * images together take no more than a quarter of the heap, and the files of films an eighth.
+ * Thread-safe.
  */
 final class ImageFiles {
   private static final String CONSEQUENCE = "the texture is left out";
@@ -26,6 +30,9 @@ final class ImageFiles {
   private final ContentRoot root;
   private final Map<String, Decoded> files = new ConcurrentHashMap<>();
   private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 4);
+  private final AtomicLong movieBudget = new AtomicLong(Runtime.getRuntime().maxMemory() / 8);
+  private final Map<String, Decoded> movies = new ConcurrentHashMap<>();
+  private final ProjectionRoom room;
 
   /**
    * @param image empty when the file could not be read
@@ -33,8 +40,12 @@ final class ImageFiles {
    */
   private record Decoded(Optional<Texture.Image> image, String fault) {}
 
-  ImageFiles(ContentRoot root) {
+  /**
+   * @param room where films are decoded
+   */
+  ImageFiles(ContentRoot root, ProjectionRoom room) {
     this.root = root;
+    this.room = room;
   }
 
   /**
@@ -63,6 +74,11 @@ final class ImageFiles {
     return texture.is("X3DTextureNode") && texture.field("url").isPresent();
   }
 
+  /** Whether the file that a node names is to be read. */
+  static boolean wanted(NodeView node) {
+    return node.type().field("load").isEmpty() || node.bool("load");
+  }
+
   /** The image in a PixelTexture or PixelTexture3D; of other textures none. */
   static Optional<Texture.Image> pixels(NodeView texture, Problems problems) {
     String type = texture.type().name();
@@ -85,13 +101,14 @@ final class ImageFiles {
   }
 
   private Optional<Texture.Image> file(NodeView texture, Content file, Problems problems) {
-    Decoded decoded = files.computeIfAbsent(file.key(), key -> decode(file));
+    boolean movie = texture.type().name().equals("MovieTexture");
+    Decoded decoded =
+        movie
+            ? movies.computeIfAbsent(file.key(), key -> movie(file))
+            : files.computeIfAbsent(file.key(), key -> decode(file));
     if (!decoded.fault.isEmpty()) {
       problems.error(
           texture.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
-    } else if (texture.type().name().equals("MovieTexture")) {
-      problems.info(
-          texture.location(), file.name() + " is shown as a still picture: movies do not run");
     } else if (isNoCube(texture, decoded.image)) {
       problems.error(
           texture.location(),
@@ -104,6 +121,40 @@ final class ImageFiles {
   private static boolean isNoCube(NodeView texture, Optional<Texture.Image> image) {
     return texture.type().name().equals("ImageCubeMapTexture")
         && image.filter(found -> found.layers() == CubeTexture.FACES).isEmpty();
+  }
+
+  /** A film, or a picture where the file is one that does not move. */
+  private Decoded movie(Content file) {
+    try {
+      Optional<Movie> read = MovieReader.read(file, movieBudget);
+      if (read.isEmpty()) {
+        return still(file);
+      }
+      Movie movie = read.get();
+      ImageDecoder.spend((long) movie.width() * movie.height(), budget);
+      byte[] first = movie.open().picture(0);
+      return new Decoded(
+          Optional.of(
+              new Texture.Image(
+                  movie.width(),
+                  movie.height(),
+                  1,
+                  movie.translucent() ? 4 : 3,
+                  first,
+                  room.film(movie, first))),
+          "");
+    } catch (IOException e) {
+      return new Decoded(Optional.empty(), Failure.clause(e));
+    }
+  }
+
+  private Decoded still(Content file) throws IOException {
+    if (!ImageDecoder.knows(file)) {
+      throw new IOException(
+          "is no film that can be shown: MPEG-1 video, such as ffmpeg makes of others as FILE.mpg,"
+              + " or animated GIF");
+    }
+    return decode(file);
   }
 
   private Decoded decode(Content file) {

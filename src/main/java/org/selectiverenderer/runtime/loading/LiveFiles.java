@@ -12,7 +12,10 @@ import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.network.LoadSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Recording;
@@ -36,6 +39,8 @@ public final class LiveFiles {
   private final LiveInlines inlines;
   private final LiveImages images;
   private final LiveSounds sounds;
+  private final LiveMovies movies;
+  private final LiveLoads loads;
 
   /**
    * @param problems hears what is wrong with the files read
@@ -48,6 +53,8 @@ public final class LiveFiles {
     inlines = new LiveInlines(this, new LiveImports(loaded.scene(), problems));
     images = new LiveImages(this, loaded.loader().store().assets());
     sounds = new LiveSounds(this);
+    movies = new LiveMovies(images, problems);
+    loads = new LiveLoads(images);
   }
 
   /** The meshes and images of the scene's nodes, those that arrive later too. */
@@ -65,10 +72,26 @@ public final class LiveFiles {
     sounds.watch(present);
   }
 
+  /** Tells which nodes look at frames, whenever the scene's structure has changed. */
+  public void watchFrameNodes(List<FrameNode> present) {
+    movies.watch(only(MovieTextureNode.class, present));
+    loads.watch(only(LoadSensorNode.class, present));
+  }
+
+  private static <T> List<T> only(Class<T> kind, List<FrameNode> from) {
+    return from.stream().filter(kind::isInstance).map(kind::cast).toList();
+  }
+
+  /** Has whoever draws wait for the pictures of films. */
+  public void waitForFilms() {
+    loaded.loader().room().waitForPictures();
+  }
+
   /** Begins to read what the events of a frame have asked for. */
   public void update() {
     inlines.update();
     sounds.update();
+    movies.update();
   }
 
   /**
@@ -157,27 +180,17 @@ public final class LiveFiles {
 
   /** Reads the file that an Inline names now. */
   void inline(InlineNode inline, Consumer<Optional<Scene>> arrived) {
-    request(
-        loaded.loader().inline(copy(inline), origin(inline)),
-        scene -> arrived.accept(Optional.of(scene)),
-        () -> arrived.accept(Optional.empty()));
+    request(inline, loaded.loader().inline(copy(inline), origin(inline)), arrived);
   }
 
   /** Reads the file that a texture names now. */
   void image(Node texture, Consumer<Optional<Texture.Image>> arrived) {
-    request(
-        loaded.loader().image(copy(texture), origin(texture)),
-        image -> arrived.accept(Optional.of(image)),
-        () -> arrived.accept(Optional.empty()));
+    request(texture, loaded.loader().image(copy(texture), origin(texture)), arrived);
   }
 
   /** Reads the file that an AudioClip names now. */
   void sound(AudioClipNode clip, Consumer<Optional<Recording>> arrived) {
-    ParsedNode asking = copy(clip);
-    request(
-        loaded.loader().sound(asking, origin(clip)),
-        recording -> arrived.accept(Optional.of(recording)),
-        () -> arrived.accept(Optional.empty()));
+    request(clip, loaded.loader().sound(copy(clip), origin(clip)), arrived);
   }
 
   /** The texture for a picture of a Background, with the url that the Background has now. */
@@ -213,6 +226,22 @@ public final class LiveFiles {
   /** Metres per unit of the file in which a node stands. */
   double unitLength(Node node) {
     return origin(node).unitLength();
+  }
+
+  /** Reads what a node names; LoadSensors hear of it. */
+  private <T> void request(
+      Node node, CompletableFuture<SceneLoader.Arrival<T>> reading, Consumer<Optional<T>> arrived) {
+    loads.begins(node);
+    request(
+        reading,
+        found -> {
+          arrived.accept(Optional.of(found));
+          loads.ends(node);
+        },
+        () -> {
+          arrived.accept(Optional.empty());
+          loads.ends(node);
+        });
   }
 
   private <T> void request(

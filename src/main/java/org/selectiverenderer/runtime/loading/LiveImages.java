@@ -11,9 +11,11 @@ import org.selectiverenderer.runtime.scene.Node;
 
 /**
  * The assets of a running scene. The image of an ImageTexture that is new or has another url
- * arrives later; until then the one before is shown.
+ * arrives later; until then the one before is shown. Without {@code load} it has none.
  */
 final class LiveImages implements Assets {
+  private static final String[] NONE = {};
+
   private final LiveFiles files;
   private final AssetStore store;
 
@@ -34,7 +36,7 @@ final class LiveImages implements Assets {
   public Optional<Texture.Image> image(Node texture) {
     if (fromFile(texture) && !requested.containsKey(texture)) {
       if (store.hasImage(texture)) {
-        requested.put(texture, texture.strings("url"));
+        requested.put(texture, url(texture));
       } else {
         request(texture);
       }
@@ -56,7 +58,7 @@ final class LiveImages implements Assets {
   public void changed(Node geometryOrTexture) {
     if (!fromFile(geometryOrTexture)) {
       store.changed(geometryOrTexture);
-    } else if (requested.get(geometryOrTexture) != geometryOrTexture.strings("url")) {
+    } else if (requested.get(geometryOrTexture) != url(geometryOrTexture)) {
       request(geometryOrTexture);
     }
   }
@@ -65,8 +67,13 @@ final class LiveImages implements Assets {
     return ImageFiles.named(node.type());
   }
 
+  /** What it is to show: nothing where its {@code load} says so. */
+  private static String[] url(Node texture) {
+    return ImageFiles.wanted(texture) ? texture.strings("url") : NONE;
+  }
+
   private void request(Node texture) {
-    String[] url = texture.strings("url");
+    String[] url = url(texture);
     requested.put(texture, url);
     if (url.length > 0) {
       files.image(texture, image -> arrived(texture, url, image));

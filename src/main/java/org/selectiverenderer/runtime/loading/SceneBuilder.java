@@ -16,6 +16,7 @@ import org.selectiverenderer.runtime.nodes.geo.GeoLodNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -240,6 +241,11 @@ final class SceneBuilder {
         }
       } else if (node.type().component().equals("Geospatial")) {
         geospatial(node, origin.of(parsed));
+      }
+      if (node.type().name().equals("Sound")
+          && node.node("source") instanceof MovieTextureNode movie) {
+        content.info(
+            movie.location(), "a MovieTexture is not heard as the source of a Sound; it only runs");
       }
       if (BackgroundPictures.names(node.type())) {
         store.origin(node, origin.of(parsed));

@@ -23,6 +23,7 @@ import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
+import org.selectiverenderer.runtime.movie.ProjectionRoom;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -40,8 +41,8 @@ import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
  * Loads scenes. Owns as many threads as there are processors, named {@code scene-loader-N}, until
- * it is closed. All scenes of one loader share their assets, so that nodes of one may be put into
- * another. Thread-safe.
+ * it is closed, and those that decode films. All scenes of one loader share their assets, so that
+ * nodes of one may be put into another. Thread-safe.
  */
 public final class SceneLoader implements AutoCloseable {
   private final NodeCatalogue catalogue;
@@ -51,6 +52,7 @@ public final class SceneLoader implements AutoCloseable {
   private final ContentAccess access;
   private final Problems problems;
   private final SceneStore store;
+  private final ProjectionRoom room = new ProjectionRoom();
   private final int maxNodes;
   private final ForkJoinPool threads;
 
@@ -221,7 +223,7 @@ public final class SceneLoader implements AutoCloseable {
     ContentRoot root = new ContentRoot(folder, access);
     TaskGroup tasks = new TaskGroup(threads);
     FileContent content =
-        new FileLoader(reader, tessellator, tasks, root).first(name, in, size, key, base);
+        new FileLoader(reader, tessellator, tasks, root, room).first(name, in, size, key, base);
     TaskGroup.await(tasks.end());
     return new LoadedScene(build(content, root, List.of(), hears), this);
   }
@@ -234,7 +236,7 @@ public final class SceneLoader implements AutoCloseable {
   Scene text(String name, String text, UrlBase origin, Problems hears) {
     TaskGroup tasks = new TaskGroup(threads);
     FileContent content =
-        new FileLoader(reader, tessellator, tasks, origin.root())
+        new FileLoader(reader, tessellator, tasks, origin.root(), room)
             .first(name, SceneText.whole(text), origin.file(), origin.base());
     TaskGroup.await(tasks.end());
     return build(content, origin.root(), origin.above(), hears);
@@ -252,6 +254,11 @@ public final class SceneLoader implements AutoCloseable {
   /** What scenes may name besides their own files. */
   public ContentAccess access() {
     return access;
+  }
+
+  /** Where the films of its scenes are decoded. */
+  public ProjectionRoom room() {
+    return room;
   }
 
   SceneStore store() {
@@ -309,7 +316,7 @@ public final class SceneLoader implements AutoCloseable {
   private <T> CompletableFuture<Arrival<T>> read(
       ParsedNode node, UrlBase origin, Making<T> making) {
     TaskGroup tasks = new TaskGroup(threads);
-    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
+    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root(), room);
     FileContent content =
         new FileContent(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
     tasks.start(() -> loader.follow(content));
@@ -324,7 +331,7 @@ public final class SceneLoader implements AutoCloseable {
    */
   CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin, String consequence) {
     TaskGroup tasks = new TaskGroup(threads);
-    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root());
+    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root(), room);
     AtomicReference<Function<Problems, Optional<Scene>>> making =
         new AtomicReference<>(hears -> Optional.empty());
     tasks.start(
@@ -378,6 +385,7 @@ public final class SceneLoader implements AutoCloseable {
 
   @Override
   public void close() {
+    room.close();
     threads.shutdown();
   }
 }

@@ -5,8 +5,8 @@
  *
  * <p>In: a path. Out: a {@link org.selectiverenderer.runtime.loading.LoadedScene} and problems.
  * Uses {@code runtime.scene}, {@code runtime.nodes}, the assets' interface of {@code
- * runtime.instance}, {@code runtime.sound}, {@code geometry}, {@code x3d} and {@code base.problem};
- * AWT's ImageIO reads the images.
+ * runtime.instance}, {@code runtime.sound}, {@code runtime.movie}, {@code geometry}, {@code x3d}
+ * and {@code base.problem}; AWT's ImageIO reads the images.
  */
 @NullMarked
 package org.selectiverenderer.runtime.loading;

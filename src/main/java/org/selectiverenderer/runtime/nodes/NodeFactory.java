@@ -28,6 +28,7 @@ import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.nodes.layout.Layouts;
+import org.selectiverenderer.runtime.nodes.network.LoadSensorNode;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
@@ -78,6 +79,7 @@ public final class NodeFactory {
       case "VisibilitySensor" -> VisibilitySensorNode::new;
       case "TouchSensor" -> TouchSensorNode::new;
       case "TimeSensor" -> TimeSensorNode::new;
+      case "LoadSensor" -> LoadSensorNode::new;
 
       case "Background", "TextureBackground", "Fog", "NavigationInfo" -> BindableNode::new;
       case "Script" -> ScriptNode::new;
@@ -106,7 +108,7 @@ public final class NodeFactory {
       case "KeyDeviceSensor" -> KeyDevice.MAKERS;
       case "Layout" -> Layouts.MAKERS;
       case "PointingDeviceSensor" -> DragSensors.MAKERS;
-      case "Sound" -> Sounds.MAKERS;
+      case "Sound", "Texturing" -> Sounds.MAKERS;
       default -> Map.of();
     };
   }

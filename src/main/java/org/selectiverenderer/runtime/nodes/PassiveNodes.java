@@ -25,7 +25,6 @@ final class PassiveNodes {
           "ComposedTexture3D",
           "ImageCubeMapTexture",
           "ImageTexture3D",
-          "MovieTexture",
           "MultiTexture",
           "MultiTextureTransform",
           "PixelTexture3D",

@@ -23,9 +23,13 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.movie.Film;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.network.LoadSensorNode;
+import org.selectiverenderer.runtime.nodes.sensor.TestFrame;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -393,6 +397,50 @@ class LiveFilesTest {
     frame();
     arrive();
     assertBoxes(2);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void loadSensorHearsOfFilesThatAreReadLater() throws Exception {
+    load(
+        "<Inline DEF='I' load='false' url='\"boxes2.x3d\"'/>"
+            + "<LoadSensor DEF='S'><Inline USE='I'/></LoadSensor>");
+    LoadSensorNode sensor = (LoadSensorNode) node("S");
+    files.watchFrameNodes(List.of(sensor));
+    TestFrame frames = new TestFrame();
+    frames.step(sensor, 1, cascade);
+    assertThat(sensor.awake()).isFalse();
+    set("I", "load", true);
+    assertThat(sensor.awake()).isTrue();
+    frames.step(sensor, 2, cascade);
+    assertThat(sensor.bool("isActive")).isTrue();
+    assertThat(sensor.bool("isLoaded")).isFalse();
+    arrive();
+    frames.step(sensor, 3, cascade);
+    assertThat(sensor.bool("isActive")).isFalse();
+    assertThat(sensor.bool("isLoaded")).isTrue();
+    assertThat(sensor.value(sensor.type().indexOf("loadTime"))).isEqualTo(3.0);
+  }
+
+  @Test
+  void movieWithAnotherUrlShowsThatFromItsBeginning() throws Exception {
+    Path movies = Path.of("src/test/resources/conformance/texturing/_movies");
+    Files.copy(movies.resolve("colours.m1v"), folder.resolve("colours.m1v"));
+    Files.copy(movies.resolve("parts.gif"), folder.resolve("parts.gif"));
+    load(
+        "<Shape><Appearance><MovieTexture DEF='M' url='\"colours.m1v\"'/></Appearance>"
+            + "<Box/></Shape>");
+    MovieTextureNode movie = (MovieTextureNode) node("M");
+    Film before = movie.film().orElseThrow();
+    assertThat(before.seconds()).isEqualTo(1);
+    set("M", "url", url("parts.gif"));
+    assertThat(movie.film()).contains(before);
+    arrive();
+    assertThat(movie.film().orElseThrow().seconds()).isEqualTo(2);
+    assertThat(tree.shapes().get(0).surface().texture().image().width()).isEqualTo(8);
+    set("M", "load", false);
+    assertThat(movie.film()).isEmpty();
+    assertThat(tree.shapes().get(0).surface().texture()).isNull();
     assertThat(problems.list()).isEmpty();
   }
 }

@@ -6,6 +6,7 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.sensor.Frame;
+import org.selectiverenderer.runtime.nodes.sensor.Rest;
 import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
@@ -16,16 +17,15 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Where a clip is heard (X3D 4.0, 16.4.18). It leads its clip through the frames, shown or not; it
- * is heard only where it is shown, and of several places at the one where it is loudest. A
- * MovieTexture as its source is silent.
+ * Where a clip is heard (X3D 4.0, 16.4.18). It leads its source through the frames, shown or not;
+ * it is heard only where it is shown, and of several places at the one where it is loudest. A
+ * MovieTexture as its source runs and is silent.
  */
 public final class SoundNode extends Node implements Sleeper {
-  private final NodeObserver rousing = (node, field) -> rouse();
-  private @Nullable AudioClipNode clip;
+  private final Rest rest = new Rest();
+  private final NodeObserver rousing = (node, field) -> rest.rouse();
+  private @Nullable PlayedNode source;
   private @Nullable Voice voice;
-  private boolean awake = true;
-  private @Nullable Runnable call;
 
   public SoundNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
@@ -43,24 +43,26 @@ public final class SoundNode extends Node implements Sleeper {
 
   @Override
   public void frame(Frame frame, Cascade cascade) {
-    follow(clip().orElse(null));
+    follow(node("source") instanceof PlayedNode played ? played : null);
     voice = null;
-    if (clip != null) {
-      clip.frame(frame, cascade);
+    if (source != null) {
+      source.frame(frame, cascade);
+    }
+    if (source instanceof AudioClipNode clip) {
       voice = clip.sounding().map(recording -> heard(clip, recording, frame)).orElse(null);
     }
-    awake = clip != null && clip.awake();
+    rest.unless(source != null && source.awake());
   }
 
-  private void follow(@Nullable AudioClipNode source) {
-    if (source != clip) {
-      if (clip != null) {
-        clip.removeObserver(rousing);
-      }
+  private void follow(@Nullable PlayedNode now) {
+    if (now != source) {
       if (source != null) {
-        source.addObserver(rousing);
+        source.removeObserver(rousing);
       }
-      clip = source;
+      if (now != null) {
+        now.addObserver(rousing);
+      }
+      source = now;
     }
   }
 
@@ -82,7 +84,7 @@ public final class SoundNode extends Node implements Sleeper {
             this,
             recording,
             clip.position(),
-            clip.pitch(),
+            clip.rate(),
             clip.bool("loop"),
             gain * best.left(),
             gain * best.right(),
@@ -112,25 +114,16 @@ public final class SoundNode extends Node implements Sleeper {
   @Override
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     super.receive(field, value, cascade);
-    rouse();
-  }
-
-  private void rouse() {
-    if (!awake) {
-      awake = true;
-      if (call != null) {
-        call.run();
-      }
-    }
+    rest.rouse();
   }
 
   @Override
   public boolean awake() {
-    return awake;
+    return rest.awake();
   }
 
   @Override
   public void wakeBy(@Nullable Runnable caller) {
-    call = caller;
+    rest.wakeBy(caller);
   }
 }

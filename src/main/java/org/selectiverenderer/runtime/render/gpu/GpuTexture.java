@@ -2,16 +2,24 @@ package org.selectiverenderer.runtime.render.gpu;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
+import org.selectiverenderer.runtime.movie.Film;
 
 /** A texture on the graphics card, of two dimensions, of three, or a cube. */
 public final class GpuTexture {
   private final int id;
   private final int target;
   private final Alpha alpha;
+
+  /** The texture of a film; null for what stands still. */
+  private final @Nullable Texture moving;
+
+  private Film.@Nullable Picture seen;
 
   /** What the alpha channel of an image is for. */
   public enum Alpha {
@@ -30,18 +38,21 @@ public final class GpuTexture {
     if (source instanceof Texture texture) {
       target = GL.GL_TEXTURE_2D;
       alpha = alphaOf(texture.image());
-      bind(gl);
+      moving = texture.image().film() == null ? null : texture;
+      use(gl, 0);
       TextureUpload.plane(gl, texture.image());
     } else if (source instanceof VolumeTexture volume) {
       target = GL3.GL_TEXTURE_3D;
       alpha = alphaOf(volume.image());
-      bind(gl);
+      moving = null;
+      use(gl, 0);
       TextureUpload.volume(gl, volume.image());
     } else {
       CubeTexture cube = (CubeTexture) source;
       target = GL.GL_TEXTURE_CUBE_MAP;
       alpha = alphaOf(cube.faces().get(0).image());
-      bind(gl);
+      moving = null;
+      use(gl, 0);
       TextureUpload.cube(gl, cube);
     }
     TextureFilters.set(gl, target, source);
@@ -68,7 +79,7 @@ public final class GpuTexture {
       }
     }
     if (holes == 0 && between == 0) {
-      return Alpha.NONE;
+      return image.film() == null ? Alpha.NONE : Alpha.CUT_OUT; // Later pictures have holes.
     }
     // The edges of a cut-out are smoothed over a pixel or two: few pixels lie in between.
     return between * 20 <= rgba.length / 4 && holes > 0 ? Alpha.CUT_OUT : Alpha.BLENDED;
@@ -80,6 +91,25 @@ public final class GpuTexture {
 
   /** Makes it current on one of the card's texture units. */
   public void bind(GL3 gl, int unit) {
+    use(gl, unit);
+    if (moving != null) {
+      follow(gl, moving);
+    }
+  }
+
+  /** Sends the picture that a film shows now, unless it is there. */
+  private void follow(GL3 gl, Texture texture) {
+    Texture.Image image = texture.image();
+    Film.Picture now = Objects.requireNonNull(image.film()).picture();
+    if (now != seen) {
+      seen = now;
+      TextureUpload.plane(
+          gl, new Texture.Image(now.width(), now.height(), image.components(), now.rgba()));
+      TextureFilters.set(gl, target, texture);
+    }
+  }
+
+  private void use(GL3 gl, int unit) {
     gl.glActiveTexture(GL.GL_TEXTURE0 + unit);
     gl.glBindTexture(target, id);
   }

@@ -88,10 +88,12 @@ public final class OffscreenView implements AutoCloseable {
   /**
    * Draws a frame. While it does the work that comes before pixels, the rasteriser may still fill
    * the frame before, unless that has too many triangles. Returns when the frame before this one is
-   * complete, so that at most one is under way.
+   * complete, so that at most one is under way. Films are seen as they are at that time, however
+   * long they take to decode.
    */
   public Drawn draw(World world) {
     GL3 gl = context.gl();
+    world.waitForFilms();
     target.bind(gl);
     if (previousTriangles > MOST_OVERLAPPED) {
       pace.await(gl);

@@ -16,7 +16,7 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** A frame whose viewer and places a test sets. */
-final class TestFrame implements Frame {
+public final class TestFrame implements Frame {
   final Vector3d eye = new Vector3d();
   final Quaterniond orientation = new Quaterniond();
   Vector3dc centerOfRotation;
@@ -29,7 +29,7 @@ final class TestFrame implements Frame {
   }
 
   /** One frame of a node. */
-  void step(FrameNode node, double seconds, Cascade cascade) {
+  public void step(FrameNode node, double seconds, Cascade cascade) {
     time = seconds;
     cascade.at(seconds);
     node.frame(this, cascade);

@@ -1,0 +1,35 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.List;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
+
+/** The MovieTextures of a running scene: says which of them go on no longer. */
+final class LiveMovies {
+  private final LiveImages images;
+  private final Problems problems;
+  private List<MovieTextureNode> watched = List.of();
+
+  LiveMovies(LiveImages images, Problems problems) {
+    this.images = images;
+    this.problems = problems;
+  }
+
+  void watch(List<MovieTextureNode> present) {
+    watched = present;
+  }
+
+  void update() {
+    for (MovieTextureNode movie : watched) {
+      images.image(movie); // One that a script has made begins before it is drawn.
+      movie
+          .film()
+          .flatMap(film -> film.fault())
+          .ifPresent(
+              clause ->
+                  problems.error(
+                      movie.location(),
+                      "the file of the MovieTexture %s; its last picture stays".formatted(clause)));
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package org.selectiverenderer.runtime.movie;
+
+import org.selectiverenderer.runtime.movie.mpeg.MpegVideo;
+
+/** A film of MPEG-1 video; all its pictures are shown equally long. */
+record MpegMovie(MpegVideo video) implements Movie {
+  @Override
+  public int width() {
+    return video.width();
+  }
+
+  @Override
+  public int height() {
+    return video.height();
+  }
+
+  @Override
+  public boolean translucent() {
+    return false;
+  }
+
+  @Override
+  public int pictures() {
+    return video.pictures();
+  }
+
+  @Override
+  public double seconds() {
+    return pictures() / video.rate();
+  }
+
+  @Override
+  public int at(double seconds) {
+    return (int) Math.max(0, Math.min(pictures() - 1.0, Math.floor(seconds * video.rate())));
+  }
+
+  @Override
+  public Pictures open() {
+    return video.decoder()::picture;
+  }
+}

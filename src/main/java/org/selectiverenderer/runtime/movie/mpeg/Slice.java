@@ -1,0 +1,256 @@
+package org.selectiverenderer.runtime.movie.mpeg;
+
+/**
+ * Reads the macroblocks of slices into a picture (ISO/IEC 11172-2, 2.4.2.7 and 2.4.4). A slice that
+ * is damaged ends there; what it has not reached stays as it was.
+ */
+final class Slice {
+  private static final int MEAN = 128 * 8;
+
+  /**
+   * How coefficients are weighted.
+   *
+   * @param intra of blocks that stand for themselves
+   * @param difference of those that are added to what was predicted
+   */
+  record Weights(int[] intra, int[] difference) {}
+
+  /**
+   * The picture that is made and those that it comes from.
+   *
+   * @param across macroblocks in a row
+   * @param down rows
+   */
+  record Pictures(Planes target, Planes forward, Planes backward, int across, int down) {}
+
+  /**
+   * How vectors of one direction are coded.
+   *
+   * @param wholePixels whether they count pixels, else halves
+   * @param bits by which they are longer than their codes
+   */
+  record Vectors(boolean wholePixels, int bits) {
+    static final Vectors NONE = new Vectors(false, 0);
+  }
+
+  private final MpegCodes codes;
+  private final Block block;
+  private final Weights weights;
+  private final Code types;
+  private final boolean between;
+  private final Pictures pictures;
+  private final Vectors ahead;
+  private final Vectors back;
+  private final int[] means = new int[3];
+
+  /** The last vectors: forward right, forward down, backward right, backward down. */
+  private final int[] vectors = new int[4];
+
+  private int quantizer;
+  private int lastType;
+
+  Slice(
+      MpegCodes codes,
+      Block block,
+      Weights weights,
+      int pictureType,
+      Pictures pictures,
+      Vectors ahead,
+      Vectors back) {
+    this.codes = codes;
+    this.block = block;
+    this.weights = weights;
+    types = codes.types()[pictureType];
+    between = pictureType == MpegVideo.BETWEEN;
+    this.pictures = pictures;
+    this.ahead = ahead;
+    this.back = back;
+  }
+
+  /**
+   * Reads one.
+   *
+   * @param row of macroblocks in which it begins
+   */
+  void read(BitReader bits, int row) {
+    quantizer = bits.read(5);
+    while (bits.bit() && !bits.over()) {
+      bits.skip(8);
+    }
+    forgetMeans();
+    forgetVectors();
+    lastType = 0;
+    int address = row * pictures.across() - 1;
+    boolean first = true;
+    while (!bits.over() && bits.peek(23) != 0) {
+      int step = increment(bits);
+      if (step == 0 || address + step >= pictures.across() * pictures.down()) {
+        return;
+      }
+      if (!first) {
+        for (int skipped = 1; skipped < step; skipped++) {
+          skip(address + skipped);
+        }
+      }
+      first = false;
+      address += step;
+      if (!macroblock(bits, address)) {
+        return;
+      }
+    }
+  }
+
+  /** How far it is to the next macroblock; 0 for nonsense. */
+  private int increment(BitReader bits) {
+    int sum = 0;
+    while (true) {
+      int next = codes.increment().read(bits);
+      if (next == Code.NONE || bits.over()) {
+        return 0;
+      } else if (next == MpegCodes.ESCAPE) {
+        sum += 33;
+      } else if (next != MpegCodes.STUFFING) {
+        return sum + next;
+      }
+    }
+  }
+
+  /** One that is not coded: as the one before it moves, else as it was. */
+  private void skip(int address) {
+    forgetMeans();
+    if (!between) {
+      forgetVectors();
+      predict(address, MpegCodes.FORWARD);
+    } else {
+      predict(address, lastType);
+    }
+  }
+
+  private boolean macroblock(BitReader bits, int address) {
+    int type = types.read(bits);
+    if (type == Code.NONE) {
+      return false;
+    }
+    if ((type & MpegCodes.QUANTIZER) != 0) {
+      quantizer = bits.read(5);
+    }
+    boolean intra = (type & MpegCodes.INTRA) != 0;
+    if (intra) {
+      forgetVectors();
+    } else {
+      forgetMeans();
+      if ((type & MpegCodes.FORWARD) != 0) {
+        if (!vector(bits, 0, ahead) || !vector(bits, 1, ahead)) {
+          return false;
+        }
+      } else if (!between) {
+        forgetVectors();
+      }
+      if ((type & MpegCodes.BACKWARD) != 0
+          && (!vector(bits, 2, back) || !vector(bits, 3, back))) {
+        return false;
+      }
+      predict(address, between ? type : type | MpegCodes.FORWARD);
+    }
+    lastType = type;
+    int coded = intra ? 63 : 0;
+    if ((type & MpegCodes.PATTERN) != 0) {
+      coded = codes.pattern().read(bits);
+      if (coded == Code.NONE) {
+        return false;
+      }
+    }
+    for (int i = 0; i < 6; i++) {
+      if ((coded & 32 >> i) != 0 && !block(bits, address, i, intra)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean block(BitReader bits, int address, int which, boolean intra) {
+    int plane = Math.max(0, which - 3);
+    if (intra) {
+      int size = (plane == 0 ? codes.luminance() : codes.chrominance()).read(bits);
+      if (size == Code.NONE) {
+        return false;
+      }
+      if (size > 0) {
+        int change = bits.read(size);
+        // Without its highest bit it is below zero.
+        means[plane] += 8 * (change >> size - 1 != 0 ? change : change - (1 << size) + 1);
+      }
+      if (!block.intra(bits, means[plane], quantizer, weights.intra)) {
+        return false;
+      }
+    } else if (!block.difference(bits, quantizer, weights.difference)) {
+      return false;
+    }
+    Planes to = pictures.target();
+    int x = address % pictures.across();
+    int y = address / pictures.across();
+    int stride = to.stride(plane);
+    int at =
+        plane == 0
+            ? (16 * y + which / 2 * 8) * stride + 16 * x + which % 2 * 8
+            : 8 * y * stride + 8 * x;
+    block.put(to.samples[plane], at, stride, !intra);
+    return true;
+  }
+
+  /** Reads one number of a vector, as the difference to the last one. */
+  private boolean vector(BitReader bits, int which, Vectors coding) {
+    int code = codes.motion().read(bits);
+    if (code == Code.NONE) {
+      return false;
+    }
+    if (code != 0) {
+      boolean negative = bits.bit();
+      int size = code - 1 << coding.bits;
+      if (coding.bits > 0) {
+        size += bits.read(coding.bits);
+      }
+      size++;
+      int range = 16 << coding.bits;
+      int sum = vectors[which] + (negative ? -size : size);
+      vectors[which] = sum < -range ? sum + 2 * range : sum >= range ? sum - 2 * range : sum;
+    }
+    return true;
+  }
+
+  private void predict(int address, int type) {
+    boolean forward = (type & MpegCodes.FORWARD) != 0;
+    if (forward) {
+      copy(pictures.forward(), address, 0, ahead, false);
+    }
+    if ((type & MpegCodes.BACKWARD) != 0) {
+      copy(pictures.backward(), address, 2, back, forward);
+    }
+  }
+
+  private void copy(Planes from, int address, int vector, Vectors coding, boolean mix) {
+    int unit = coding.wholePixels ? 2 : 1;
+    int right = vectors[vector] * unit;
+    int down = vectors[vector + 1] * unit;
+    int x = address % pictures.across();
+    int y = address / pictures.across();
+    Planes to = pictures.target();
+    to.predict(from, 0, 16 * x, 16 * y, 16, right, down, mix);
+    for (int plane = 1; plane < 3; plane++) {
+      to.predict(from, plane, 8 * x, 8 * y, 8, right / 2, down / 2, mix);
+    }
+  }
+
+  private void forgetMeans() {
+    means[0] = MEAN;
+    means[1] = MEAN;
+    means[2] = MEAN;
+  }
+
+  private void forgetVectors() {
+    vectors[0] = 0;
+    vectors[1] = 0;
+    vectors[2] = 0;
+    vectors[3] = 0;
+  }
+}

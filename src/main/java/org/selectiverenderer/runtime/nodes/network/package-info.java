@@ -1,0 +1,11 @@
+/**
+ * Sensors of what is read from files and the network (X3D 4.0, clause 9): {@link
+ * org.selectiverenderer.runtime.nodes.network.LoadSensorNode}.
+ *
+ * <p>In: frames, and word of files that begin and end to be read. Out: events. Uses {@code
+ * nodes.sensor}, {@code runtime.scene}, {@code x3d.catalogue} and {@code base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.nodes.network;
+
+import org.jspecify.annotations.NullMarked;

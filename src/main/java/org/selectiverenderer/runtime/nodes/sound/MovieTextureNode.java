@@ -1,0 +1,78 @@
+package org.selectiverenderer.runtime.nodes.sound;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.movie.Film;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * A film on surfaces (X3D 4.0, 18.4.2). Before it first runs it shows its first picture, or with a
+ * speed below 0 its last; afterwards the one with which it ended. With a speed of 0 it runs for
+ * ever and shows the first. It is led by the shapes and backgrounds that show it, shown or not. It
+ * is not heard.
+ */
+public final class MovieTextureNode extends PlayedNode {
+  private final int speed;
+  private @Nullable Film film;
+  private boolean hasRun;
+
+  public MovieTextureNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    speed = type.indexOf("speed");
+  }
+
+  /** Gives it a film, or takes it away; duration_changed is sent in the next frame. */
+  public void film(@Nullable Film shown) {
+    if (shown != film) {
+      film = shown;
+      hasRun = false;
+      takes(shown == null ? Double.NaN : shown.seconds());
+      stand();
+    }
+  }
+
+  /** The film that it shows. */
+  public Optional<Film> film() {
+    return Optional.ofNullable(film);
+  }
+
+  private float speed() {
+    return (Float) value(speed);
+  }
+
+  @Override
+  double rate() {
+    return Math.abs(speed());
+  }
+
+  @Override
+  protected boolean fixedWhileActive(int field) {
+    return field == speed;
+  }
+
+  @Override
+  void stands(double fraction) {
+    hasRun = true;
+    if (film != null) {
+      film.stand((speed() < 0 ? 1 - fraction : fraction) * seconds(), speed() < 0);
+    }
+  }
+
+  /** Where it stands before it runs. */
+  private void stand() {
+    if (film != null) {
+      film.stand(speed() < 0 ? seconds() : 0, speed() < 0);
+    }
+  }
+
+  @Override
+  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    super.receive(field, value, cascade);
+    if (field.index() == speed && !hasRun) {
+      stand();
+    }
+  }
+}
