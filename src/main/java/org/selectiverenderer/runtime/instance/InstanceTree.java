@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
@@ -51,6 +52,7 @@ public final class InstanceTree {
   private final List<GroupInstance> viewerDependent = new ArrayList<>();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
+  private final List<ShaderNode> judged = new ArrayList<>();
   private final List<LightInstance> lights = new ArrayList<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
@@ -156,6 +158,10 @@ public final class InstanceTree {
     shownPolygons += more;
   }
 
+  void judged(ShaderNode shader) {
+    judged.add(shader);
+  }
+
   void pending(GroupInstance group) {
     pendingGroups.add(group);
   }
@@ -186,13 +192,18 @@ public final class InstanceTree {
   }
 
   /**
-   * Adapts LOD and Billboard nodes to the viewer. A node in two places follows the first. One in a
+   * Adapts LOD and Billboard nodes to the viewer; what the last picture found out of shaders is told
+   * them. A node in two places follows the first. One in a
    * place without extent (a scale of 0) stays as it is.
    *
    * @param eye the viewer in world coordinates
    * @param up the viewer's up in world coordinates
    */
   public void view(Vector3dc eye, Vector3dc up, Cascade cascade) {
+    if (!judged.isEmpty()) {
+      judged.forEach(shader -> shader.tell(cascade));
+      judged.clear();
+    }
     for (int i = 0; i < viewerDependent.size(); i++) {
       GroupInstance group = viewerDependent.get(i);
       group.world().invert(inverse);

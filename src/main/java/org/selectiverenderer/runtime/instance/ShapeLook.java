@@ -8,8 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
@@ -30,6 +32,7 @@ final class ShapeLook implements NodeObserver {
   private @Nullable Vector3dc anchor;
   private Surface surface = Surface.UNLIT_WHITE;
   private Stroke stroke = Stroke.PLAIN;
+  private List<SurfaceProgram> programs = List.of();
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean disposed;
@@ -63,6 +66,17 @@ final class ShapeLook implements NodeObserver {
     return stroke;
   }
 
+  List<SurfaceProgram> programs() {
+    return programs;
+  }
+
+  /** What has come of a program. */
+  void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
+    shader.judged(valid, selected);
+    tree.judged(shader);
+    problems.forEach(assets::told);
+  }
+
   int polygons() {
     return mesh == null ? 0 : mesh.polygons();
   }
@@ -82,6 +96,7 @@ final class ShapeLook implements NodeObserver {
     }
     mesh = LineLengths.of(formed, stroke);
     surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
+    programs = ProgramReader.read(shape.node("appearance"), geometry, assets);
   }
 
   private void observe() {
@@ -117,9 +132,16 @@ final class ShapeLook implements NodeObserver {
 
   @Override
   public void changed(Node node, int field) {
+    if (node instanceof ShaderNode shader
+        && shader.own(field)
+        && !shader.type().fields().get(field).type().isNode()) {
+      return; // A number of its program, which is asked for when the shape is drawn.
+    }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
-    } else if (node.type().is("X3DTextureNode")) {
+    } else if (node.type().is("X3DTextureNode")
+        || node.type().name().equals("ShaderPart")
+        || node.type().name().equals("ShaderProgram")) {
       assets.changed(node);
     }
     if (!pending) {

@@ -35,6 +35,7 @@ final class FileLoader {
   private final ImageFiles images;
   private final Libraries libraries;
   private final ScriptFiles scripts;
+  private final ShaderFiles shaders;
   private final SoundFiles sounds;
   private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
@@ -46,6 +47,7 @@ final class FileLoader {
     images = new ImageFiles(root);
     libraries = new FileLibraries(reader, root);
     scripts = new ScriptFiles(root);
+    shaders = new ShaderFiles(root);
     sounds = new SoundFiles(root);
   }
 
@@ -119,6 +121,8 @@ final class FileLoader {
             assets.add(task(content, problems -> mesh(node, content, problems)));
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
+          } else if (ShaderFiles.named(node.type())) {
+            assets.add(task(content, problems -> shader(node, content, problems)));
           } else if (node.type().name().equals("AudioClip") && node.bool("load")) {
             assets.add(task(content, problems -> sound(node, content, problems)));
           } else if (node.type().is("X3DTextureNode")) {
@@ -166,6 +170,10 @@ final class FileLoader {
     scripts
         .read(script, script.base(content.base()), problems)
         .ifPresent(program -> content.programs().put(script, program));
+  }
+
+  private void shader(ParsedNode part, FileContent content, Problems problems) {
+    content.shaders().put(part, shaders.read(part, part.base(content.base()), problems));
   }
 
   private void sound(ParsedNode clip, FileContent content, Problems problems) {

@@ -35,6 +35,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.shader.Shaders;
 import org.selectiverenderer.runtime.nodes.sound.Sounds;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
@@ -50,6 +51,7 @@ public final class NodeFactory {
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
+    makers.putAll(Shaders.MAKERS);
     makers.putAll(Sounds.MAKERS);
     makers.putAll(SplineInterpolators.MAKERS);
     put(

@@ -59,6 +59,11 @@ final class EyeScenery {
     this.pointSize = pointSize;
   }
 
+  /** The fog that the shape is in. */
+  Fog fog(DrawItem item) {
+    return item.around().fog().orElse(fog);
+  }
+
   Packed of(DrawItem item) {
     if (item.form() == StrokeForm.PLAIN && item.around() == Surroundings.NONE && fog.isClear()) {
       return PLAIN;
