@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -52,7 +54,7 @@ public final class InstanceTree {
   private final List<GroupInstance> viewerDependent = new ArrayList<>();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
-  private final List<ShaderNode> judged = new ArrayList<>();
+  private final Set<ShaderNode> judged = new LinkedHashSet<>();
   private final List<LightInstance> lights = new ArrayList<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
@@ -192,9 +194,9 @@ public final class InstanceTree {
   }
 
   /**
-   * Adapts LOD and Billboard nodes to the viewer; what the last picture found out of shaders is told
-   * them. A node in two places follows the first. One in a
-   * place without extent (a scale of 0) stays as it is.
+   * Adapts LOD and Billboard nodes to the viewer; what the last picture found out of shaders is
+   * told them. A node in two places follows the first. One in a place without extent (a scale of 0)
+   * stays as it is.
    *
    * @param eye the viewer in world coordinates
    * @param up the viewer's up in world coordinates

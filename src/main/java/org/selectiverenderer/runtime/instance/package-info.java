@@ -19,6 +19,9 @@
  * beyond is its {@link SurfaceDetail}, with a {@link TextureUnit} for every texture, whose
  * coordinates are numbered as {@code geometry.tessellate} numbers those of the mesh.
  *
+ * <p>What the shaders of an Appearance say is its {@link SurfaceProgram}s, of which whoever draws
+ * uses the first that compiles, and tells the shape what has come of each.
+ *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
  * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh},
  * {@code geometry.tessellate}, {@code x3d.catalogue} and {@code x3d.field}; no GL.

@@ -121,6 +121,9 @@ final class FileLoader {
             assets.add(task(content, problems -> mesh(node, content, problems)));
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
+          } else if (node.type().name().equals("Appearance")) {
+            ShaderFiles.noneOfOurs(node)
+                .ifPresent(told -> content.problems().addAll(List.of(told)));
           } else if (ShaderFiles.named(node.type())) {
             assets.add(task(content, problems -> shader(node, content, problems)));
           } else if (node.type().name().equals("AudioClip") && node.bool("load")) {

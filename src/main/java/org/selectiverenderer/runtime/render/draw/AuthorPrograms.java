@@ -23,9 +23,9 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
+import org.selectiverenderer.runtime.render.glsl.GlslTranslator;
 import org.selectiverenderer.runtime.render.gpu.AuthorProgram;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
-import org.selectiverenderer.runtime.render.glsl.GlslTranslator;
 
 /**
  * The programs of authors on the graphics card, each once however many shapes and nodes have its
@@ -39,8 +39,7 @@ final class AuthorPrograms {
   private static final Texture NO_PLANE = new Texture(BLACK, true, true);
   private static final VolumeTexture NO_VOLUME = new VolumeTexture(BLACK, true, true, true, null);
   private static final CubeTexture NO_CUBE =
-      new CubeTexture(
-          List.of(face(), face(), face(), face(), face(), face()), null);
+      new CubeTexture(List.of(face(), face(), face(), face(), face(), face()), null);
 
   private final Map<Key, AuthorProgram.Outcome> outcomes = new HashMap<>();
   private final Map<ShaderNode, Set<Key>> told = new WeakHashMap<>();
@@ -159,24 +158,18 @@ final class AuthorPrograms {
 
   private static Problem problem(
       SurfaceProgram program, AuthorProgram.Failure failure, boolean another) {
-    int source = failure.log().source();
-    boolean placed = failure.stage().isPresent() && source >= 1 && source <= program.parts().size();
+    GlslTranslator.Unit unit = failure.unit().filter(of -> of.part() >= 0).orElse(null);
+    int line = unit == null ? 0 : failure.log().line() - unit.head();
     return new Problem(
         Problem.Severity.ERROR,
-        placed
-            ? program
-                .parts()
-                .get(source - 1)
-                .text()
-                .at(failure.log().line(), failure.log().column())
-            : program.node().location(),
-        "%s of %s: %s; %s"
+        unit == null || line < 1
+            ? program.node().location()
+            : program.parts().get(unit.part()).text().at(line, failure.log().column()),
+        "%s: %s; %s"
             .formatted(
-                failure
-                    .stage()
-                    .map(stage -> "the part " + stage + " does not compile")
-                    .orElse("the parts do not fit together"),
-                program.node(),
+                unit == null
+                    ? "the parts of " + program.node() + " do not fit together"
+                    : "the part " + unit.stage() + " of " + program.node() + " does not compile",
                 failure.log().message(),
                 another ? "another shader is used" : "the shape is drawn by its material"));
   }
@@ -184,9 +177,10 @@ final class AuthorPrograms {
   /** Fields that are of another kind than the program's number of that name. */
   private static List<Problem> misfits(AuthorLook look) {
     List<Problem> problems = new ArrayList<>();
-    for (AuthorLook.Number number : look.numbers()) {
-      ProgramField field = number.field();
-      if (field != null && !fits(field, number.uniform())) {
+    Map<String, ProgramField> fields = fields(look.source());
+    for (AuthorProgram.Uniform uniform : look.program().uniforms()) {
+      ProgramField field = fields.get(uniform.name());
+      if (field != null && !field.type().isNode() && !fits(field, uniform)) {
         problems.add(
             new Problem(
                 Problem.Severity.WARNING,
@@ -198,7 +192,7 @@ final class AuthorPrograms {
                         field.holder(),
                         field.type(),
                         field.type().components(),
-                        number.uniform().components())));
+                        uniform.components())));
       }
     }
     return problems;
@@ -208,17 +202,22 @@ final class AuthorPrograms {
     return field.type().components() == uniform.components();
   }
 
-  private static AuthorLook look(
-      AuthorProgram program,
-      SurfaceProgram source,
-      Function<TextureSource, GpuTexture> textures) {
+  private static Map<String, ProgramField> fields(SurfaceProgram source) {
     Map<String, ProgramField> fields = new HashMap<>();
     source.fields().forEach(field -> fields.putIfAbsent(field.name(), field));
+    return fields;
+  }
+
+  private static AuthorLook look(
+      AuthorProgram program, SurfaceProgram source, Function<TextureSource, GpuTexture> textures) {
+    Map<String, ProgramField> fields = fields(source);
     List<AuthorLook.Number> numbers = new ArrayList<>();
     for (AuthorProgram.Uniform uniform : program.uniforms()) {
       ProgramField field = fields.get(uniform.name());
       if (field != null && !field.type().isNode()) {
-        numbers.add(new AuthorLook.Number(uniform, field, null));
+        if (fits(field, uniform)) {
+          numbers.add(new AuthorLook.Number(uniform, field, null));
+        }
       } else {
         AuthorValues.of(uniform.name(), uniform.components())
             .ifPresent(value -> numbers.add(new AuthorLook.Number(uniform, null, value)));
@@ -247,8 +246,7 @@ final class AuthorPrograms {
         float[] given = AuthorLook.floats(field.type(), field.value());
         unit = element < given.length ? (int) given[element] : -1;
       }
-      found =
-          unit >= 0 && unit < of.textures().size() ? of.textures().get(unit).source() : null;
+      found = unit >= 0 && unit < of.textures().size() ? of.textures().get(unit).source() : null;
     }
     TextureSource none =
         switch (sampler.type()) {

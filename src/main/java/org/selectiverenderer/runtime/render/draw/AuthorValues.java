@@ -25,7 +25,8 @@ final class AuthorValues {
   private static final Pattern PRODUCT =
       Pattern.compile("sr_(Front|Back)LightProduct\\[(\\d+)\\]\\.(\\w+)");
   private static final Pattern PART =
-      Pattern.compile("(sr|x3d)_(Front|Back)?(Material|LightModelProduct|Fog)(?:\\[0\\])?\\.(\\w+)");
+      Pattern.compile(
+          "(sr|x3d)_(Front|Back)?(Material|LightModelProduct|Fog)(?:\\[0\\])?\\.(\\w+)");
 
   /** A number or several, in a state of drawing. */
   interface Value extends Function<AuthorState, float[]> {}
@@ -154,7 +155,10 @@ final class AuthorValues {
                     state.camera().width(),
                     state.camera().height()
                   };
-          case "x3d_LinewidthScaleFactor" -> state -> new float[] {1};
+          case "x3d_LinewidthScaleFactor",
+              "x3d_LineProperties.linewidthScaleFactor",
+              "x3d_PointProperties.pointSizeScaleFactor" ->
+              state -> new float[] {1};
           case "castle_MaterialDiffuseAlpha" ->
               state -> rgba(state.surface().diffuse(), opacity(state.surface()));
           case "castle_SceneColor" -> state -> rgba(state.surface().emissive(), 1);
@@ -241,8 +245,7 @@ final class AuthorValues {
           case "transparency" -> state -> new float[] {side(state, back).transparency()};
           case "alphaCutoff" -> state -> new float[] {0};
           case "ambient" -> state -> ambient(side(state, back));
-          case "diffuse" ->
-              state -> rgba(side(state, back).diffuse(), opacity(side(state, back)));
+          case "diffuse" -> state -> rgba(side(state, back).diffuse(), opacity(side(state, back)));
           case "specular" -> state -> rgba(side(state, back).specular(), 1);
           case "emission" -> state -> rgba(side(state, back).emissive(), 1);
           case "shininess" ->
@@ -255,16 +258,13 @@ final class AuthorValues {
     return Optional.ofNullable(
         switch (member) {
           case "type" ->
-              state ->
-                  new float[] {state.fog().isClear() ? 0 : state.fog().exponential() ? 2 : 1};
+              state -> new float[] {state.fog().isClear() ? 0 : state.fog().exponential() ? 2 : 1};
           case "color" ->
-              state ->
-                  new float[] {state.fog().red(), state.fog().green(), state.fog().blue(), 1};
+              state -> new float[] {state.fog().red(), state.fog().green(), state.fog().blue(), 1};
           case "visibilityRange", "end" -> state -> new float[] {(float) state.fog().range()};
           case "start", "fogCoord" -> state -> new float[] {0};
           case "density", "scale" ->
-              state ->
-                  new float[] {state.fog().isClear() ? 0 : (float) (1 / state.fog().range())};
+              state -> new float[] {state.fog().isClear() ? 0 : (float) (1 / state.fog().range())};
           case "matrix" -> state -> floats(new Matrix3d());
           default -> null;
         });
@@ -277,7 +277,9 @@ final class AuthorValues {
 
   private static Optional<Value> product(boolean back, int index, String member) {
     return AuthorLights.member(member)
-        .filter(known -> member.equals("ambient") || member.equals("diffuse") || member.equals("specular"))
+        .filter(
+            known ->
+                member.equals("ambient") || member.equals("diffuse") || member.equals("specular"))
         .map(
             value ->
                 state -> {

@@ -23,6 +23,10 @@
  * eye looks, so {@code EyeScenery} decides then. Programs of scenes without any have nothing of it
  * in their texts, and no number is sent for it.
  *
+ * <p>A shape with the program of an author is drawn by a call of its own: {@code AuthorPrograms}
+ * compiles and chooses, {@code AuthorValues} knows the numbers that browsers give by name, {@code
+ * AuthorLook} sends them. What is bound for it, the next shape binds anew.
+ *
  * <p>What is new and not shown may wait ({@link
  * org.selectiverenderer.runtime.render.draw.SceneRenderer#follow}): it is made ready a few shapes
  * with each frame, in batches of its own, and in the very frame in which it is shown. How shapes

@@ -6,16 +6,15 @@ import java.util.regex.Pattern;
 /**
  * What a compiler says first of what is wrong.
  *
- * @param source which of the texts, as {@link GlslTranslator.Unit} numbers them; 0 when it does not
- *     say
  * @param line from 1, 0 when it does not say
  * @param column from 1, 0 when it does not say
  */
-public record CompilerLog(int source, int line, int column, String message) {
-  // Mesa: 1:12(5): error: ...; NVIDIA: 1(12) : error C1008: ...; others: ERROR: 1:12: ...
+public record CompilerLog(int line, int column, String message) {
+  // Mesa, which counts columns from 0: 0:12(5): error: ...; NVIDIA: 0(12) : error C1008: ...;
+  // others: ERROR: 0:12: ...
   private static final Pattern PLACE =
       Pattern.compile(
-          "(?:(?:ERROR|error):\\s*)?(\\d+)(?::(\\d+)|\\((\\d+)\\))(?:\\((\\d+)\\))?\\s*:"
+          "(?:(?:ERROR|error):\\s*)?\\d+(?::(\\d+)|\\((\\d+)\\))(?:\\((\\d+)\\))?\\s*:"
               + "\\s*(?:(?:preprocessor )?error\\s*\\w*\\s*:?)?\\s*(.*)");
 
   private static final int LONGEST = 200;
@@ -25,16 +24,15 @@ public record CompilerLog(int source, int line, int column, String message) {
     for (String line : log.lines().toList()) {
       Matcher place = PLACE.matcher(line.strip());
       if (place.matches() && !line.contains("warning")) {
-        String number = place.group(2) == null ? place.group(3) : place.group(2);
+        String number = place.group(1) == null ? place.group(2) : place.group(1);
         return new CompilerLog(
-            number(place.group(1)),
             number(number),
-            place.group(4) == null ? 0 : number(place.group(4)),
-            words(place.group(5)));
+            place.group(3) == null ? 0 : 1 + number(place.group(3)),
+            words(place.group(4)));
       }
     }
     return new CompilerLog(
-        0, 0, 0, words(log.lines().filter(l -> !l.isBlank()).findFirst().orElse("")));
+        0, 0, words(log.lines().filter(l -> !l.isBlank()).findFirst().orElse("")));
   }
 
   private static int number(String digits) {

@@ -23,8 +23,22 @@ public final class GlslTranslator {
   /** Words that were free to be names before GLSL 1.30. */
   private static final Set<String> LATER_WORDS =
       Set.of(
-          "smooth", "flat", "noperspective", "uint", "uvec2", "uvec3", "uvec4", "switch", "case",
-          "layout", "sample", "patch", "buffer", "shared", "precise", "subroutine");
+          "smooth",
+          "flat",
+          "noperspective",
+          "uint",
+          "uvec2",
+          "uvec3",
+          "uvec4",
+          "switch",
+          "case",
+          "layout",
+          "sample",
+          "patch",
+          "buffer",
+          "shared",
+          "precise",
+          "subroutine");
 
   private static final String DEFAULT_VERTEX =
       """
@@ -45,16 +59,17 @@ public final class GlslTranslator {
   /**
    * A text to compile.
    *
-   * @param source 0 for what is not the author's, else which of the parts it is, from 1; the
-   *     compiler names lines by it
+   * @param part which of the texts given it is, from 0; -1 for one that is not the author's
+   * @param head how many lines stand before the author's first; {@code #line} would hide them, but
+   *     drivers count differently after it
    */
-  public record Unit(Stage stage, int source, String text) {}
+  public record Unit(Stage stage, int part, int head, String text) {}
 
   /** A text of the author's. */
   public record Given(Stage stage, String text) {}
 
   /** One text, taken apart. */
-  private record Part(Given given, int source, GlslTokens tokens, boolean old) {}
+  private record Part(Given given, int number, GlslTokens tokens, boolean old) {}
 
   /**
    * The texts of a program: those given, and one for a stage of which none is given, so that it
@@ -63,16 +78,16 @@ public final class GlslTranslator {
   public List<Unit> translate(List<Given> given) {
     List<Part> parts = new ArrayList<>();
     for (int i = 0; i < given.size(); i++) {
-      parts.add(part(given.get(i), i + 1));
+      parts.add(part(given.get(i), i));
     }
     boolean colored = parts.stream().anyMatch(part -> uses(part, "gl_FrontColor"));
     if (none(parts, Stage.VERTEX)) {
-      parts.add(part(new Given(Stage.VERTEX, DEFAULT_VERTEX), 0));
+      parts.add(part(new Given(Stage.VERTEX, DEFAULT_VERTEX), -1));
       colored = true;
     }
     if (none(parts, Stage.FRAGMENT)) {
       String text = colored ? DEFAULT_FRAGMENT : DEFAULT_COLOR;
-      parts.add(part(new Given(Stage.FRAGMENT, text), 0));
+      parts.add(part(new Given(Stage.FRAGMENT, text), -1));
     }
     int version = parts.stream().mapToInt(GlslTranslator::version).max().orElse(OLDEST);
     Map<Stage, Set<String>> passed = new EnumMap<>(Stage.class);
@@ -88,9 +103,9 @@ public final class GlslTranslator {
     return part.tokens().names().contains(name);
   }
 
-  private static Part part(Given given, int source) {
+  private static Part part(Given given, int number) {
     GlslTokens tokens = GlslTokens.of(given.text().replace("\r\n", "\n").replace('\r', '\n'));
-    return new Part(given, source, tokens, declared(tokens).map(v -> v < 130).orElse(true));
+    return new Part(given, number, tokens, declared(tokens).map(v -> v < 130).orElse(true));
   }
 
   /** The version that a text asks for; those of OpenGL ES as the one that they resemble. */
@@ -145,14 +160,12 @@ public final class GlslTranslator {
         default -> body.append(token.text());
       }
     }
-    String text =
+    String head =
         "#version %d core\n".formatted(version)
             + extensions
-            + names.head(stage, used, part.tokens().defined())
-            + "#line 1 %d\n".formatted(part.source())
-            + body
-            + "\n";
-    return new Unit(stage, part.source(), text);
+            + names.head(stage, used, part.tokens().defined());
+    int lines = (int) head.chars().filter(c -> c == '\n').count();
+    return new Unit(stage, part.number(), lines, head + body + "\n");
   }
 
   /** Extensions of OpenGL ES are part of what is compiled; others are asked for, not required. */
@@ -172,8 +185,7 @@ public final class GlslTranslator {
     return switch (name) {
       case "attribute" -> stage == Stage.VERTEX && part.old() ? "in" : name;
       case "varying" -> !part.old() ? name : stage == Stage.VERTEX ? "out" : "in";
-      default ->
-          part.old() && LATER_WORDS.contains(name) ? name + "_" : names.renamed(stage, name);
+      default -> part.old() && LATER_WORDS.contains(name) ? name + "_" : names.renamed(stage, name);
     };
   }
 

@@ -36,10 +36,7 @@ public final class AuthorProgram {
       return switch (type) {
         case GL2ES2.GL_FLOAT_VEC2, GL2ES2.GL_INT_VEC2, GL2ES2.GL_BOOL_VEC2 -> 2;
         case GL2ES2.GL_FLOAT_VEC3, GL2ES2.GL_INT_VEC3, GL2ES2.GL_BOOL_VEC3 -> 3;
-        case GL2ES2.GL_FLOAT_VEC4,
-            GL2ES2.GL_INT_VEC4,
-            GL2ES2.GL_BOOL_VEC4,
-            GL2ES2.GL_FLOAT_MAT2 ->
+        case GL2ES2.GL_FLOAT_VEC4, GL2ES2.GL_INT_VEC4, GL2ES2.GL_BOOL_VEC4, GL2ES2.GL_FLOAT_MAT2 ->
             4;
         case GL2ES2.GL_FLOAT_MAT3 -> 9;
         case GL2ES2.GL_FLOAT_MAT4 -> 16;
@@ -85,9 +82,9 @@ public final class AuthorProgram {
   /**
    * Why there is no program.
    *
-   * @param stage that does not compile; empty when the stages do not fit together
+   * @param unit that does not compile; empty when the stages do not fit together
    */
-  public record Failure(Optional<Stage> stage, CompilerLog log) {}
+  public record Failure(Optional<GlslTranslator.Unit> unit, CompilerLog log) {}
 
   private AuthorProgram(GL3 gl, int id) {
     this.id = id;
@@ -148,7 +145,7 @@ public final class AuthorProgram {
           int[] length = new int[1];
           gl.glGetShaderInfoLog(shader, log.length, length, 0, log, 0);
           gl.glDeleteShader(shader);
-          return failed(gl, id, Optional.of(unit.stage()), text(log, length));
+          return failed(gl, id, Optional.of(unit), text(log, length));
         }
         gl.glAttachShader(id, shader);
         gl.glDeleteShader(shader); // It goes with the program.
@@ -165,8 +162,7 @@ public final class AuthorProgram {
       }
       AuthorProgram made = new AuthorProgram(gl, id);
       if (made.samplers.stream().mapToInt(Uniform::size).sum() > MOST_TEXTURES) {
-        return failed(
-            gl, id, Optional.empty(), "more than %s textures".formatted(MOST_TEXTURES));
+        return failed(gl, id, Optional.empty(), "more than %s textures".formatted(MOST_TEXTURES));
       }
       return new Outcome(Optional.of(made), Optional.empty());
     } finally {
@@ -174,9 +170,9 @@ public final class AuthorProgram {
     }
   }
 
-  private static Outcome failed(GL3 gl, int id, Optional<Stage> stage, String log) {
+  private static Outcome failed(GL3 gl, int id, Optional<GlslTranslator.Unit> unit, String log) {
     gl.glDeleteProgram(id);
-    return new Outcome(Optional.empty(), Optional.of(new Failure(stage, CompilerLog.of(log))));
+    return new Outcome(Optional.empty(), Optional.of(new Failure(unit, CompilerLog.of(log))));
   }
 
   private static String text(byte[] log, int[] length) {
