@@ -23,8 +23,9 @@
  * uses the first that compiles, and tells the shape what has come of each.
  *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
- * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh},
- * {@code geometry.tessellate}, {@code x3d.catalogue} and {@code x3d.field}; no GL.
+ * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.nodes.shader}, {@code
+ * runtime.scene}, {@code geometry.mesh}, {@code geometry.tessellate}, {@code x3d.catalogue}, {@code
+ * x3d.field}, {@code x3d.shader} and {@code base.problem}; no GL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.instance;

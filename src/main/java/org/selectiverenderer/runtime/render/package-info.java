@@ -22,7 +22,8 @@
  * org.selectiverenderer.runtime.camera.Camera}s, a backdrop. Out: pixels in the current frame
  * buffer. Everything that takes a {@code GL3} belongs to the one thread that owns the context. Uses
  * {@code runtime} but {@code runtime.sai} and {@code runtime.loading}, {@code geometry}, {@code
- * x3d.catalogue}, {@code base.picture} and {@code base.files}.
+ * x3d.catalogue}, {@code x3d.field}, {@code x3d.shader}, {@code base.picture}, {@code base.problem}
+ * and {@code base.files}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render;

@@ -36,8 +36,16 @@ record AuthorLook(
 
   /** Whether the shape may be drawn elsewhere than where its mesh is. */
   boolean moves() {
+    return source.parts().stream().anyMatch(part -> part.stage() != SurfaceProgram.Stage.FRAGMENT);
+  }
+
+  /** Whether it says how large points are. */
+  boolean sizesPoints() {
     return source.parts().stream()
-        .anyMatch(part -> part.stage() != SurfaceProgram.Stage.FRAGMENT);
+        .anyMatch(
+            part ->
+                part.stage() != SurfaceProgram.Stage.FRAGMENT
+                    && part.text().text().contains("gl_PointSize"));
   }
 
   /** Makes program and textures current, and sends the numbers that have changed. */
@@ -86,6 +94,8 @@ record AuthorLook(
     if (value instanceof java.lang.Number number) {
       return new float[] {number.floatValue()};
     }
-    return type == FieldType.SFBool ? new float[] {Boolean.TRUE.equals(value) ? 1 : 0} : new float[0];
+    return type == FieldType.SFBool
+        ? new float[] {Boolean.TRUE.equals(value) ? 1 : 0}
+        : new float[0];
   }
 }

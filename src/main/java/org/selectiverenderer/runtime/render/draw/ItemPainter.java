@@ -61,9 +61,22 @@ final class ItemPainter {
         // An opaque picture stays opaque, whatever the program says.
         gl.glEnable(GL.GL_BLEND);
         gl.glBlendFuncSeparate(GL.GL_ONE, GL.GL_ZERO, GL.GL_ZERO, GL.GL_ONE);
-        elements(i);
+        authored(item.author(), i);
         gl.glDisable(GL.GL_BLEND);
       }
+    }
+  }
+
+  /** Draws by the program of an author, who may have left the size of points open. */
+  private void authored(AuthorLook look, int i) {
+    boolean open = visible.calls.get(i).mesh().mode() == GL.GL_POINTS && !look.sizesPoints();
+    if (open) {
+      gl.glDisable(GL3.GL_PROGRAM_POINT_SIZE);
+      gl.glPointSize(pointSize);
+    }
+    elements(i);
+    if (open) {
+      gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
     }
   }
 
@@ -80,7 +93,11 @@ final class ItemPainter {
         elements(i);
       }
       cull(areas(item) ? GL.GL_BACK : 0);
-      elements(i);
+      if (item.author() == null) {
+        elements(i);
+      } else {
+        authored(item.author(), i);
+      }
     }
   }
 

@@ -33,9 +33,10 @@
  * are put into batches decides how their coordinates are rounded: single pixels at edges may differ
  * between a run that waited and one that did not.
  *
- * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.light}, {@code runtime.render.mesh},
- * {@code runtime.render.occlude}, {@code runtime.render.context}, {@code runtime.instance}, {@code
- * runtime.camera}, {@code geometry.mesh} and JOGL.
+ * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.glsl}, {@code runtime.render.light},
+ * {@code runtime.render.mesh}, {@code runtime.render.occlude}, {@code runtime.render.context},
+ * {@code runtime.instance}, {@code runtime.nodes.shader}, {@code runtime.camera}, {@code
+ * geometry.mesh}, {@code x3d.field}, {@code base.problem} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.draw;
