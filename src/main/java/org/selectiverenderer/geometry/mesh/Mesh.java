@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  *     are drawn unlit
  * @param colors r, g, b, a per vertex, or null: they replace the material's diffuse colour
  * @param texCoords s, t per vertex, or null when the geometry has none
- * @param moreTexCoords what else a MultiTextureCoordinate, a TextureCoordinate3D or 4D gives; what
- *     refines, merges or simplifies a mesh leaves them out
+ * @param moreTexCoords what else a MultiTextureCoordinate, a TextureCoordinate3D or 4D gives, then
+ *     the attributes of the geometry; what refines, merges or simplifies a mesh leaves them out
  * @param indices into the vertices; triangles are wound counter-clockwise seen from their front
  * @param solid whether only the front is seen
  * @param bounds min x, y, z, max x, y, z of the positions used; empty geometry has min above max
@@ -31,12 +31,20 @@ public record Mesh(
     float[] bounds) {
 
   /**
-   * Texture coordinates of any size.
+   * Texture coordinates of any size, or an attribute for programs of shaders.
    *
-   * @param components 2, 3 or 4 numbers per vertex: s, t, r, q
+   * @param components numbers per vertex: of coordinates 2, 3 or 4, s, t, r, q; of an attribute 1 to
+   *     4
    * @param values of all vertices one after the other
+   * @param name of the attribute, with {@code [n]} behind it for each further column of a matrix;
+   *     empty for texture coordinates
    */
-  public record TexCoords(int components, float[] values) {}
+  public record TexCoords(int components, float[] values, String name) {
+    /** Texture coordinates. */
+    public TexCoords(int components, float[] values) {
+      this(components, values, "");
+    }
+  }
 
   /** A mesh with one set of texture coordinates at most. */
   public Mesh(

@@ -73,7 +73,9 @@ final class LineSets {
       corners[i] = stream[positions[i]];
     }
     VertexAttribute colors = colors(corners, colorPerVertex, colorIndex);
-    return new Welder(points.xyz(), corners, null, colors, null).mesh(primitive, false, false);
+    return new Welder(
+            points.xyz(), corners, null, colors, null, ProgramAttributes.of(job, corners))
+        .mesh(primitive, false, false);
   }
 
   private @Nullable VertexAttribute colors(int[] corners, boolean perVertex, int[] index) {

@@ -89,6 +89,7 @@ final class SurfaceMesher {
               ? usable
               : new VertexAttribute(new float[size], size, new int[corners.length]));
     }
+    more.addAll(ProgramAttributes.of(job, corners));
     return more;
   }
 

@@ -39,7 +39,7 @@ final class Welder {
   }
 
   /**
-   * @param more texture coordinates beside the first
+   * @param more texture coordinates beside the first, then attributes for programs
    */
   Welder(
       float[] points,
@@ -83,7 +83,7 @@ final class Welder {
     List<Mesh.TexCoords> others = new ArrayList<>(more.size());
     for (VertexAttribute other : more) {
       float[] values = gather(other.values(), other.components(), other.ids());
-      others.add(new Mesh.TexCoords(other.components(), values));
+      others.add(new Mesh.TexCoords(other.components(), values, other.name()));
     }
     return new Mesh(primitive, positions, normal, color, texCoord, others, indices, solid, bounds);
   }

@@ -1,8 +1,10 @@
 package org.selectiverenderer.runtime.instance;
 
 import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /** Gives geometry nodes their meshes and texture nodes their images; made while loading, kept. */
 public interface Assets {
@@ -11,6 +13,12 @@ public interface Assets {
 
   /** The image of a texture node; empty when it has none or it could not be read. */
   Optional<Texture.Image> image(Node texture);
+
+  /** The text of a ShaderPart or ShaderProgram; empty when it has none or it could not be read. */
+  Optional<ShaderText> shader(Node part);
+
+  /** Tells what is wrong with a shader's program, which is known when it is drawn. */
+  void told(Problem problem);
 
   /**
    * The texture that stands for a picture which a Background names; empty when it names none.
@@ -27,6 +35,7 @@ public interface Assets {
    */
   boolean multiplies(Node texture);
 
-  /** A geometry node (or a node in it) or a texture node has other values: forget its asset. */
+  /** A geometry node (or a node in it) or a texture node has other values, or a part of
+   * a shader: forget its asset. */
   void changed(Node geometryOrTexture);
 }

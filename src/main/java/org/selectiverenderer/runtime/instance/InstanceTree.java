@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -18,6 +20,7 @@ import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
 import org.selectiverenderer.runtime.nodes.layout.Seen;
 import org.selectiverenderer.runtime.nodes.layout.Sight;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
@@ -55,6 +58,7 @@ public final class InstanceTree {
   private final List<ShapeInstance> screenShapes = new ArrayList<>();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
+  private final Set<ShaderNode> judged = new LinkedHashSet<>();
   private final List<LightInstance> lights = new ArrayList<>();
   private final List<EffectInstance> environments = new ArrayList<>();
   private final Matrix4d inverse = new Matrix4d();
@@ -162,6 +166,10 @@ public final class InstanceTree {
     shownPolygons += more;
   }
 
+  void judged(ShaderNode shader) {
+    judged.add(shader);
+  }
+
   void pending(GroupInstance group) {
     pendingGroups.add(group);
   }
@@ -192,13 +200,18 @@ public final class InstanceTree {
   }
 
   /**
-   * Adapts LOD and Billboard nodes to the viewer. A node in two places follows the first. One in a
-   * place without extent (a scale of 0) stays as it is.
+   * Adapts LOD and Billboard nodes to the viewer; what the last picture found out of shaders is
+   * told them. A node in two places follows the first. One in a place without extent (a scale of 0)
+   * stays as it is.
    *
    * @param eye the viewer in world coordinates
    * @param up the viewer's up in world coordinates
    */
   public void view(Vector3dc eye, Vector3dc up, Cascade cascade) {
+    if (!judged.isEmpty()) {
+      judged.forEach(shader -> shader.tell(cascade));
+      judged.clear();
+    }
     for (int i = 0; i < viewerDependent.size(); i++) {
       GroupInstance group = viewerDependent.get(i);
       group.world().invert(inverse);

@@ -8,8 +8,10 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.nodes.layout.Sight;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Node;
 
@@ -65,6 +67,22 @@ public final class ShapeInstance extends Instance {
   /** How its lines, points and areas are drawn; the same object until that changes. */
   public Stroke stroke() {
     return look.stroke();
+  }
+
+  /** The programs of its shaders, of which the first that compiles draws it; mostly none. */
+  public List<SurfaceProgram> programs() {
+    return look.programs();
+  }
+
+  /**
+   * Tells a shader what has come of its program.
+   *
+   * @param valid whether the graphics card takes it
+   * @param selected whether it draws
+   * @param problems what is wrong and has not been told
+   */
+  public void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
+    look.judged(shader, valid, selected, problems);
   }
 
   ShapeLook look() {

@@ -8,8 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
@@ -31,6 +33,7 @@ final class ShapeLook implements NodeObserver {
   private @Nullable Vector3dc anchor;
   private Surface surface = Surface.UNLIT_WHITE;
   private Stroke stroke = Stroke.PLAIN;
+  private List<SurfaceProgram> programs = List.of();
   private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean disposed;
@@ -66,6 +69,17 @@ final class ShapeLook implements NodeObserver {
     return stroke;
   }
 
+  List<SurfaceProgram> programs() {
+    return programs;
+  }
+
+  /** What has come of a program. */
+  void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
+    shader.judged(valid, selected);
+    tree.judged(shader);
+    problems.forEach(assets::told);
+  }
+
   int polygons() {
     return mesh == null ? 0 : mesh.polygons();
   }
@@ -91,6 +105,7 @@ final class ShapeLook implements NodeObserver {
     mesh = LineLengths.of(formed, stroke);
     onScreen = isOnScreen(geometry);
     surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
+    programs = ProgramReader.read(shape.node("appearance"), geometry, assets);
   }
 
   private static boolean isOnScreen(@Nullable Node geometry) {
@@ -146,9 +161,16 @@ final class ShapeLook implements NodeObserver {
     if (node instanceof PlayedNode film && field != film.urlField() && field != film.loadField()) {
       return; // It runs, on the same surface.
     }
+    if (node instanceof ShaderNode shader
+        && shader.own(field)
+        && !shader.type().fields().get(field).type().isNode()) {
+      return; // A number of its program, which is asked for when the shape is drawn.
+    }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
-    } else if (node.type().is("X3DTextureNode")) {
+    } else if (node.type().is("X3DTextureNode")
+        || node.type().name().equals("ShaderPart")
+        || node.type().name().equals("ShaderProgram")) {
       assets.changed(node);
     }
     if (!pending) {
@@ -163,20 +185,17 @@ final class ShapeLook implements NodeObserver {
     if (disposed) {
       return; // Its last instance left the scene between the change and this update.
     }
-    List<PlayedNode> before = films;
+    List<PlayedNode> filmsBefore = films;
+    boolean onScreenBefore = onScreen;
     forget();
     observe();
-    if (!films.equals(before)) {
-      tree.structureChanged();
-    }
     for (ShapeInstance instance : instances) {
       boolean wanted = instance.wanted;
       instance.show(false, tree);
       instance.wanted = wanted;
     }
-    boolean before = onScreen;
     read();
-    if (onScreen != before) {
+    if (onScreen != onScreenBefore || !films.equals(filmsBefore)) {
       tree.structureChanged();
     }
     for (ShapeInstance instance : instances) {

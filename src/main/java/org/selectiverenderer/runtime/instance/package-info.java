@@ -20,10 +20,14 @@
  * beyond is its {@link SurfaceDetail}, with a {@link TextureUnit} for every texture, whose
  * coordinates are numbered as {@code geometry.tessellate} numbers those of the mesh.
  *
+ * <p>What the shaders of an Appearance say is its {@link SurfaceProgram}s, of which whoever draws
+ * uses the first that compiles, and tells the shape what has come of each.
+ *
  * <p>In: changes of nodes. Out: the tree, kept true at the cost of what changed. Uses {@code
- * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.nodes.sound}, {@code
- * runtime.scene}, the films of {@code runtime.movie}, {@code geometry.mesh}, {@code
- * geometry.tessellate}, {@code x3d.catalogue} and {@code x3d.field}; no GL.
+ * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.nodes.shader}, {@code
+ * runtime.nodes.sound}, {@code runtime.scene}, the films of {@code runtime.movie}, {@code
+ * geometry.mesh}, {@code geometry.tessellate}, {@code x3d.catalogue}, {@code x3d.field}, {@code
+ * x3d.shader} and {@code base.problem}; no GL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.instance;

@@ -6,30 +6,61 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.function.Function;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.movie.Film;
 import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * Meshes and images by node: those made while loading, and those made later for nodes that are new
+ * Meshes, images and programs by node: those made while loading, and those made later for nodes that are new
  * or changed. Nodes that nobody else holds are let go. Thread-safe.
  */
 final class AssetStore implements Assets {
   // Nodes are compared by identity; nothing kept here leads back to its node.
   private final Map<Node, Optional<Mesh>> meshes = new WeakHashMap<>();
   private final Map<Node, Optional<Texture.Image>> images = new WeakHashMap<>();
+  private final Map<Node, Optional<ShaderText>> shaders = new WeakHashMap<>();
   private final Function<Node, Optional<Mesh>> tessellate;
   private final Function<Node, Optional<Texture.Image>> decode;
 
   private final Set<Node> multiplying = Collections.newSetFromMap(new WeakHashMap<>());
 
+  private final Problems problems;
+
+  /**
+   * @param problems hears of programs that do not compile
+   */
   AssetStore(
-      Function<Node, Optional<Mesh>> tessellate, Function<Node, Optional<Texture.Image>> decode) {
+      Function<Node, Optional<Mesh>> tessellate,
+      Function<Node, Optional<Texture.Image>> decode,
+      Problems problems) {
     this.tessellate = tessellate;
     this.decode = decode;
+    this.problems = problems;
+  }
+
+  synchronized void putShader(Node part, Optional<ShaderText> text) {
+    shaders.put(part, text);
+  }
+
+  /** Whether it is known which text a part of a shader has, or that it has none. */
+  synchronized boolean hasShader(Node part) {
+    return shaders.containsKey(part);
+  }
+
+  @Override
+  public synchronized Optional<ShaderText> shader(Node part) {
+    return shaders.getOrDefault(part, Optional.empty());
+  }
+
+  @Override
+  public void told(Problem problem) {
+    problems.add(problem);
   }
 
   /** Keeps that a texture's colour multiplies the material's, as X3D 4.0 has it. */

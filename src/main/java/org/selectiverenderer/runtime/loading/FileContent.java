@@ -16,6 +16,7 @@ import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.script.ScriptProgram;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
  * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
@@ -26,6 +27,7 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
  * @param problems found in this file, kept apart so that they can be reported in document order
  * @param types names of the node types in the file
  * @param programs those of Scripts, where they have one that can be used
+ * @param shaders the texts of shaders' parts
  * @param sounds those of AudioClips, where their files could be read
  * @param pictures the textures that stand for those of Background nodes
  * @param inlines what became of the file that an Inline names; complete when all threads are done
@@ -39,6 +41,7 @@ record FileContent(
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
     Map<ParsedNode, ScriptProgram> programs,
+    Map<ParsedNode, Optional<ShaderText>> shaders,
     Map<ParsedNode, Recording> sounds,
     Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
@@ -63,6 +66,7 @@ record FileContent(
         file,
         new FileProblems(),
         ConcurrentHashMap.newKeySet(),
+        new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),

@@ -36,6 +36,7 @@ final class FileLoader {
   private final ImageFiles images;
   private final Libraries libraries;
   private final ScriptFiles scripts;
+  private final ShaderFiles shaders;
   private final SoundFiles sounds;
   private final Map<String, CompletableFuture<Outcome>> files = new ConcurrentHashMap<>();
 
@@ -52,6 +53,7 @@ final class FileLoader {
     images = new ImageFiles(root, room);
     libraries = new FileLibraries(reader, root);
     scripts = new ScriptFiles(root);
+    shaders = new ShaderFiles(root);
     sounds = new SoundFiles(root);
   }
 
@@ -125,6 +127,11 @@ final class FileLoader {
             assets.add(task(content, problems -> mesh(node, content, problems)));
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
+          } else if (node.type().name().equals("Appearance")) {
+            ShaderFiles.noneOfOurs(node)
+                .ifPresent(told -> content.problems().addAll(List.of(told)));
+          } else if (ShaderFiles.named(node.type())) {
+            assets.add(task(content, problems -> shader(node, content, problems)));
           } else if (node.type().name().equals("AudioClip") && node.bool("load")) {
             assets.add(task(content, problems -> sound(node, content, problems)));
           } else if (node.type().is("X3DTextureNode") && ImageFiles.wanted(node)) {
@@ -172,6 +179,10 @@ final class FileLoader {
     scripts
         .read(script, script.base(content.base()), problems)
         .ifPresent(program -> content.programs().put(script, program));
+  }
+
+  private void shader(ParsedNode part, FileContent content, Problems problems) {
+    content.shaders().put(part, shaders.read(part, part.base(content.base()), problems));
   }
 
   private void sound(ParsedNode clip, FileContent content, Problems problems) {

@@ -20,6 +20,7 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
  * The files that a running scene comes to name: Inlines whose {@code load} or {@code url} changes
@@ -191,6 +192,21 @@ public final class LiveFiles {
   /** Reads the file that an AudioClip names now. */
   void sound(AudioClipNode clip, Consumer<Optional<Recording>> arrived) {
     request(clip, loaded.loader().sound(copy(clip), origin(clip)), arrived);
+  }
+
+  /** Reads the text of a part of a shader as it is now. */
+  void shader(Node part, Consumer<Optional<ShaderText>> arrived) {
+    ParsedNode asking = copy(part);
+    asking.put(part.type().indexOf("sourceCode"), part.string("sourceCode"));
+    request(
+        loaded.loader().shader(asking, origin(part)),
+        text -> arrived.accept(Optional.of(text)),
+        () -> arrived.accept(Optional.empty()));
+  }
+
+  /** Tells a problem that was found while the scene runs. */
+  void told(Problem problem) {
+    problems.add(problem);
   }
 
   /** The texture for a picture of a Background, with the url that the Background has now. */

@@ -3,11 +3,13 @@ package org.selectiverenderer.runtime.loading;
 import java.util.Map;
 import java.util.Optional;
 import java.util.WeakHashMap;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
  * The assets of a running scene. The image of an ImageTexture that is new or has another url
@@ -18,6 +20,7 @@ final class LiveImages implements Assets {
 
   private final LiveFiles files;
   private final AssetStore store;
+  private final LiveShaders shaders;
 
   /** The url whose image a texture has or is waiting for. */
   private final Map<Node, String[]> requested = new WeakHashMap<>();
@@ -25,6 +28,7 @@ final class LiveImages implements Assets {
   LiveImages(LiveFiles files, AssetStore store) {
     this.files = files;
     this.store = store;
+    shaders = new LiveShaders(files, store);
   }
 
   @Override
@@ -45,6 +49,16 @@ final class LiveImages implements Assets {
   }
 
   @Override
+  public Optional<ShaderText> shader(Node part) {
+    return ShaderFiles.named(part.type()) ? shaders.text(part) : Optional.empty();
+  }
+
+  @Override
+  public void told(Problem problem) {
+    files.told(problem);
+  }
+
+  @Override
   public Optional<Node> picture(Node background, Backdrop.Side side) {
     return files.picture(background, side);
   }
@@ -56,7 +70,9 @@ final class LiveImages implements Assets {
 
   @Override
   public void changed(Node geometryOrTexture) {
-    if (!fromFile(geometryOrTexture)) {
+    if (ShaderFiles.named(geometryOrTexture.type())) {
+      shaders.changed(geometryOrTexture);
+    } else if (!fromFile(geometryOrTexture)) {
       store.changed(geometryOrTexture);
     } else if (requested.get(geometryOrTexture) != url(geometryOrTexture)) {
       request(geometryOrTexture);

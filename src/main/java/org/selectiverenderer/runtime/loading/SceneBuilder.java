@@ -235,6 +235,8 @@ final class SceneBuilder {
         if (node instanceof ScriptNode script && program != null) {
           script.load(program, scene);
         }
+        Optional.ofNullable(content.shaders().get(parsed))
+            .ifPresent(text -> store.assets().putShader(node, text));
         Recording recording = content.sounds().get(parsed);
         if (node instanceof AudioClipNode clip && recording != null) {
           clip.recording(recording);

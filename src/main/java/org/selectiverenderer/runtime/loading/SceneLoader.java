@@ -37,6 +37,7 @@ import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.shader.ShaderText;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
@@ -82,7 +83,8 @@ public final class SceneLoader implements AutoCloseable {
     AssetStore assets =
         new AssetStore(
             node -> tessellator.tessellate(node, problems),
-            node -> ImageFiles.pixels(node, problems));
+            node -> ImageFiles.pixels(node, problems),
+            problems);
     store = new SceneStore(assets, factory::actsOn);
     threads = threads();
     threads.execute(SceneLoader::loadMatrices);
@@ -292,6 +294,17 @@ public final class SceneLoader implements AutoCloseable {
         (content, hears) -> {
           content.problems().list().forEach(hears::add);
           return content.images().getOrDefault(texture, Optional.empty());
+        });
+  }
+
+  /** Reads the text of a part of a shader. */
+  CompletableFuture<Arrival<ShaderText>> shader(ParsedNode part, UrlBase origin) {
+    return read(
+        part,
+        origin,
+        (content, hears) -> {
+          content.problems().list().forEach(hears::add);
+          return content.shaders().getOrDefault(part, Optional.empty());
         });
   }
 

@@ -36,6 +36,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
+import org.selectiverenderer.runtime.nodes.shader.Shaders;
 import org.selectiverenderer.runtime.nodes.shape.InstancedShapeNode;
 import org.selectiverenderer.runtime.nodes.sound.Sounds;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
@@ -108,6 +109,7 @@ public final class NodeFactory {
       case "KeyDeviceSensor" -> KeyDevice.MAKERS;
       case "Layout" -> Layouts.MAKERS;
       case "PointingDeviceSensor" -> DragSensors.MAKERS;
+      case "Shaders" -> Shaders.MAKERS;
       case "Sound", "Texturing" -> Sounds.MAKERS;
       default -> Map.of();
     };

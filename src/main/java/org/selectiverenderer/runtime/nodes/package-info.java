@@ -15,6 +15,7 @@
  *   <li>{@code key} what is typed
  *   <li>{@code follow} values that follow a destination: chasers and dampers
  *   <li>{@code script} Scripts, whose programs {@code runtime.script} runs
+ *   <li>{@code shader} shaders, whose programs the card runs
  *   <li>{@code geo} what is placed on the earth
  *   <li>{@code layout} what is placed and measured in the picture
  *   <li>{@code hanim} figures: skeletons and their skin

@@ -12,17 +12,18 @@
  * being filled.
  *
  * <p>Sub-packages: {@code light} where light is computed, {@code mesh} meshes made ready and {@code
- * occlude} what is hidden and need not be drawn, all without GL; {@code gpu} what lives on the
- * graphics card; {@code context} finding out about GL, drawing without a window; {@code window} the
- * window, its loop and its input, and windows beside it; {@code sketch} flat drawings; {@code draw}
- * a scene as one camera sees it; {@code mark} the same with marks, for an editor; {@code show} a
- * world in its windows or without one.
+ * occlude} what is hidden and need not be drawn, {@code glsl} programs of authors as texts, all
+ * without GL; {@code gpu} what lives on the graphics card; {@code context} finding out about GL,
+ * drawing without a window; {@code window} the window, its loop and its input, and windows beside
+ * it; {@code sketch} flat drawings; {@code draw} a scene as one camera sees it; {@code mark} the
+ * same with marks, for an editor; {@code show} a world in its windows or without one.
  *
  * <p>In: an {@link org.selectiverenderer.runtime.instance.InstanceTree}, {@link
  * org.selectiverenderer.runtime.camera.Camera}s, a backdrop. Out: pixels in the current frame
  * buffer. Everything that takes a {@code GL3} belongs to the one thread that owns the context. Uses
  * {@code runtime} but {@code runtime.sai} and {@code runtime.loading}, {@code geometry}, {@code
- * x3d.catalogue}, {@code base.picture} and {@code base.files}.
+ * x3d.catalogue}, {@code x3d.field}, {@code x3d.shader}, {@code base.picture}, {@code base.problem}
+ * and {@code base.files}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.Nodes;
@@ -17,6 +18,7 @@ import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /** A small scene made of meshes. */
 public final class TestWorld implements Assets {
@@ -101,6 +103,16 @@ public final class TestWorld implements Assets {
   @Override
   public Optional<Texture.Image> image(Node texture) {
     return Optional.empty();
+  }
+
+  @Override
+  public Optional<ShaderText> shader(Node part) {
+    return Optional.empty();
+  }
+
+  @Override
+  public void told(Problem problem) {
+    throw new AssertionError(problem);
   }
 
   @Override

@@ -3,8 +3,10 @@ package org.selectiverenderer.runtime.instance;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
  * Meshes with as many triangles as a Box is wide, or as the first coordinate of other geometry
@@ -35,6 +37,16 @@ final class CountingAssets implements Assets {
   @Override
   public Optional<Texture.Image> image(Node texture) {
     return Optional.empty();
+  }
+
+  @Override
+  public Optional<ShaderText> shader(Node part) {
+    return Optional.empty();
+  }
+
+  @Override
+  public void told(Problem problem) {
+    throw new AssertionError(problem);
   }
 
   @Override

@@ -68,6 +68,7 @@ final class BatchPlan {
     // Blended shapes are drawn one by one, back to front; what moves may be lit now so, now so.
     return !candidate.look().blended()
         && candidate.look().detail() == null
+        && candidate.look().author() == null
         && candidate.lighting().settled()
         && indices <= MOST_OF_ONE
         && (indices <= ALWAYS_COPIED || (long) indices * uses <= MOST_COPIED)

@@ -74,7 +74,8 @@ final class Culler {
     int count = 0;
     for (int i = 0; i < items.size(); i++) {
       DrawItem item = items.get(i);
-      if (item.shape().shown() && side(item.shape().bounds()) != Frustum.Side.OUTSIDE) {
+      if (item.shape().shown()
+          && (side(item.shape().bounds()) != Frustum.Side.OUTSIDE || item.anywhere())) {
         order[count++] = i;
       }
     }
@@ -122,7 +123,7 @@ final class Culler {
   }
 
   private boolean hides(DrawItem item) {
-    if (occlusion == null) {
+    if (occlusion == null || item.anywhere()) {
       return false;
     }
     occlusion.ask(item.place(), item.part().occluders());
@@ -191,7 +192,7 @@ final class Culler {
     out.begin(item);
     Clusters clusters = item.clusters();
     int indexBytes = item.mesh().indexBytes();
-    boolean few = clusters.size() < FEWEST_CLUSTERS || item.blended();
+    boolean few = clusters.size() < FEWEST_CLUSTERS || item.blended() || item.anywhere();
     boolean twoSided = !item.mesh().solid() && item.surface().lit();
     Matrix4dc place = item.place();
     boolean known = (!few || twoSided) && place.invertAffine(inverse).isFinite();

@@ -32,6 +32,7 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
  * @param around the fog and planes whose scope it is in
  * @param rank of its program and texture in the order of drawing
  * @param detail of a surface that has more than a material and an image, else null
+ * @param author what the program of an author makes of it, in place of all that; else null
  */
 public record DrawItem(
     ShapeInstance shape,
@@ -49,7 +50,8 @@ public record DrawItem(
     Stroke stroke,
     Surroundings around,
     int rank,
-    @Nullable DetailTextures detail) {
+    @Nullable DetailTextures detail,
+    @Nullable AuthorLook author) {
 
   /** The buffers, which other items may share. */
   public GpuMesh mesh() {
@@ -59,10 +61,16 @@ public record DrawItem(
   /** Whether every pixel of it covers what is behind. */
   boolean opaque() {
     return !blended
+        && author == null
         && !stroke.hollow()
         && around.planes().isEmpty()
         && (texture == null || texture.alpha() == GpuTexture.Alpha.NONE)
         && (detail == null || !detail.holes());
+  }
+
+  /** Whether nobody knows where it will be seen. */
+  boolean anywhere() {
+    return author != null && author.moves();
   }
 
   /** Which triangles of the buffers are its own. */

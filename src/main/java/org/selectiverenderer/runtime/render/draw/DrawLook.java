@@ -22,6 +22,7 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
  * @param textureTransform nine numbers
  * @param around the fog and planes whose scope it is in
  * @param detail of a surface that has more than that, else null
+ * @param author what the program of an author makes of it, else null
  */
 record DrawLook(
     ShapePrograms.Family byPixel,
@@ -36,4 +37,5 @@ record DrawLook(
     Surroundings around,
     Mesh.Primitive primitive,
     boolean solid,
-    @Nullable DetailTextures detail) {}
+    @Nullable DetailTextures detail,
+    @Nullable AuthorLook author) {}

@@ -30,6 +30,7 @@ final class DrawLooks {
 
   private final Map<TextureSource, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
+  private final AuthorPrograms authors = new AuthorPrograms();
   private final Map<State, Integer> ranks = new HashMap<>();
   private final Map<List<LightInstance>, List<LightInstance>> lists = new HashMap<>();
   private final Map<DrawLook, DrawLook> known = new HashMap<>();
@@ -57,6 +58,13 @@ final class DrawLooks {
    */
   DrawLook of(GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching) {
     Surface surface = shape.surface();
+    AuthorLook author =
+        shape.programs().isEmpty()
+            ? null
+            : authors.choose(gl, shape, drawn, source -> texture(gl, source));
+    if (author != null) {
+      return authored(gl, shape, drawn, reaching, author);
+    }
     if (surface.detail() != null && drawn.primitive() == Mesh.Primitive.TRIANGLES) {
       return detailed(gl, shape, surface.detail(), drawn, reaching);
     }
@@ -83,6 +91,7 @@ final class DrawLooks {
             shape.surroundings(),
             drawn.primitive(),
             drawn.solid(),
+            null,
             null);
     return known.computeIfAbsent(look, same -> same);
   }
@@ -109,7 +118,7 @@ final class DrawLooks {
             surface,
             null,
             blended,
-            DetailDefines.of(detail, surface.tints(), VertexLayout.of(drawn).more(), cutOut));
+            DetailDefines.of(detail, surface.tints(), coordinates(drawn), cutOut));
     Surface back = detail.back();
     DetailTextures textured =
         new DetailTextures(
@@ -133,9 +142,56 @@ final class DrawLooks {
             shape.surroundings(),
             drawn.primitive(),
             drawn.solid(),
-            textured);
+            textured,
+            null);
     known.put(look, look);
     return look;
+  }
+
+  /** A shape that the program of an author draws: of its surface only the opacity counts here. */
+  private DrawLook authored(
+      GL3 gl,
+      ShapeInstance shape,
+      Mesh drawn,
+      List<LightInstance> reaching,
+      AuthorLook author) {
+    Surface surface = shape.surface();
+    SurfaceDetail detail = surface.detail();
+    boolean blended =
+        detail == null || detail.alphaMode() == SurfaceDetail.AlphaMode.AUTO
+            ? blended(
+                surface,
+                drawn,
+                surface.texture() == null ? null : texture(gl, surface.texture()))
+            : detail.alphaMode() == SurfaceDetail.AlphaMode.BLEND;
+    ShapePrograms.Family family =
+        programs.get(variant(drawn, surface, null, blended, List.of()));
+    DrawLook look =
+        new DrawLook(
+            family,
+            family,
+            null,
+            reaching,
+            new Numbers(numbers(surface)),
+            new Numbers(NO_TRANSFORM),
+            blended,
+            VertexLayout.of(drawn),
+            shape.stroke(),
+            shape.surroundings(),
+            drawn.primitive(),
+            drawn.solid(),
+            null,
+            author);
+    known.put(look, look);
+    return look;
+  }
+
+  /** Numbers in each of the mesh's further texture coordinates. */
+  private static List<Integer> coordinates(Mesh mesh) {
+    return mesh.moreTexCoords().stream()
+        .filter(more -> more.name().isEmpty())
+        .map(Mesh.TexCoords::components)
+        .toList();
   }
 
   /** Its place in the order of drawing. */
@@ -207,6 +263,9 @@ final class DrawLooks {
       if (item.detail() != null) {
         used.addAll(item.detail().textures());
       }
+      if (item.author() != null) {
+        item.author().textures().forEach(texture -> texture.ifPresent(used::add));
+      }
       usedLists.add(item.lighting().reaching());
       usedNumbers.add(item.numbers());
     }
@@ -222,6 +281,7 @@ final class DrawLooks {
               }
               return unused;
             });
+    authors.keepOnly(gl, items);
     ranks.keySet().removeIf(state -> state.texture() != null && !used.contains(state.texture()));
   }
 

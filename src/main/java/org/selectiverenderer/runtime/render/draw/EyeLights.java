@@ -15,7 +15,7 @@ import org.selectiverenderer.runtime.render.light.WorldLight;
 
 /** The lights of one eye's frame as the shaders want them: in that eye's coordinates. */
 final class EyeLights {
-  private static final int PER_LIGHT = 20;
+  static final int PER_LIGHT = 20;
 
   /**
    * @param numbers twenty per light

@@ -80,6 +80,11 @@ final class EyeScenery {
     this.images = images;
   }
 
+  /** The fog that the shape is in. */
+  Fog fog(DrawItem item) {
+    return item.around().fog().orElse(fog);
+  }
+
   Packed of(DrawItem item) {
     if (item.form() == StrokeForm.PLAIN && item.around() == Surroundings.NONE && fog.isClear()) {
       return PLAIN;

@@ -178,7 +178,8 @@ final class GpuAssets {
         shape.shape().stroke(),
         shape.shape().surroundings(),
         looks.rank(look),
-        look.detail());
+        look.detail(),
+        look.author());
   }
 
   /** Frees what none of the items uses. */

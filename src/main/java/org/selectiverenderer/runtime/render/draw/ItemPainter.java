@@ -55,7 +55,28 @@ final class ItemPainter {
       }
       bind(item, visible.frontOnly(i));
       cull(item.mesh().solid() && areas(item) ? GL.GL_BACK : 0);
-      elements(i);
+      if (item.author() == null) {
+        elements(i);
+      } else {
+        // An opaque picture stays opaque, whatever the program says.
+        gl.glEnable(GL.GL_BLEND);
+        gl.glBlendFuncSeparate(GL.GL_ONE, GL.GL_ZERO, GL.GL_ZERO, GL.GL_ONE);
+        authored(item.author(), i);
+        gl.glDisable(GL.GL_BLEND);
+      }
+    }
+  }
+
+  /** Draws by the program of an author, who may have left the size of points open. */
+  private void authored(AuthorLook look, int i) {
+    boolean open = visible.calls.get(i).mesh().mode() == GL.GL_POINTS && !look.sizesPoints();
+    if (open) {
+      gl.glDisable(GL3.GL_PROGRAM_POINT_SIZE);
+      gl.glPointSize(pointSize);
+    }
+    elements(i);
+    if (open) {
+      gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
     }
   }
 
@@ -72,7 +93,11 @@ final class ItemPainter {
         elements(i);
       }
       cull(areas(item) ? GL.GL_BACK : 0);
-      elements(i);
+      if (item.author() == null) {
+        elements(i);
+      } else {
+        authored(item.author(), i);
+      }
     }
   }
 
@@ -92,6 +117,10 @@ final class ItemPainter {
 
   private void bind(DrawItem item, boolean frontOnly) {
     EyeLights.Packed packed = lights.of(item.reaching());
+    if (item.author() != null) {
+      author(item, item.author(), packed);
+      return;
+    }
     ShapePrograms.Family programs = item.programs();
     EyeScenery.Packed around = scenery.of(item);
     ShapeProgram needed =
@@ -120,6 +149,24 @@ final class ItemPainter {
     needed.object(gl, object);
     boolean mirrored = areas(item) && toEye.determinant3x3() < 0;
     gl.glFrontFace(mirrored ? GL.GL_CW : GL.GL_CCW);
+  }
+
+  /** Binds what the program of an author takes; the next item binds its own anew. */
+  private void author(DrawItem item, AuthorLook look, EyeLights.Packed packed) {
+    program = null;
+    texture = null;
+    planes(0);
+    if (item.mesh() != mesh) {
+      mesh = item.mesh();
+      item.mesh().bind(gl);
+    }
+    place(item.place());
+    // For meshes without colours or normals, which then have these at every vertex.
+    float[] numbers = item.numbers();
+    gl.glVertexAttrib4f(2, numbers[0], numbers[1], numbers[2], numbers[3]);
+    gl.glVertexAttrib3f(1, 0, 0, 1);
+    look.send(gl, new AuthorState(item, camera, toEye, packed, scenery.fog(item)));
+    gl.glFrontFace(areas(item) && toEye.determinant3x3() < 0 ? GL.GL_CW : GL.GL_CCW);
   }
 
   /** Has as many planes cut as the program says. */

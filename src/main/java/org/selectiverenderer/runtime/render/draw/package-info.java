@@ -23,15 +23,20 @@
  * eye looks, so {@code EyeScenery} decides then. Programs of scenes without any have nothing of it
  * in their texts, and no number is sent for it.
  *
+ * <p>A shape with the program of an author is drawn by a call of its own: {@code AuthorPrograms}
+ * compiles and chooses, {@code AuthorValues} knows the numbers that browsers give by name, {@code
+ * AuthorLook} sends them. What is bound for it, the next shape binds anew.
+ *
  * <p>What is new and not shown may wait ({@link
  * org.selectiverenderer.runtime.render.draw.SceneRenderer#follow}): it is made ready a few shapes
  * with each frame, in batches of its own, and in the very frame in which it is shown. How shapes
  * are put into batches decides how their coordinates are rounded: single pixels at edges may differ
  * between a run that waited and one that did not.
  *
- * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.light}, {@code runtime.render.mesh},
- * {@code runtime.render.occlude}, {@code runtime.render.context}, {@code runtime.instance}, {@code
- * runtime.camera}, {@code geometry.mesh} and JOGL.
+ * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.glsl}, {@code runtime.render.light},
+ * {@code runtime.render.mesh}, {@code runtime.render.occlude}, {@code runtime.render.context},
+ * {@code runtime.instance}, {@code runtime.nodes.shader}, {@code runtime.camera}, {@code
+ * geometry.mesh}, {@code x3d.field}, {@code base.problem} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.draw;

@@ -7,8 +7,8 @@
  * rest by {@link DetailTextures}.
  *
  * <p>In: packed meshes, images, shader texts from the resources. Out: GL objects, each with a
- * {@code dispose}. Uses {@code runtime.render.mesh}, {@code runtime.instance}, {@code
- * geometry.mesh} and JOGL.
+ * {@code dispose}. Uses {@code runtime.render.mesh}, {@code runtime.render.glsl}, {@code
+ * runtime.instance}, {@code geometry.mesh} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.gpu;

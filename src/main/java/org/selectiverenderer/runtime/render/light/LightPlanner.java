@@ -79,6 +79,10 @@ public final class LightPlanner {
     Mesh mesh = request.mesh();
     Reach reach = new Reach(shape.bounds());
     MeshForm plain = MeshForm.plain(mesh);
+    if (!shape.programs().isEmpty()) {
+      // The program of an author may ask for any light, lit or not.
+      return new Plan(request, plain, null, false, request.scope());
+    }
     if (!lit(request)) {
       return new Plan(request, plain, null, false, List.of());
     }

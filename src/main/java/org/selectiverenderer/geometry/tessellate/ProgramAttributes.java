@@ -1,0 +1,80 @@
+package org.selectiverenderer.geometry.tessellate;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/**
+ * What a geometry's {@code attrib} gives the programs of shaders, a tuple for each point (X3D 4.0,
+ * 31.4.2, 31.4.3, 31.4.4). A matrix is several attributes, one for each column.
+ */
+final class ProgramAttributes {
+  /** Columns of all attributes of a geometry: what every graphics card takes beside the others. */
+  private static final int MOST = 12;
+
+  private final TessellationJob job;
+  private final int points;
+  private final List<VertexAttribute> found = new ArrayList<>();
+
+  private ProgramAttributes(TessellationJob job, int points) {
+    this.job = job;
+    this.points = points;
+  }
+
+  /**
+   * @param corners the point of each corner
+   */
+  static List<VertexAttribute> of(TessellationJob job, int[] corners) {
+    NodeView node = job.node();
+    if (node.type().field("attrib").isEmpty() || node.nodes("attrib").isEmpty()) {
+      return List.of();
+    }
+    int points = Arrays.stream(corners).max().orElse(-1) + 1;
+    ProgramAttributes all = new ProgramAttributes(job, points);
+    node.nodes("attrib").forEach(all::add);
+    return all.found;
+  }
+
+  private void add(NodeView attribute) {
+    switch (attribute.type().name()) {
+      case "FloatVertexAttribute" ->
+          add(attribute, Math.max(1, Math.min(4, attribute.integer("numComponents"))), 1);
+      case "Matrix3VertexAttribute" -> add(attribute, 3, 3);
+      case "Matrix4VertexAttribute" -> add(attribute, 4, 4);
+      default -> {
+        // No attribute: the reader has said so.
+      }
+    }
+  }
+
+  private void add(NodeView attribute, int rows, int columns) {
+    String name = attribute.string("name");
+    float[] values = attribute.floats("value");
+    int size = rows * columns;
+    if (values.length / size < points) {
+      job.problem("has too few values in its attribute '%s'; it is left out".formatted(name));
+      return;
+    }
+    for (float value : values) {
+      if (!Float.isFinite(value)) {
+        job.problem("has values in its attribute '%s' that are not finite; it is left out".formatted(name));
+        return;
+      }
+    }
+    if (found.size() + columns > MOST) {
+      job.problem(
+          "has more attributes than %s columns; '%s' is left out".formatted(MOST, name));
+      return;
+    }
+    int count = values.length / size;
+    for (int column = 0; column < columns; column++) {
+      float[] one = columns == 1 ? Arrays.copyOf(values, count * rows) : new float[rows * count];
+      for (int i = 0; columns > 1 && i < count; i++) {
+        System.arraycopy(values, size * i + rows * column, one, rows * i, rows);
+      }
+      found.add(
+          new VertexAttribute(one, rows, null, column == 0 ? name : name + "[" + column + "]"));
+    }
+  }
+}

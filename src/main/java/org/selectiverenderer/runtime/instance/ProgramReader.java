@@ -1,0 +1,98 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.instance.SurfaceProgram.Part;
+import org.selectiverenderer.runtime.instance.SurfaceProgram.ProgramField;
+import org.selectiverenderer.runtime.instance.SurfaceProgram.Stage;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.shader.ShaderText;
+
+/** Reads the shaders of an Appearance (X3D 4.0, 31.2.2). */
+final class ProgramReader {
+  private ProgramReader() {}
+
+  /** Those that may be used, the first before the others: in GLSL, with a text for every part. */
+  static List<SurfaceProgram> read(
+      @Nullable Node appearance, @Nullable Node geometry, Assets assets) {
+    if (appearance == null
+        || !appearance.type().name().equals("Appearance")
+        || appearance.nodes("shaders").isEmpty()) {
+      return List.of();
+    }
+    List<TextureUnit> textures = TextureUnits.of(appearance, geometry, assets).units();
+    List<SurfaceProgram> programs = new ArrayList<>();
+    for (Node node : appearance.nodes("shaders")) {
+      if (node instanceof ShaderNode shader && ours(shader)) {
+        program(shader, textures, assets).ifPresent(programs::add);
+      }
+    }
+    return List.copyOf(programs);
+  }
+
+  private static boolean ours(ShaderNode shader) {
+    String language = shader.string("language").strip().toUpperCase(Locale.ROOT);
+    return language.equals("GLSL") || language.isEmpty();
+  }
+
+  private static Optional<SurfaceProgram> program(
+      ShaderNode shader, List<TextureUnit> textures, Assets assets) {
+    List<Node> holders = new ArrayList<>();
+    switch (shader.type().name()) {
+      case "ComposedShader" -> holders.addAll(shader.nodes("parts"));
+      case "ProgramShader" -> holders.addAll(shader.nodes("programs"));
+      default -> {
+        return Optional.empty();
+      }
+    }
+    List<Part> parts = new ArrayList<>();
+    List<ProgramField> fields = new ArrayList<>(fields(shader, assets));
+    for (Node holder : holders) {
+      Optional<Stage> stage = stage(holder.string("type"));
+      Optional<ShaderText> text = assets.shader(holder);
+      if (stage.isEmpty() || text.isEmpty()) {
+        return Optional.empty();
+      }
+      parts.add(new Part(stage.get(), text.get()));
+      fields.addAll(fields(holder, assets));
+    }
+    return parts.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new SurfaceProgram(shader, List.copyOf(parts), List.copyOf(fields), textures));
+  }
+
+  private static Optional<Stage> stage(String type) {
+    return switch (type) {
+      case "VERTEX" -> Optional.of(Stage.VERTEX);
+      case "GEOMETRY" -> Optional.of(Stage.GEOMETRY);
+      case "FRAGMENT" -> Optional.of(Stage.FRAGMENT);
+      default -> Optional.empty();
+    };
+  }
+
+  private static List<ProgramField> fields(Node holder, Assets assets) {
+    List<FieldDefinition> all = holder.type().fields();
+    List<ProgramField> own = new ArrayList<>();
+    for (FieldDefinition field : all.subList(holder.type().ownFrom(), all.size())) {
+      List<TextureSource> textures = new ArrayList<>();
+      if (field.type() == FieldType.MFNode) {
+        holder
+            .nodes(field.name())
+            .forEach(node -> TextureReader.read(node, assets).ifPresent(textures::add));
+      } else if (field.type() == FieldType.SFNode) {
+        TextureReader.read(holder.node(field.name()), assets).ifPresent(textures::add);
+      }
+      own.add(
+          new ProgramField(
+              holder, field.index(), field.name(), field.type(), List.copyOf(textures)));
+    }
+    return own;
+  }
+}

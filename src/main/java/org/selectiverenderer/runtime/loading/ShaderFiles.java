@@ -1,0 +1,81 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.shader.ShaderChoice;
+import org.selectiverenderer.x3d.shader.ShaderText;
+
+/** Reads the texts of shaders' parts. */
+final class ShaderFiles {
+  private static final String CONSEQUENCE = "the shader is left out";
+
+  private final ContentRoot root;
+
+  ShaderFiles(ContentRoot root) {
+    this.root = root;
+  }
+
+  /** Whether nodes of a type have the text of one stage of a program. */
+  static boolean named(NodeType type) {
+    return type.name().equals("ShaderPart") || type.name().equals("ShaderProgram");
+  }
+
+  /** What to say of an Appearance that has shaders, but none that might be used here. */
+  static Optional<Problem> noneOfOurs(ParsedNode appearance) {
+    List<? extends NodeView> shaders = appearance.nodes("shaders");
+    if (shaders.isEmpty() || shaders.stream().anyMatch(ShaderFiles::ours)) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Problem(
+            Problem.Severity.INFO,
+            shaders.get(0).location(),
+            "none of the shaders of the Appearance is in GLSL, which alone is run here; write a"
+                + " ComposedShader with language='GLSL'; the shape is drawn by its material"));
+  }
+
+  private static boolean ours(NodeView shader) {
+    if (shader.type().name().equals("PackagedShader")
+        || shader.type().field("language").isEmpty()) {
+      return !shader.type().is("X3DShaderNode"); // What else stands there has been said.
+    }
+    String language = shader.string("language").strip();
+    return language.isEmpty() || language.equalsIgnoreCase("GLSL");
+  }
+
+  /**
+   * The text of a part; empty, with a message, when it has none that can be used.
+   *
+   * @param base where the relative urls of the part start
+   */
+  Optional<ShaderText> read(ParsedNode part, ContentBase base, Problems problems) {
+    ShaderChoice choice = ShaderChoice.of(part, root, base, CONSEQUENCE);
+    if (choice instanceof ShaderChoice.Text text) {
+      return Optional.of(text.text());
+    }
+    if (choice instanceof ShaderChoice.File file) {
+      return fromFile(part, file.content(), problems);
+    }
+    problems.add(((ShaderChoice.None) choice).problem());
+    return Optional.empty();
+  }
+
+  private static Optional<ShaderText> fromFile(ParsedNode part, Content file, Problems problems) {
+    try {
+      return Optional.of(ShaderText.read(file));
+    } catch (IOException e) {
+      problems.error(
+          part.location(), "%s %s; %s".formatted(file.name(), Failure.clause(e), CONSEQUENCE));
+      return Optional.empty();
+    }
+  }
+}

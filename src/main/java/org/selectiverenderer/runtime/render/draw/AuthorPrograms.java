@@ -1,0 +1,286 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.WeakHashMap;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.CubeTexture;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.instance.SurfaceProgram;
+import org.selectiverenderer.runtime.instance.SurfaceProgram.ProgramField;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.instance.TextureSource;
+import org.selectiverenderer.runtime.instance.VolumeTexture;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
+import org.selectiverenderer.runtime.render.glsl.GlslTranslator;
+import org.selectiverenderer.runtime.render.gpu.AuthorProgram;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+
+/**
+ * The programs of authors on the graphics card, each once however many shapes and nodes have its
+ * text. Chooses for a shape the first that compiles, and tells the shaders and the author.
+ */
+final class AuthorPrograms {
+  /** Shown where a program wants a texture and there is none. */
+  private static final Texture.Image BLACK =
+      new Texture.Image(1, 1, 4, new byte[] {0, 0, 0, (byte) 255});
+
+  private static final Texture NO_PLANE = new Texture(BLACK, true, true);
+  private static final VolumeTexture NO_VOLUME = new VolumeTexture(BLACK, true, true, true, null);
+  private static final CubeTexture NO_CUBE =
+      new CubeTexture(List.of(face(), face(), face(), face(), face(), face()), null);
+
+  private final Map<Key, AuthorProgram.Outcome> outcomes = new HashMap<>();
+  private final Map<ShaderNode, Set<Key>> told = new WeakHashMap<>();
+  private @Nullable GlslTranslator translator;
+
+  /**
+   * What a program is made of.
+   *
+   * @param attributes where its meshes have what is beside position, normal and colour
+   */
+  private record Key(List<SurfaceProgram.Part> parts, Map<String, Integer> attributes) {}
+
+  private static CubeTexture.Face face() {
+    return new CubeTexture.Face(BLACK, 0);
+  }
+
+  /**
+   * The look of a shape by one of its shaders; null when none of them can be used.
+   *
+   * @param drawn its mesh
+   * @param textures puts a texture on the card
+   */
+  @Nullable AuthorLook choose(
+      GL3 gl, ShapeInstance shape, Mesh drawn, Function<TextureSource, GpuTexture> textures) {
+    AuthorLook chosen = null;
+    List<SurfaceProgram> refused = new ArrayList<>();
+    for (SurfaceProgram program : shape.programs()) {
+      AuthorProgram.Outcome outcome = outcome(gl, key(program, drawn));
+      if (outcome.program().isPresent()) {
+        chosen = look(outcome.program().get(), program, textures);
+        break;
+      }
+      refused.add(program);
+    }
+    for (SurfaceProgram program : refused) {
+      Key key = key(program, drawn);
+      AuthorProgram.Failure failure = outcomes.get(key).failure().orElseThrow();
+      shape.judged(
+          program.node(),
+          false,
+          false,
+          untold(program, key) ? List.of(problem(program, failure, chosen != null)) : List.of());
+    }
+    if (chosen != null) {
+      SurfaceProgram program = chosen.source();
+      shape.judged(
+          program.node(),
+          true,
+          true,
+          untold(program, key(program, drawn)) ? misfits(chosen) : List.of());
+    }
+    return chosen;
+  }
+
+  private boolean untold(SurfaceProgram program, Key key) {
+    return told.computeIfAbsent(program.node(), node -> new HashSet<>()).add(key);
+  }
+
+  private static Key key(SurfaceProgram program, Mesh mesh) {
+    Map<String, Integer> attributes = new LinkedHashMap<>();
+    int coordinates = 0;
+    for (int i = 0; i < mesh.moreTexCoords().size(); i++) {
+      String name = mesh.moreTexCoords().get(i).name();
+      if (name.isEmpty()) {
+        coordinates++;
+        for (String of : List.of("sr_MultiTexCoord", "x3d_TexCoord", "castle_MultiTexCoord")) {
+          attributes.put(of + coordinates, 4 + i);
+        }
+      } else if (!name.endsWith("]")) { // The further columns of a matrix follow the first.
+        attributes.put(name, 4 + i);
+      }
+    }
+    return new Key(program.parts(), attributes);
+  }
+
+  private static final Map<String, Integer> USUAL =
+      Map.ofEntries(
+          Map.entry("sr_Vertex", 0),
+          Map.entry("x3d_Vertex", 0),
+          Map.entry("castle_Vertex", 0),
+          Map.entry("position", 0),
+          Map.entry("sr_Normal", 1),
+          Map.entry("x3d_Normal", 1),
+          Map.entry("castle_Normal", 1),
+          Map.entry("normal", 1),
+          Map.entry("sr_Color", 2),
+          Map.entry("x3d_Color", 2),
+          Map.entry("castle_ColorPerVertex", 2),
+          Map.entry("color", 2),
+          Map.entry("sr_MultiTexCoord0", 3),
+          Map.entry("x3d_TexCoord", 3),
+          Map.entry("x3d_TexCoord0", 3),
+          Map.entry("castle_MultiTexCoord0", 3),
+          Map.entry("castle_TexCoord0", 3),
+          Map.entry("texcoord", 3));
+
+  private AuthorProgram.Outcome outcome(GL3 gl, Key key) {
+    AuthorProgram.Outcome known = outcomes.get(key);
+    if (known == null) {
+      GlslTranslator translating = translator == null ? new GlslTranslator() : translator;
+      translator = translating;
+      Map<String, Integer> attributes = new HashMap<>(USUAL);
+      attributes.putAll(key.attributes());
+      known =
+          AuthorProgram.of(
+              gl,
+              translating.translate(
+                  key.parts().stream()
+                      .map(part -> new GlslTranslator.Given(part.stage(), part.text().text()))
+                      .toList()),
+              attributes);
+      outcomes.put(key, known);
+    }
+    return known;
+  }
+
+  private static Problem problem(
+      SurfaceProgram program, AuthorProgram.Failure failure, boolean another) {
+    GlslTranslator.Unit unit = failure.unit().filter(of -> of.part() >= 0).orElse(null);
+    int line = unit == null ? 0 : failure.log().line() - unit.head();
+    return new Problem(
+        Problem.Severity.ERROR,
+        unit == null || line < 1
+            ? program.node().location()
+            : program.parts().get(unit.part()).text().at(line, failure.log().column()),
+        "%s: %s; %s"
+            .formatted(
+                unit == null
+                    ? "the parts of " + program.node() + " do not fit together"
+                    : "the part " + unit.stage() + " of " + program.node() + " does not compile",
+                failure.log().message(),
+                another ? "another shader is used" : "the shape is drawn by its material"));
+  }
+
+  /** Fields that are of another kind than the program's number of that name. */
+  private static List<Problem> misfits(AuthorLook look) {
+    List<Problem> problems = new ArrayList<>();
+    Map<String, ProgramField> fields = fields(look.source());
+    for (AuthorProgram.Uniform uniform : look.program().uniforms()) {
+      ProgramField field = fields.get(uniform.name());
+      if (field != null && !field.type().isNode() && !fits(field, uniform)) {
+        problems.add(
+            new Problem(
+                Problem.Severity.WARNING,
+                field.holder().location(),
+                ("the field %s of %s is an %s, of %s numbers each, but its program has %s in what"
+                        + " it calls so; the program's keeps its own value")
+                    .formatted(
+                        field.name(),
+                        field.holder(),
+                        field.type(),
+                        field.type().components(),
+                        uniform.components())));
+      }
+    }
+    return problems;
+  }
+
+  private static boolean fits(ProgramField field, AuthorProgram.Uniform uniform) {
+    return field.type().components() == uniform.components();
+  }
+
+  private static Map<String, ProgramField> fields(SurfaceProgram source) {
+    Map<String, ProgramField> fields = new HashMap<>();
+    source.fields().forEach(field -> fields.putIfAbsent(field.name(), field));
+    return fields;
+  }
+
+  private static AuthorLook look(
+      AuthorProgram program, SurfaceProgram source, Function<TextureSource, GpuTexture> textures) {
+    Map<String, ProgramField> fields = fields(source);
+    List<AuthorLook.Number> numbers = new ArrayList<>();
+    for (AuthorProgram.Uniform uniform : program.uniforms()) {
+      ProgramField field = fields.get(uniform.name());
+      if (field != null && !field.type().isNode()) {
+        if (fits(field, uniform)) {
+          numbers.add(new AuthorLook.Number(uniform, field, null));
+        }
+      } else {
+        AuthorValues.of(uniform.name(), uniform.components())
+            .ifPresent(value -> numbers.add(new AuthorLook.Number(uniform, null, value)));
+      }
+    }
+    List<Optional<GpuTexture>> images = new ArrayList<>();
+    for (AuthorProgram.Uniform sampler : program.samplers()) {
+      for (int i = 0; i < sampler.size(); i++) {
+        ProgramField field = fields.get(sampler.name());
+        images.add(texture(sampler, field, i, source).map(textures));
+      }
+    }
+    return new AuthorLook(program, source, List.copyOf(numbers), List.copyOf(images));
+  }
+
+  /** Which texture a sampler shows; a black one when there is none of its kind. */
+  private static Optional<TextureSource> texture(
+      AuthorProgram.Uniform sampler, @Nullable ProgramField field, int element, SurfaceProgram of) {
+    TextureSource found = null;
+    if (field != null && field.type().isNode()) {
+      found = element < field.textures().size() ? field.textures().get(element) : null;
+    } else {
+      // As OpenGL has it: the number of a unit, 0 where nothing is said.
+      int unit = sampler.name().startsWith("x3d_") ? element : 0;
+      if (field != null) {
+        float[] given = AuthorLook.floats(field.type(), field.value());
+        unit = element < given.length ? (int) given[element] : -1;
+      }
+      found = unit >= 0 && unit < of.textures().size() ? of.textures().get(unit).source() : null;
+    }
+    TextureSource none =
+        switch (sampler.type()) {
+          case GL2ES2.GL_SAMPLER_2D -> NO_PLANE;
+          case GL2ES2.GL_SAMPLER_3D -> NO_VOLUME;
+          case GL2ES2.GL_SAMPLER_CUBE -> NO_CUBE;
+          default -> null;
+        };
+    if (none == null) {
+      return Optional.empty();
+    }
+    return Optional.of(found != null && found.getClass() == none.getClass() ? found : none);
+  }
+
+  /** Frees programs that none of the items could use. */
+  void keepOnly(GL3 gl, List<DrawItem> items) {
+    if (outcomes.isEmpty()) {
+      return;
+    }
+    Set<Key> used = new HashSet<>();
+    for (DrawItem item : items) {
+      for (SurfaceProgram program : item.shape().programs()) {
+        used.add(key(program, item.source()));
+      }
+    }
+    outcomes
+        .entrySet()
+        .removeIf(
+            entry -> {
+              boolean unused = !used.contains(entry.getKey());
+              if (unused) {
+                entry.getValue().program().ifPresent(program -> program.dispose(gl));
+              }
+              return unused;
+            });
+  }
+}

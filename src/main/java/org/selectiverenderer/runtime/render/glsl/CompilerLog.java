@@ -1,0 +1,51 @@
+package org.selectiverenderer.runtime.render.glsl;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What a compiler says first of what is wrong.
+ *
+ * @param line from 1, 0 when it does not say
+ * @param column from 1, 0 when it does not say
+ */
+public record CompilerLog(int line, int column, String message) {
+  // Mesa, which counts columns from 0: 0:12(5): error: ...; NVIDIA: 0(12) : error C1008: ...;
+  // others: ERROR: 0:12: ...
+  private static final Pattern PLACE =
+      Pattern.compile(
+          "(?:(?:ERROR|error):\\s*)?\\d+(?::(\\d+)|\\((\\d+)\\))(?:\\((\\d+)\\))?\\s*:"
+              + "\\s*(?:(?:preprocessor )?error\\s*\\w*\\s*:?)?\\s*(.*)");
+
+  private static final int LONGEST = 200;
+
+  /** Reads a log; the first line that tells a place and is no warning counts. */
+  public static CompilerLog of(String log) {
+    for (String line : log.lines().toList()) {
+      Matcher place = PLACE.matcher(line.strip());
+      if (place.matches() && !line.contains("warning")) {
+        String number = place.group(1) == null ? place.group(2) : place.group(1);
+        return new CompilerLog(
+            number(number),
+            place.group(3) == null ? 0 : 1 + number(place.group(3)),
+            words(place.group(4)));
+      }
+    }
+    return new CompilerLog(
+        0, 0, words(log.lines().filter(l -> !l.isBlank()).findFirst().orElse("")));
+  }
+
+  private static int number(String digits) {
+    return digits.length() > 8 ? 0 : Integer.parseInt(digits);
+  }
+
+  /** A part of a sentence, in the author's names. */
+  private static String words(String text) {
+    String plain =
+        text.strip()
+            .replaceFirst("^(?i)error:\\s*", "")
+            .replaceAll("\\b" + BrowserNames.NEW + "(?=[A-Z])", BrowserNames.OLD)
+            .replaceFirst("[.;]+$", "");
+    return plain.length() <= LONGEST ? plain : plain.substring(0, LONGEST) + "…";
+  }
+}
