@@ -11,10 +11,12 @@ set "SR_JAR=%SR_HOME%target\selective-renderer.jar"
 
 set "SR_JAVA=java.exe"
 if defined JAVA_HOME set "SR_JAVA=%JAVA_HOME%\bin\java.exe"
-rem No blocks here: a parenthesis in a folder's name, as in Program Files (x86), would end them.
+rem No blocks in this file: a parenthesis in a folder's name, as in Program Files (x86), would end them.
 if defined JAVA_HOME if not exist "%SR_JAVA%" goto badhome
-if not defined JAVA_HOME where java.exe >nul 2>&1
+if defined JAVA_HOME goto version
+where java.exe >nul 2>&1
 if errorlevel 1 goto nojava
+:version
 "%SR_JAVA%" --list-modules 2>nul | findstr /r /c:"^java.base@1[7-9]" /c:"^java.base@[2-9][0-9]" >nul
 if errorlevel 1 goto oldjava
 
@@ -34,12 +36,7 @@ echo selective-renderer: building the application, which takes a minute the firs
 if not exist "%SR_HOME%target" mkdir "%SR_HOME%target"
 pushd "%SR_HOME%"
 call mvn -q -B -DskipTests -Dmaven.test.skip=true package >target\launcher-build.log 2>&1 <nul
-if errorlevel 1 (
-  type target\launcher-build.log >&2
-  popd
-  echo selective-renderer: the build failed, as Maven says above>&2
-  exit /b 2
-)
+if errorlevel 1 goto failed
 popd
 
 :start
@@ -52,16 +49,9 @@ if /i "%~2"=="sai" set "SR_SAI=%SELECTIVE_RENDERER_SAI%"
 set "SR_TOLD="
 if /i "%~1"=="run" set "SR_TOLD=run"
 if /i "%~1"=="simulate" set "SR_TOLD=simulate"
-if defined SELECTIVE_RENDERER_SAI if defined SR_TOLD (
-  echo selective-renderer: %SR_TOLD% runs in the embedded browser; SELECTIVE_RENDERER_SAI is for the command sai>&2
-)
-if defined SR_SAI (
-  if exist "%SELECTIVE_RENDERER_SAI%\*" (
-    set "SR_PATH=%SELECTIVE_RENDERER_SAI%\*;%SR_JAR%"
-  ) else (
-    set "SR_PATH=%SELECTIVE_RENDERER_SAI%;%SR_JAR%"
-  )
-)
+if defined SELECTIVE_RENDERER_SAI if defined SR_TOLD echo selective-renderer: %SR_TOLD% runs in the embedded browser; SELECTIVE_RENDERER_SAI is for the command sai>&2
+if defined SR_SAI set "SR_PATH=%SELECTIVE_RENDERER_SAI%;%SR_JAR%"
+if defined SR_SAI if exist "%SELECTIVE_RENDERER_SAI%\*" set "SR_PATH=%SELECTIVE_RENDERER_SAI%\*;%SR_JAR%"
 set "SR_FLAGS=-XX:+IgnoreUnrecognizedVMOptions -XX:+DisplayVMOutputToStderr -Xlog:disable"
 rem Those that load and then do little in Java: quick code and a small heap.
 set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms64m -Xmn32m"
@@ -70,11 +60,13 @@ if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="validate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="radiosity" set "SR_FLAGS=%SR_FLAGS% -Xmx1200m"
 if /i "%~1"=="bench" set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.run-flags=%SR_LIGHT: =,%"
-if defined SR_SAI (
-  "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -cp "%SR_PATH%" org.selectiverenderer.cli.Main %*
-) else (
-  "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -jar "%SR_JAR%" %*
-)
+rem What is typed is in no block either: a file may be called room(1).x3d.
+if defined SR_SAI goto startsai
+"%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -jar "%SR_JAR%" %*
+exit /b %ERRORLEVEL%
+
+:startsai
+"%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -cp "%SR_PATH%" org.selectiverenderer.cli.Main %*
 exit /b %ERRORLEVEL%
 
 :badhome
@@ -87,6 +79,12 @@ exit /b 2
 
 :oldjava
 echo selective-renderer: needs Java 17 or newer; set JAVA_HOME>&2
+exit /b 2
+
+:failed
+type target\launcher-build.log >&2
+popd
+echo selective-renderer: the build failed, as Maven says above>&2
 exit /b 2
 
 :nomaven

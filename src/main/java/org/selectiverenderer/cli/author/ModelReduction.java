@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -18,6 +19,7 @@ import org.selectiverenderer.polygon.model.ModelReader;
 import org.selectiverenderer.polygon.model.ModelWriter;
 import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.polygon.simplify.ModelSize;
+import org.selectiverenderer.polygon.simplify.NoPolygons;
 import org.selectiverenderer.polygon.simplify.Simplified;
 import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -47,7 +49,13 @@ record ModelReduction(
       return ExitStatus.PROBLEMS;
     }
     long start = System.nanoTime();
-    Simplified reduced = new Simplifier().simplify(model.meshes(), goal);
+    Simplified reduced;
+    try {
+      reduced = new Simplifier().simplify(model.meshes(), goal);
+    } catch (NoPolygons e) {
+      problems.error(Location.of(file.toString()), "the model " + e.getMessage());
+      return ExitStatus.PROBLEMS;
+    }
     long milliseconds = (System.nanoTime() - start) / 1_000_000;
     write(file, model.with(reduced.parts()), reduced, console);
     print(file, size, reduced, milliseconds, console);

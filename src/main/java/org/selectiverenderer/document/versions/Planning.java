@@ -21,6 +21,7 @@ import org.selectiverenderer.polygon.model.ModelWriter;
 import org.selectiverenderer.polygon.model.Urls;
 import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.polygon.simplify.ModelSize;
+import org.selectiverenderer.polygon.simplify.NoPolygons;
 import org.selectiverenderer.polygon.simplify.Simplified;
 import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -151,9 +152,17 @@ final class Planning {
   private Optional<VersionsEdit> plan(
       List<NodeView> nodes, Model model, ModelSize size, List<Goal> goals) throws IOException {
     Simplified[] reduced = new Simplified[goals.size()];
-    IntStream.range(0, reduced.length)
-        .parallel()
-        .forEach(i -> reduced[i] = simplifier.simplify(model.meshes(), goals.get(i)));
+    try {
+      IntStream.range(0, reduced.length)
+          .parallel()
+          .forEach(i -> reduced[i] = simplifier.simplify(model.meshes(), goals.get(i)));
+    } catch (NoPolygons e) {
+      problems.error(
+          Location.of(request.scene().toString()),
+          "the object '%s' %s; nothing has been changed"
+              .formatted(request.object(), e.getMessage()));
+      return Optional.empty();
+    }
     ForeignFiles foreign = new ForeignFiles(request, site, elsewhere());
     int attempt = 1;
     List<Path> files = names.of(goals.size() + 1, attempt);

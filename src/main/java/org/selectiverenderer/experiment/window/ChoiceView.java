@@ -12,11 +12,9 @@ import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
 import javax.swing.ButtonGroup;
-import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
@@ -61,7 +59,9 @@ final class ChoiceView implements FieldView {
 
   private void end(String text, int width, int side) {
     if (width > 0) {
-      JLabel label = new JLabel(RowShape.wrapped(text, width, side), side);
+      JLabel label = new ScreenText.Label();
+      label.setText(RowShape.wrapped(text, width, side));
+      label.setHorizontalAlignment(side);
       Dimension size = label.getPreferredSize();
       label.setPreferredSize(new Dimension(width, size.height));
       panel.add(label);
@@ -69,7 +69,7 @@ final class ChoiceView implements FieldView {
   }
 
   private JComponent inLine(Option option, String id, String asked, RowShape shape) {
-    JToggleButton button = named(new JToggleButton(option.label()), option, id, asked);
+    JToggleButton button = named(new ScreenText.Button(option.label()), option, id, asked);
     button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
     button.setPreferredSize(new Dimension(RowShape.width(field, button), RowShape.BUTTON_HEIGHT));
     if (option.note().isEmpty()) {
@@ -88,7 +88,9 @@ final class ChoiceView implements FieldView {
 
   private JToggleButton listed(Option option) {
     JToggleButton button =
-        field.several() ? new JCheckBox(option.label()) : new JRadioButton(option.label());
+        field.several()
+            ? new ScreenText.CheckBox(option.label())
+            : new ScreenText.RadioButton(option.label());
     button.setFont(button.getFont().deriveFont(Font.PLAIN, 15f));
     button.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
     button.setIconTextGap(10);

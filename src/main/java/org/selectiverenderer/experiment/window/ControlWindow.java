@@ -57,7 +57,7 @@ public final class ControlWindow implements AutoCloseable {
     below.add(writing(), BorderLayout.NORTH);
     below.add(buttons(), BorderLayout.SOUTH);
     frame.add(below, BorderLayout.SOUTH);
-    frame.pack();
+    PackedWindow.pack(frame);
     // In a corner, so that a single monitor shows it beside the participant's window.
     Rectangle most = desk.area();
     frame.setLocation(

@@ -98,7 +98,7 @@ final class QuestionRow {
     if (shape.name() == 0) {
       panel.add(Box.createHorizontalGlue()); // Nothing to read but the ends: in the middle.
     } else {
-      JLabel name = new JLabel();
+      JLabel name = new ScreenText.Label();
       name.setFont(name.getFont().deriveFont(16f));
       boolean fits =
           name.getFontMetrics(name.getFont()).stringWidth(question.text()) <= shape.name() - 8;

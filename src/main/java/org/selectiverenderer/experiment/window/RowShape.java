@@ -76,7 +76,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
   }
 
   private static int ends(List<AnswerField> fields, Function<AnswerField.Choice, String> end) {
-    JLabel label = new JLabel();
+    JLabel label = new ScreenText.Label();
     FontMetrics metrics = label.getFontMetrics(label.getFont());
     return fields.stream()
         .filter(AnswerField.Choice.class::isInstance)
@@ -104,7 +104,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
   static String wrapped(String text, int width, int side) {
     String align =
         side == SwingConstants.RIGHT ? "right" : side == SwingConstants.CENTER ? "center" : "left";
-    JLabel label = new JLabel();
+    JLabel label = new ScreenText.Label();
     boolean fits = label.getFontMetrics(label.getFont()).stringWidth(text) <= width;
     return fits
         ? text
@@ -119,7 +119,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
 
   /** What an option means, in small letters. */
   static JLabel note(String text, int width) {
-    JLabel label = new JLabel();
+    JLabel label = new ScreenText.Label();
     Font small = label.getFont().deriveFont(label.getFont().getSize2D() - 1.5f);
     label.setFont(small);
     label.setText(
@@ -163,11 +163,11 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
     column.setAlignmentY(Component.BOTTOM_ALIGNMENT);
     int buttons =
         choice.options().stream()
-            .mapToInt(option -> width(choice, new JToggleButton(option.label())) + GAP)
+            .mapToInt(option -> width(choice, new ScreenText.Button(option.label())) + GAP)
             .sum();
     int whole = buttons + GAP + (least > 0 ? least + GAP : 0) + (most > 0 ? most + GAP : 0);
     if (!title.isEmpty()) {
-      JLabel label = new JLabel();
+      JLabel label = new ScreenText.Label();
       label.setFont(label.getFont().deriveFont(Font.BOLD));
       boolean fits = label.getFontMetrics(label.getFont()).stringWidth(title) <= whole - GAP;
       label.setText(
@@ -186,7 +186,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
         notes.add(Box.createHorizontalStrut(least));
       }
       for (Option option : choice.options()) {
-        notes.add(note(option.note(), width(choice, new JToggleButton(option.label()))));
+        notes.add(note(option.note(), width(choice, new ScreenText.Button(option.label()))));
       }
       column.add(notes);
     }

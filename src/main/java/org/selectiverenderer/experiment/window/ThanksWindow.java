@@ -35,7 +35,7 @@ public final class ThanksWindow {
     frame.add(text, BorderLayout.CENTER);
     frame.add(close, BorderLayout.SOUTH);
     frame.getRootPane().setDefaultButton(close);
-    frame.pack();
+    PackedWindow.pack(frame);
     desk.center(frame);
     return frame;
   }

@@ -15,7 +15,7 @@ final class WrappedText {
    * @param width in pixels
    */
   static JTextArea of(String words, float size, int width) {
-    JTextArea text = new JTextArea(words);
+    JTextArea text = new ScreenText.Area(words);
     text.setFont(text.getFont().deriveFont(size));
     text.setEditable(false);
     text.setFocusable(false);

@@ -115,14 +115,16 @@ final class ForeignReader {
 
   private static int[] triangles(AIMesh mesh) {
     int[] triangles = new int[3 * mesh.mNumFaces()];
+    int count = 0;
     AIFace.Buffer faces = mesh.mFaces();
     for (int f = 0; f < mesh.mNumFaces(); f++) {
       IntBuffer indices = faces.get(f).mIndices();
-      for (int k = 0; k < 3; k++) {
-        triangles[3 * f + k] = indices.get(k);
+      if (indices.remaining() == 3) { // A face of no corners stays among the triangles.
+        indices.get(triangles, count, 3);
+        count += 3;
       }
     }
-    return triangles;
+    return Arrays.copyOf(triangles, count);
   }
 
   private int[] finite(int[] triangles, float[] positions, String name, Path file) {

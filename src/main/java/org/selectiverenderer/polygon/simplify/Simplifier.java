@@ -30,15 +30,15 @@ public final class Simplifier {
    * Reduces a model.
    *
    * @param parts its triangles; all in one coordinate frame
+   * @throws NoPolygons if no triangle has an area that counts beside the extent of all
    * @throws IllegalArgumentException if a part is not made of triangles, an index is out of range
-   *     or a number not finite, there is no triangle with an area, or the goal is no less than what
-   *     the model has
+   *     or a number not finite, or the goal is no less than what the model has
    */
   public Simplified simplify(List<Mesh> parts, Goal goal) {
     JoinedMesh joined = JoinedMesh.of(parts);
     JoinedMesh original = joined.welded(Reduction.scale(joined.extent())).compact().asOriginal();
     if (original.polygons() == 0) {
-      throw new IllegalArgumentException("the model has no polygons");
+      throw new NoPolygons();
     }
     Reduction reduction = new Reduction(original);
     if (goal instanceof Goal.Polygons polygons) {

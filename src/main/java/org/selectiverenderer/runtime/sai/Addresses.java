@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.files.FileUrl;
 
 /** Between addresses as applications write them, file names or URLs, and files. */
 final class Addresses {
@@ -17,7 +18,7 @@ final class Addresses {
 
   /** Whether an address is one of a file, and none of the network or of another scheme. */
   static boolean isFile(String url) {
-    return url.regionMatches(true, 0, "file:", 0, 5) || !SCHEME.matcher(url).lookingAt();
+    return FileUrl.is(url) || !SCHEME.matcher(url).lookingAt();
   }
 
   /**
@@ -27,8 +28,8 @@ final class Addresses {
    */
   static Path path(String url) throws IOException {
     try {
-      if (url.regionMatches(true, 0, "file:", 0, 5)) {
-        return Path.of(URI.create(url));
+      if (FileUrl.is(url)) {
+        return Path.of(FileUrl.uri(url));
       }
       if (!isFile(url)) {
         throw new IOException(url + " is not the address of a file");

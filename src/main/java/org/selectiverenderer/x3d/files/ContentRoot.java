@@ -35,8 +35,6 @@ public final class ContentRoot {
   /** At least two letters before the colon: a single one is a drive of Windows. */
   private static final Pattern SCHEME = Pattern.compile("[a-zA-Z][a-zA-Z0-9+.-]+:");
 
-  private static final Pattern FILE_SCHEME = Pattern.compile("(?i)file:");
-
   /** Characters above which a url is not looked at: more than the file systems' longest names. */
   static final int MAX_URL = 4096;
 
@@ -149,7 +147,7 @@ public final class ContentRoot {
     if (WebUrl.is(location)) {
       return web(WebUrl.of(location), fragment);
     }
-    boolean absolute = FILE_SCHEME.matcher(location).lookingAt();
+    boolean absolute = FileUrl.is(location);
     if (!absolute && SCHEME.matcher(location).lookingAt()) {
       return new Target.Refused(
           Cause.NETWORK,

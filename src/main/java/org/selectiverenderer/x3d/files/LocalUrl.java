@@ -39,7 +39,7 @@ final class LocalUrl {
             new Target.Refused(
                 Cause.NETWORK, "is on the network, a share of another computer; it is not read"));
       }
-      return new Meaning.File(absolute ? Path.of(URI.create(location)) : relative(location, base));
+      return new Meaning.File(absolute ? Path.of(FileUrl.uri(location)) : relative(location, base));
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
       return new Meaning.None(new Target.Refused(Cause.NO_FILE_NAME, "is not a file name"));
     }
@@ -52,7 +52,7 @@ final class LocalUrl {
    */
   private static boolean share(String location, boolean absolute) {
     if (absolute) {
-      URI uri = URI.create(location);
+      URI uri = FileUrl.uri(location);
       return uri.getAuthority() != null || uri.getPath() != null && isShare(uri.getPath());
     }
     return isShare(location) || isShare(decoded(location));

@@ -25,7 +25,7 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 import org.web3d.x3d.sai.BrowserFactoryImpl;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.InvalidURLException;
@@ -131,7 +131,7 @@ class SaiRunnerTest {
   }
 
   @Test
-  @RequiresDisplay
+  @ShowsWindows
   void aBrowserThatIsASwingPanelRunsInAWindowUntilTheWindowIsClosed() throws Exception {
     Process panel =
         process(

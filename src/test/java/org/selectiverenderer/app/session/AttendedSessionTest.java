@@ -43,13 +43,16 @@ import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.testing.OpenWindow;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.tracker.TrackerOptions;
 
 /** A session with participant and experimenter at the windows; all that is shown is white. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class AttendedSessionTest {
+  /** Milliseconds between two looks at the picture, which fades over 400. */
+  private static final int LOOK = 15;
+
   private static final Rectangle WITHIN_THE_PICTURE = new Rectangle(60, 60, 80, 60);
 
   @TempDir Path folder;
@@ -195,6 +198,7 @@ class AttendedSessionTest {
         bright = !bright;
         flips.add(bright);
       }
+      robot.delay(LOOK); // Or there is no processor left for what is to be watched.
     }
     return true;
   }

@@ -10,6 +10,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.GZIPInputStream;
@@ -127,6 +129,28 @@ class PolygonCommandsTest {
 
     assertThat(run("simplify", empty.toString(), "--polygons", "9")).isEqualTo(1);
     assertThat(err).contains("empty.x3d").contains("no faces");
+  }
+
+  /** Each of the two triangles is as good as a point beside the distance between them. */
+  @ParameterizedTest
+  @CsvSource({"simplify", "versions"})
+  void specksThatAreFarApartAreAProblemOfTheInput(String command) throws IOException {
+    String point = "0 0 0 0.0001 0 0 0 0.0001 0 900000 0 0 900000.1 0 0 900000 0.1 0";
+    Path specks =
+        Files.writeString(
+            folder.resolve("specks.x3d"),
+            "<X3D version='4.0' profile='Immersive'><Scene><Group DEF='Specks'><Shape>"
+                + "<TriangleSet><Coordinate point='%s'/></TriangleSet>".formatted(point)
+                + "</Shape></Group></Scene></X3D>");
+    List<String> arguments =
+        new ArrayList<>(List.of(command, specks.toString(), "--vert-percent", "50"));
+    if (command.equals("versions")) {
+      arguments.addAll(List.of("--object", "Specks"));
+    }
+
+    assertThat(run(arguments.toArray(String[]::new))).isEqualTo(1);
+    assertThat(err).contains("specks.x3d").contains("specks beside its extent");
+    assertThat(out).isEmpty();
   }
 
   @Test

@@ -26,10 +26,10 @@ import org.selectiverenderer.cli.CommandRun;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** What experiment run refuses before anybody is assigned, and what it flags. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class ExperimentRunTest extends CommandRun {
   @TempDir Path folder;

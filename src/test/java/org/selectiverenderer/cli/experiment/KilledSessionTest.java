@@ -22,10 +22,10 @@ import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** The default study, its exposures shortened, in processes of their own. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 300, unit = TimeUnit.SECONDS)
 class KilledSessionTest {
   @TempDir Path folder;

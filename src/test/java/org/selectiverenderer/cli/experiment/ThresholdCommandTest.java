@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.cli.CommandRun;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 class ThresholdCommandTest extends CommandRun {
   @TempDir private Path folder;
@@ -44,7 +44,7 @@ class ThresholdCommandTest extends CommandRun {
   }
 
   @Test
-  @RequiresDisplay
+  @ShowsWindows
   void aPilotFromItsPicturesToTheVersionsThatItAsksFor() throws IOException {
     assertThat(threshold("--participant", "001", "--unattended")).as(messages()).isZero();
     assertThat(messages()).contains("making the versions of Ball", "is finished after");
@@ -103,7 +103,7 @@ class ThresholdCommandTest extends CommandRun {
   }
 
   @Test
-  @RequiresDisplay
+  @ShowsWindows
   void anObjectThatTheSceneLacksIsAProblem() throws IOException {
     Files.writeString(Path.of(pilot), Files.readString(Path.of(pilot)).replace("Egg", "Jar"));
     assertThat(threshold("--participant", "001", "--unattended")).isEqualTo(1);

@@ -18,14 +18,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.cli.Main;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulate.HeadMotion;
 import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
 import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
 
 /** A run that is ended from outside (Ctrl-C, a session that logs out) leaves whole files. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class InterruptedRunTest {
   @TempDir private Path folder;

@@ -25,10 +25,10 @@ import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.testing.OpenWindow;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** The experimenter's window, where windows are put, and the last one. */
-@RequiresDisplay
+@ShowsWindows
 class ControlWindowTest extends SessionWindowFixture {
   @Test
   void windowsArePutIntoTheMiddleOfTheMonitorThatIsNotBeforeAnEye() {

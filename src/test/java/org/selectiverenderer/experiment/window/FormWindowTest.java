@@ -13,10 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.testing.OpenWindow;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** The form before a session. */
-@RequiresDisplay
+@ShowsWindows
 class FormWindowTest extends SessionWindowFixture {
   @Test
   void theFormGoesOnWithAnAgeAndConsentOnly() throws IOException {

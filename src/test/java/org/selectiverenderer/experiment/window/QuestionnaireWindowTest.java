@@ -26,10 +26,10 @@ import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.testing.OpenWindow;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** Pages of questions, answered by keys and by the mouse. */
-@RequiresDisplay
+@ShowsWindows
 class QuestionnaireWindowTest extends SessionWindowFixture {
   @Test
   void aQuestionThatAnAnswerBringsHasItsRoom() throws IOException {

@@ -22,9 +22,9 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.testing.OpenWindow;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
-@RequiresDisplay
+@ShowsWindows
 class TrialWindowTest {
   @TempDir private Path folder;
   private final Hands hands = new Hands();

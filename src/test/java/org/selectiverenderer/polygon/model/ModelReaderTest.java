@@ -238,6 +238,18 @@ class ModelReaderTest {
   }
 
   @Test
+  void aFaceWithoutCornersBesideALargerOneIsLeftOut() throws IOException {
+    Path file =
+        write(
+            "a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                + "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+                + "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0\n4 0 1 2 3\n");
+
+    assertThat(reader.read(file, problems).orElseThrow().polygons()).isEqualTo(2);
+  }
+
+  @Test
   void stlIsWeldedAndSmoothed() throws IOException {
     StringBuilder text = new StringBuilder("solid cube\n");
     for (String corners : new String[] {"0 0 0,1 0 0,1 1 0", "0 0 0,1 1 0,0 1 0"}) {

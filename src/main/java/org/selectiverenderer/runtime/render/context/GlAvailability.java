@@ -44,6 +44,11 @@ public final class GlAvailability {
       return Optional.empty();
     }
     String display = environment.getOrDefault("DISPLAY", "");
+    if (display.isBlank() && !environment.getOrDefault("WAYLAND_DISPLAY", "").isBlank()) {
+      return Optional.of(
+          "this Wayland desktop has no X display to draw on: install XWayland (package xwayland) and "
+              + "log in again");
+    }
     if (display.isBlank()) {
       return Optional.of(
           "there is no display to draw on: set DISPLAY to an X server, or start one with xvfb-run");

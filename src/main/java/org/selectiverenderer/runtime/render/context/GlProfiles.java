@@ -4,6 +4,7 @@ import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /** Finds out whether the driver has the OpenGL that is needed. */
 public final class GlProfiles {
@@ -21,7 +22,7 @@ public final class GlProfiles {
   public static GLProfile core() {
     for (int tries = 1; ; tries++) {
       try {
-        return GLProfile.get(GLProfile.GL3);
+        return begun(() -> GLProfile.get(GLProfile.GL3));
       } catch (GLException e) {
         Optional<String> best = best();
         if (best.isPresent()) {
@@ -39,6 +40,27 @@ public final class GlProfiles {
         }
       }
       askAgain();
+    }
+  }
+
+  /**
+   * What JOGL answers. Its first answer takes as long as the driver takes to begin, perhaps on
+   * another thread; JOGL's own limit to that is a system property.
+   *
+   * @throws GlUnavailableException when JOGL has waited as long as it may
+   */
+  static GLProfile begun(Supplier<GLProfile> answer) {
+    try {
+      return answer.get();
+    } catch (RuntimeException e) {
+      String message = String.valueOf(e.getMessage());
+      if (e.getClass() == RuntimeException.class && message.startsWith("Waited ")) {
+        throw new GlUnavailableException(
+            "OpenGL has not begun in time, as the machine is very busy or its driver hangs: try again "
+                + "when less runs, or with LIBGL_ALWAYS_SOFTWARE=1",
+            e);
+      }
+      throw e;
     }
   }
 

@@ -28,6 +28,14 @@ class GlAvailabilityTest {
   }
 
   @Test
+  void aWaylandDesktopWithoutXWaylandIsToldWhatItLacks() {
+    Map<String, String> environment = Map.of("WAYLAND_DISPLAY", "wayland-0");
+    assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE))
+        .hasValueSatisfying(
+            reason -> assertThat(reason).contains("XWayland").doesNotContain("xvfb"));
+  }
+
+  @Test
   void aServerThatNobodyRunsIsNamed() throws IOException {
     Map<String, String> environment = Map.of("DISPLAY", ":5.0");
     assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE))

@@ -16,9 +16,9 @@ import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.TestScene;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
-@RequiresDisplay
+@ShowsWindows
 class WorldWindowTest {
   private static final int VERSIONS = 4;
   private static final int FRAMES = 3;

@@ -18,9 +18,9 @@ import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.runtime.render.window.InputEvent.ButtonInput;
 import org.selectiverenderer.runtime.render.window.InputEvent.KeyInput;
 import org.selectiverenderer.runtime.render.window.InputEvent.MotionInput;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class RenderWindowTest {
   /** Frames after which a test gives up waiting. */

@@ -44,11 +44,11 @@ import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** The window under the hands of an author. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 180, unit = TimeUnit.SECONDS)
 class EnricherWindowTest {
   @TempDir Path folder;

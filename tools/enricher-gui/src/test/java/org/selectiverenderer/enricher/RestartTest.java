@@ -26,10 +26,10 @@ import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** What is remembered from one start of the window to the next, and what a crash leaves. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 180, unit = TimeUnit.SECONDS)
 class RestartTest {
   @TempDir Path folder;

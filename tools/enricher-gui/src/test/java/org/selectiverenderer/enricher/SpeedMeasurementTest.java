@@ -29,7 +29,7 @@ import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.Degree;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /**
  * Measures how long big scenes keep the author waiting and writes the figures of docs/enricher.md
@@ -37,7 +37,7 @@ import org.selectiverenderer.testing.RequiresDisplay;
  *
  * <p>{@code mvn test -Dtest=SpeedMeasurementTest -Denricher.speed=target/enricher-speed.txt}
  */
-@RequiresDisplay
+@ShowsWindows
 @EnabledIfSystemProperty(named = "enricher.speed", matches = ".+")
 class SpeedMeasurementTest {
   private static final int RUNS = 5;

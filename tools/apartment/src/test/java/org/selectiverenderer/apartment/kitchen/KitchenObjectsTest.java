@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
@@ -21,6 +23,7 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
 /** What holds for every recipe of the kitchen. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class KitchenObjectsTest {
   private static final PolygonCounts COUNTS = PolygonCounts.load();
 
@@ -44,7 +47,14 @@ class KitchenObjectsTest {
         .map(PolygonCounts.Counts::object);
   }
 
-  private static ParametricModel model(String object) {
+  private final Map<String, ParametricModel> made = new HashMap<>();
+
+  /** Made once for all that is asked of it. */
+  private ParametricModel model(String object) {
+    return made.computeIfAbsent(object, KitchenObjectsTest::make);
+  }
+
+  private static ParametricModel make(String object) {
     return KitchenObjects.all().get(object).get();
   }
 
@@ -125,7 +135,7 @@ class KitchenObjectsTest {
   @ParameterizedTest
   @MethodSource("objects")
   void isTheSameEveryTime(String object) {
-    assertThat(model(object)).isEqualTo(model(object));
+    assertThat(model(object)).isEqualTo(make(object));
   }
 
   /** Six times the volume of each connected piece, about one of its own points. */

@@ -3,12 +3,14 @@ package org.selectiverenderer.apartment.lounge;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,6 +21,7 @@ import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class LoungeObjectsTest {
   /** Furnishings and what nobody expects in a lounge. */
   private static final Set<String> SINGLE =
@@ -59,7 +62,14 @@ class LoungeObjectsTest {
     return LoungeObjects.all().keySet().stream();
   }
 
-  private static ParametricModel model(String name) {
+  private final Map<String, ParametricModel> made = new HashMap<>();
+
+  /** Made once for all that is asked of it. */
+  private ParametricModel model(String name) {
+    return made.computeIfAbsent(name, LoungeObjectsTest::make);
+  }
+
+  private static ParametricModel make(String name) {
     return LoungeObjects.all().get(name).get();
   }
 
@@ -156,7 +166,7 @@ class LoungeObjectsTest {
   @ParameterizedTest
   @MethodSource("names")
   void isTheSameEveryTime(String name) {
-    assertThat(model(name)).isEqualTo(model(name));
+    assertThat(model(name)).isEqualTo(make(name));
   }
 
   /** Width, height and depth to a third, centimetres. */

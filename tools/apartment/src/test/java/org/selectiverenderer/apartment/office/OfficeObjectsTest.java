@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -20,6 +22,7 @@ import org.selectiverenderer.modelling.ExactCount;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class OfficeObjectsTest {
   private static final PolygonCounts COUNTS = PolygonCounts.load();
 
@@ -63,7 +66,14 @@ class OfficeObjectsTest {
     return COUNTS.all().values().stream().filter(c -> c.area().equals("office"));
   }
 
-  private static ParametricModel model(String object) {
+  private final Map<String, ParametricModel> made = new HashMap<>();
+
+  /** Made once for all that is asked of it. */
+  private ParametricModel model(String object) {
+    return made.computeIfAbsent(object, OfficeObjectsTest::make);
+  }
+
+  private static ParametricModel make(String object) {
     return OfficeObjects.all().get(object).get();
   }
 
@@ -130,7 +140,7 @@ class OfficeObjectsTest {
         assertThat(Float.isFinite(value)).isTrue();
       }
     }
-    assertThat(model(object)).isEqualTo(model);
+    assertThat(make(object)).isEqualTo(model);
   }
 
   /** Centimetres. */

@@ -18,6 +18,7 @@ import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.experiment.window.PackedWindow;
 
 /** Shows what saving will change in the file, and asks whether to. */
 @SuppressWarnings("serial") // never written
@@ -63,7 +64,7 @@ public final class DiffDialog extends JDialog {
     view.getActionMap().put("previous", new Step(view::previous));
     enableButtons(false);
     comparing = compare(session);
-    pack();
+    PackedWindow.pack(this);
     setLocationRelativeTo(owner);
   }
 

@@ -27,6 +27,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.experiment.window.PackedWindow;
 
 /**
  * Imports a table of expectancy ratings: choose it, see which Switch each object is and correct
@@ -69,7 +70,7 @@ public final class RatingsDialog extends JDialog {
             e -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
     model.addListener(this::refresh);
     refresh();
-    pack();
+    PackedWindow.pack(this);
     setLocationRelativeTo(owner);
   }
 

@@ -25,6 +25,7 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.experiment.window.PackedWindow;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -84,7 +85,7 @@ public final class VersionsDialog extends JDialog {
     refresh();
     work.start();
     refresh();
-    pack();
+    PackedWindow.pack(this);
     setLocationRelativeTo(owner);
   }
 

@@ -24,10 +24,10 @@ import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** Pictures of the dialogs with the apartment, for looking at: {@code target/pictures}. */
-@RequiresDisplay
+@ShowsWindows
 class PicturesTest {
   private static final Path SCENES = Path.of("scenes");
   private static final Path RATINGS = SCENES.resolve("apartment-ratings.csv");

@@ -21,9 +21,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.Swing;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class FormPanelTest {
   private static final String SCENE =

@@ -14,10 +14,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** The table is filled with keys only. */
-@RequiresDisplay
+@ShowsWindows
 class OverviewPanelTest {
   private static final String AREA =
       """

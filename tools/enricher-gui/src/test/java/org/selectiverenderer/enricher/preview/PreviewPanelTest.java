@@ -19,10 +19,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.Swing;
 import org.selectiverenderer.enricher.driving.ControlNames;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class PreviewPanelTest {
   private static final int GREEN = 0x00ff00;

@@ -13,10 +13,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** A table of ratings is imported by hand: read, corrected, applied, undone. */
-@RequiresDisplay
+@ShowsWindows
 class RatingsDialogTest {
   private static final String TABLE =
       """

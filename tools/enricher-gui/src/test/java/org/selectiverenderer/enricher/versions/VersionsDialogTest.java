@@ -14,10 +14,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** Versions of an object are made by hand: a slider, a look, one step, undone. */
-@RequiresDisplay
+@ShowsWindows
 class VersionsDialogTest {
   private static final String BALL =
       "  <Transform DEF='Ball'>\n    <Shape><Sphere/></Shape>\n  </Transform>\n";
