@@ -32,14 +32,14 @@ final class ControlledArea {
   private List<ControlProblem> problems = List.of();
   private Optional<SensorSchemas> schemas = Optional.empty();
 
-  ControlledArea(ProximitySensor sensor, Supplier<String> name, Listener listener) {
+  ControlledArea(ProximitySensor sensor, Supplier<String> name, Turn turn, Listener listener) {
     this.sensor = sensor;
     this.name = name;
     this.enterTime = sensor.getField("enterTime");
     this.exitTime = sensor.getField("exitTime");
-    this.onEnter = event -> listener.entered(this, event.getTime());
-    this.onExit = event -> listener.left(this, event.getTime());
-    this.watch = new MetadataWatch(sensor, time -> listener.metadataChanged(this, time));
+    this.onEnter = event -> turn.take(() -> listener.entered(this, event.getTime()));
+    this.onExit = event -> turn.take(() -> listener.left(this, event.getTime()));
+    this.watch = new MetadataWatch(sensor, turn, time -> listener.metadataChanged(this, time));
     enterTime.addX3DEventListener(onEnter);
     exitTime.addX3DEventListener(onExit);
     read();

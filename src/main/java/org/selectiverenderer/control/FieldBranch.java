@@ -12,12 +12,13 @@ import org.web3d.x3d.sai.X3DNode;
 final class FieldBranch extends Branch {
   private final SceneScope scope;
   private final X3DField field;
-  private final X3DFieldEventListener onChange = event -> changed(event.getTime());
+  private final X3DFieldEventListener onChange;
 
-  FieldBranch(SceneScope scope, X3DField field, Listener listener) {
+  FieldBranch(SceneScope scope, X3DField field, Turn turn, Listener listener) {
     super(listener);
     this.scope = scope;
     this.field = field;
+    this.onChange = event -> turn.take(() -> changed(event.getTime()));
   }
 
   @Override

@@ -25,9 +25,9 @@ final class MetadataWatch {
    *
    * @param onChange called with the time stamp when the metadata is not what it was
    */
-  MetadataWatch(X3DNode owner, DoubleConsumer onChange) {
+  MetadataWatch(X3DNode owner, Turn turn, DoubleConsumer onChange) {
     this.owner = owner;
-    this.onChange = event -> onChange.accept(event.getTime());
+    this.onChange = event -> turn.take(() -> onChange.accept(event.getTime()));
   }
 
   /** The metadata as it is now, which is watched from here on. */

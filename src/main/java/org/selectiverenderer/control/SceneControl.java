@@ -25,6 +25,7 @@ import org.web3d.x3d.sai.grouping.Switch;
 
 /** Control over one scene, from its beginning to its end. */
 final class SceneControl implements ControlledArea.Listener {
+  private final Turn turn;
   private final Settings settings;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
@@ -38,22 +39,26 @@ final class SceneControl implements ControlledArea.Listener {
   private double now;
 
   /**
+   * @param turn that listeners take
    * @param inlined opens the Inlines, or null where they stay closed
    * @param bodies opens instances of prototypes, and leaves other nodes as they are
    */
   SceneControl(
       X3DExecutionContext scene,
+      Turn turn,
       @Nullable InlinedScenes inlined,
       UnaryOperator<X3DNode> bodies,
       Settings settings,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
+    this.turn = turn;
     this.settings = settings;
     this.events = events;
     this.problems = problems;
     this.inlined = inlined;
     this.walk =
-        new SceneWatch(scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), this::changed);
+        new SceneWatch(
+            scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), turn, this::changed);
   }
 
   /** Reads the scene, sets what the condition sets, and says so. */
@@ -94,6 +99,7 @@ final class SceneControl implements ControlledArea.Listener {
 
   /** Leaves the scene without a listener. */
   void close() {
+    turn.end();
     walk.close();
     areas.values().forEach(ControlledArea::close);
     objects.values().forEach(VersionedObject::close);
@@ -127,7 +133,8 @@ final class SceneControl implements ControlledArea.Listener {
   @Override
   public void entered(ControlledArea area, double time) {
     now = time;
-    if (area.schemas().isPresent()) {
+    // What the sensor has shown already may still be told by a browser that delivers events late.
+    if (area.schemas().isPresent() && !activation.isEntered(area)) {
       events.accept(new ControlEvent.Enter(time, area.name(), area.schemas().get().enter()));
       apply(activation.enter(area));
     }
@@ -136,7 +143,7 @@ final class SceneControl implements ControlledArea.Listener {
   @Override
   public void left(ControlledArea area, double time) {
     now = time;
-    if (area.schemas().isPresent()) {
+    if (area.schemas().isPresent() && activation.isEntered(area)) {
       events.accept(new ControlEvent.Exit(time, area.name(), area.schemas().get().exit()));
       apply(activation.exit(area));
     }
@@ -189,14 +196,14 @@ final class SceneControl implements ControlledArea.Listener {
     for (Found one : found) {
       X3DNode node = one.node();
       if (node instanceof ProximitySensor sensor) {
-        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), this);
+        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), turn, this);
         areas.put(node, area);
         area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
         foundAreas.add(area);
       } else if (node instanceof Switch versions) {
         VersionedObject object =
             new VersionedObject(
-                versions, () -> names.of(node), this::objectChanged, this::choiceChanged);
+                versions, () -> names.of(node), turn, this::objectChanged, this::choiceChanged);
         objects.put(node, object);
         foundObjects.add(object);
       }

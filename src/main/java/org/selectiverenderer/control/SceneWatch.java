@@ -58,6 +58,7 @@ final class SceneWatch {
   private final SceneScope main;
   private final @Nullable InlinedScenes inlined;
   private final Set<String> wanted;
+  private final Turn turn;
   private final Listener listener;
   private final Map<X3DNode, Place> places = new HashMap<>();
   private List<X3DNode> roots = List.of();
@@ -74,10 +75,12 @@ final class SceneWatch {
       @Nullable InlinedScenes inlined,
       UnaryOperator<X3DNode> bodies,
       Set<String> wanted,
+      Turn turn,
       Listener listener) {
     this.main = new SceneScope(scene, bodies);
     this.inlined = inlined;
     this.wanted = wanted;
+    this.turn = turn;
     this.listener = listener;
   }
 
@@ -211,7 +214,7 @@ final class SceneWatch {
         if ((type == X3DFieldTypes.SFNODE || type == X3DFieldTypes.MFNODE)
             && definition.getAccessType() != X3DFieldTypes.INPUT_ONLY
             && !definition.getName().equals("metadata")) {
-          found.add(new FieldBranch(scope, node.getField(definition.getName()), listener));
+          found.add(new FieldBranch(scope, node.getField(definition.getName()), turn, listener));
         }
       }
       if (inlined != null && node instanceof Inline) {

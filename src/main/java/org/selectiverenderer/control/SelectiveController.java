@@ -29,6 +29,7 @@ import org.web3d.x3d.sai.X3DNode;
  * within the call of the listener, so that it belongs to the same time stamp as the entry.
  *
  * <p>All work is done on the thread of the browser, which is also the one to call the methods here.
+ * A browser with several threads, as Xj3D, is heard one event at a time.
  */
 public final class SelectiveController implements AutoCloseable {
   /**
@@ -69,22 +70,22 @@ public final class SelectiveController implements AutoCloseable {
   }
 
   /** What is wrong with the metadata of the scene now, in the order of the scene. */
-  public List<ControlProblem> problems() {
+  public synchronized List<ControlProblem> problems() {
     return scene == null ? List.of() : scene.problems();
   }
 
   /** The names of the areas that the viewer is in, in the order of entering. */
-  public List<String> enteredAreas() {
+  public synchronized List<String> enteredAreas() {
     return scene == null ? List.of() : scene.enteredAreas();
   }
 
   /** The schemas in force, as {@link Activation#activeSchemas()} orders them. */
-  public List<String> activeSchemas() {
+  public synchronized List<String> activeSchemas() {
     return scene == null ? List.of() : scene.activeSchemas();
   }
 
   /** The choice that each enriched Switch shows, by name, in the order of the scene. */
-  public Map<String, Integer> choices() {
+  public synchronized Map<String, Integer> choices() {
     return scene == null ? Map.of() : scene.choices();
   }
 
@@ -93,7 +94,7 @@ public final class SelectiveController implements AutoCloseable {
    * browser that sends an event of its own for it, as the embedded one does, makes the controller
    * look by itself.
    */
-  public void rescan() {
+  public synchronized void rescan() {
     if (scene != null) {
       scene.rescan();
     }
@@ -101,12 +102,12 @@ public final class SelectiveController implements AutoCloseable {
 
   /** Lets the browser go: no listener stays behind, and every Switch stays as it is. */
   @Override
-  public void close() {
+  public synchronized void close() {
     browser.removeBrowserListener(onBrowser);
     detach();
   }
 
-  private void browserChanged(BrowserEvent event) {
+  private synchronized void browserChanged(BrowserEvent event) {
     if (event.getID() == BrowserEvent.INITIALIZED) {
       attach();
     } else if (event.getID() == BrowserEvent.SHUTDOWN) {
@@ -116,11 +117,12 @@ public final class SelectiveController implements AutoCloseable {
     }
   }
 
-  private void attach() {
+  private synchronized void attach() {
     detach();
     var context = browser.getExecutionContext();
     if (context != null) { // no world is shown yet
-      scene = new SceneControl(context, opener(), bodies(), settings, events, problems);
+      scene =
+          new SceneControl(context, new Turn(this), opener(), bodies(), settings, events, problems);
       scene.start();
     }
   }

@@ -41,6 +41,7 @@ final class VersionedObject {
   VersionedObject(
       Switch node,
       Supplier<String> name,
+      Turn turn,
       ObjDoubleConsumer<VersionedObject> onChange,
       Consumer<VersionedObject> onForeignChoice) {
     this.node = node;
@@ -48,10 +49,10 @@ final class VersionedObject {
     this.atStart = node.getWhichChoice();
     this.shown = atStart;
     this.children = node.getField("children");
-    this.onChildren = event -> onChange.accept(this, event.getTime());
-    this.watch = new MetadataWatch(node, time -> onChange.accept(this, time));
+    this.onChildren = event -> turn.take(() -> onChange.accept(this, event.getTime()));
+    this.watch = new MetadataWatch(node, turn, time -> onChange.accept(this, time));
     this.whichChoice = node.getField("whichChoice");
-    this.onChoice = event -> choiceChanged(onForeignChoice);
+    this.onChoice = event -> turn.take(() -> choiceChanged(onForeignChoice));
     children.addX3DEventListener(onChildren);
     whichChoice.addX3DEventListener(onChoice);
     read();

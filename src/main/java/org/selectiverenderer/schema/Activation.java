@@ -132,6 +132,11 @@ public final class Activation<A, S> {
     return follow(candidates, schemas.exit());
   }
 
+  /** Whether the viewer is in an area. */
+  public boolean isEntered(A area) {
+    return entered.contains(area);
+  }
+
   /** The areas that the viewer is in, in the order of entering. */
   public List<A> enteredAreas() {
     return List.copyOf(entered);

@@ -24,6 +24,7 @@ class SceneWatchTest {
             null,
             UnaryOperator.identity(),
             Set.of("Group", "Transform", "Switch", "Collision"),
+            new Turn(this),
             (added, gone, time) -> {
               added.forEach(one -> found.add(one.node()));
               lost.addAll(gone);

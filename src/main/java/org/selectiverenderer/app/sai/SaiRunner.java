@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.WindowConstants;
@@ -43,11 +44,15 @@ public final class SaiRunner implements AutoCloseable {
   /** How long a browser may take to tell of the end of a path, in seconds. */
   private static final double PATIENCE = 1;
 
+  /** How long a browser may take until it shows a scene that it has read, in seconds. */
+  private static final int BEGINNING = 60;
+
   /** Of the standard: the system property that names the browser's factory. */
   private static final String FACTORY = "x3d.sai.factory.class";
 
   private volatile double begun = System.currentTimeMillis() / 1000.0;
   private volatile boolean shown;
+  private final CountDownLatch started = new CountDownLatch(1);
   private final X3DComponent component;
   private final TimelineText text = new TimelineText();
   private final Consumer<String> out;
@@ -162,12 +167,24 @@ public final class SaiRunner implements AutoCloseable {
   }
 
   /**
-   * Moves the viewer along a path through the SAI, at the pace of the clock on the wall. From here
+   * Moves the viewer along a path through the SAI, at the pace of the clock on the wall. It begins
+   * when the scene is under control, which in some browsers is long after it was read; from there
    * on the time line counts from the beginning of the path.
    *
    * @param end ends it early when it reaches zero
+   * @throws NotSupportedException if the browser does not begin with the scene
    */
   public void follow(CameraPath path, CountDownLatch end) throws InterruptedException {
+    long latest = System.nanoTime() + TimeUnit.SECONDS.toNanos(BEGINNING);
+    while (!started.await(SaiWalk.STEP_MS, TimeUnit.MILLISECONDS)) {
+      if (end.getCount() == 0) {
+        return;
+      }
+      if (System.nanoTime() - latest > 0) {
+        throw new NotSupportedException(
+            "the browser has read the scene, but has not shown it after " + BEGINNING + " s");
+      }
+    }
     SaiWalk walk = new SaiWalk(browser(), path);
     walk.begin(end);
     begun = System.currentTimeMillis() / 1000.0;
@@ -180,6 +197,9 @@ public final class SaiRunner implements AutoCloseable {
     out.accept(text.line(told));
     if (shown) {
       timeline.accept(told);
+      if (event instanceof ControlEvent.Start) {
+        started.countDown();
+      }
     }
   }
 

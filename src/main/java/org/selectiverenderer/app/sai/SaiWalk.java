@@ -15,7 +15,8 @@ import org.web3d.x3d.sai.navigation.Viewpoint;
  * bound too, so that no user and no gravity takes the viewer elsewhere.
  */
 final class SaiWalk {
-  private static final long STEP_MS = 15;
+  /** Milliseconds between moves. */
+  static final long STEP_MS = 15;
 
   /** Frames after which a browser that has not said that the Viewpoint is bound is believed. */
   private static final int BINDING = 200;

@@ -7,7 +7,6 @@ import java.util.function.Consumer;
 import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
-import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.ManySwitchesScene;
 import org.selectiverenderer.hmd.DisplayProfile;
 
@@ -39,8 +38,8 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     Machine.describe(report.putObject("machine"));
     ObjectNode gl = report.putObject("gl");
     progress.accept("writing scenes");
-    BenchScene heavy = HeavyScene.write(folder.resolve("heavy"), 1);
-    BenchScene light = HeavyScene.write(folder.resolve("light"), 1.0 / 6);
+    BenchScene heavy = BenchScene.heavy(folder);
+    BenchScene light = BenchScene.light(folder);
     BenchScene many = ManySwitchesScene.write(folder.resolve("many"), SWITCHES, AFFECTED);
     progress.accept("reading");
     ReadingTimes.measure(folder.resolve("heavy"), report.putObject("read"));

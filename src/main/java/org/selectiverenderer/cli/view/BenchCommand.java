@@ -4,10 +4,12 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.GrowthSeries;
 import org.selectiverenderer.bench.measure.Benchmark;
 import org.selectiverenderer.bench.measure.BenchmarkText;
@@ -73,6 +75,14 @@ public final class BenchCommand extends CliCommand {
           "series that --growth measures: ${COMPLETION-CANDIDATES} (default: all of them)")
   private Set<GrowthSeries> series = EnumSet.allOf(GrowthSeries.class);
 
+  @Option(
+      names = "--scenes",
+      paramLabel = "DIR",
+      description =
+          "writes the heavy and the light scene to folders heavy and light in DIR instead of "
+              + "measuring, for other browsers; replaces what is there")
+  private @Nullable Path scenes;
+
   private final String program;
 
   /**
@@ -91,6 +101,10 @@ public final class BenchCommand extends CliCommand {
     if (runs < 1) {
       throw CommandFailure.usage("--runs must be a whole number of at least 1");
     }
+    if (scenes != null) {
+      writeScenes(scenes);
+      return ExitStatus.DONE;
+    }
     OutputFile.check("--output", output);
     try {
       ObjectNode report = growth ? growth() : whole();
@@ -104,6 +118,15 @@ public final class BenchCommand extends CliCommand {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted");
+    }
+  }
+
+  private void writeScenes(Path folder) throws IOException {
+    if (growth || output != null) {
+      throw CommandFailure.usage("--scenes does not measure; leave out --growth and --output");
+    }
+    for (BenchScene written : List.of(BenchScene.heavy(folder), BenchScene.light(folder))) {
+      console().out().println(written.scene());
     }
   }
 

@@ -112,6 +112,19 @@ class SaiRunnerTest {
   }
 
   @Test
+  void aPathBeginsWhenTheSceneIsUnderControlHoweverLateTheBrowserSaysSo() throws Exception {
+    Path path = Files.writeString(dir.resolve("p.csv"), "t,x,y,z\n0,0,0,6\n0.3,0,0,0\n");
+    Process walk = process(LateBrowserFactory.class.getName(), "--path", path.toString()).start();
+    assertThat(output(walk).lines().map(line -> line.replaceFirst("^ *[0-9.]+ s  ", "")))
+        .containsSubsequence(
+            "start   Can: choice 1",
+            "enter   Desk activates Near",
+            "switch  Can: choice 1 -> 0 (Near)")
+        .doesNotContain(LateBrowserFactory.TOO_EARLY);
+    assertThat(walk.exitValue()).isZero();
+  }
+
+  @Test
   void aSceneThatIsNotThereEndsTheBrowserAgain() {
     String missing = dir.resolve("no.x3d").toUri().toString();
     assertThatThrownBy(
