@@ -119,6 +119,29 @@ public final class LiveFiles {
     return none ? Optional.empty() : Optional.of(loaded(scene));
   }
 
+  /**
+   * Makes an instance of a prototype that a scene declares; empty if it declares none of the name.
+   *
+   * @return a scene that holds the instance; without a node, after a message, where the body has
+   *     none
+   */
+  public Optional<Scene> instance(Scene of, String prototype) {
+    SceneStore store = loaded.loader().store();
+    return store
+        .prototypes(of.root())
+        .filter(library -> library.has(prototype))
+        .map(
+            library ->
+                loaded
+                    .loader()
+                    .instance(
+                        of.url(),
+                        library,
+                        prototype,
+                        origin(of.root()),
+                        new Problems(problems::add)));
+  }
+
   /** A scene of this loader, to be shown. */
   public LoadedScene loaded(Scene scene) {
     return new LoadedScene(scene, loaded.loader());

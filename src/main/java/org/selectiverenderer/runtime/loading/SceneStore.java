@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.read.PrototypeLibrary;
 
 /**
  * What a loader knows of the nodes that it made, as long as they live: assets, the pictures of
@@ -25,6 +26,7 @@ final class SceneStore {
   private final AssetStore assets;
   private final Predicate<NodeType> actedOn;
   private final Map<Node, UrlBase> origins = new WeakHashMap<>();
+  private final Map<Node, PrototypeLibrary> prototypes = new WeakHashMap<>();
   private final Map<Node, Map<Backdrop.Side, Node>> pictures = new WeakHashMap<>();
   private final Set<String> keptOnly = ConcurrentHashMap.newKeySet();
 
@@ -51,6 +53,24 @@ final class SceneStore {
   Optional<UrlBase> origin(Node node) {
     synchronized (origins) {
       return Optional.ofNullable(origins.get(node));
+    }
+  }
+
+  /**
+   * Keeps the prototypes of a scene, for a Script of it that makes instances.
+   *
+   * @param root of the scene
+   */
+  void prototypes(Node root, PrototypeLibrary library) {
+    synchronized (prototypes) {
+      prototypes.put(root, library);
+    }
+  }
+
+  /** The prototypes of a scene, where they have been kept. */
+  Optional<PrototypeLibrary> prototypes(Node root) {
+    synchronized (prototypes) {
+      return Optional.ofNullable(prototypes.get(root));
     }
   }
 

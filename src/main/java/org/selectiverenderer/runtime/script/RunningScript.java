@@ -51,6 +51,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private boolean started;
   private boolean off;
   private boolean undirected;
+  private boolean late;
   private int failures;
   private int calls;
   private double callsAt = Double.NaN;
@@ -292,9 +293,14 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       accept(field, value);
       direct(to);
       writes.add(to, field, value);
-    } else if (field.access() == FieldAccess.INITIALIZE_ONLY && made.contains(to)) {
+    } else if (field.access() == FieldAccess.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
       accept(field, value);
-      to.init(field.index(), value);
+      if (made.contains(to)) {
+        to.init(field.index(), value);
+      } else {
+        late(to, field);
+        writes.add(to, field, value);
+      }
     } else {
       throw org.mozilla.javascript.ScriptRuntime.typeError(
           "%s of %s is %s and cannot be set"
@@ -317,6 +323,19 @@ final class RunningScript implements ScriptCalls, NodeAccess {
           "%s takes %s, not a %s"
               .formatted(
                   field.name(), String.join(" or ", field.nodeTypes()), value.type().name()));
+    }
+  }
+
+  /** Says once that a field is given a value after its time (X3D 4.0, 4.4.2.2). */
+  private void late(Node to, FieldDefinition field) {
+    if (!late) {
+      late = true;
+      world
+          .problems()
+          .info(
+              node.location(),
+              "%s writes to %s of %s, which is initializeOnly; other browsers may refuse that"
+                  .formatted(name(), field.name(), to.type().name()));
     }
   }
 
