@@ -16,6 +16,7 @@ import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
@@ -162,11 +163,25 @@ public final class LiveFiles {
             from.unitLength()));
   }
 
+  /**
+   * The same, made by a Script.
+   *
+   * @param asker against whose file urls of the node are resolved
+   */
+  public Optional<Node> make(Node asker, String type, Location location) {
+    Optional<Node> made = make(type, location);
+    made.ifPresent(node -> loaded.loader().store().maker(node, origin(asker)));
+    return made;
+  }
+
+  /** The node types that scenes may have. */
+  public NodeCatalogue catalogue() {
+    return loaded.loader().catalogue();
+  }
+
   /** A node of a type, with all fields at their defaults; empty if there is no such type. */
   public Optional<Node> make(String type, Location location) {
-    return loaded
-        .loader()
-        .catalogue()
+    return catalogue()
         .find(type)
         .map(found -> loaded.loader().factory().make(found, null, location));
   }
@@ -256,6 +271,7 @@ public final class LiveFiles {
     SceneStore store = loaded.loader().store();
     return store
         .origin(node)
+        .or(() -> store.maker(node))
         .or(() -> store.origin(loaded.scene().root()))
         .orElseGet(() -> UrlBase.workingFolder(loaded.loader().access()));
   }

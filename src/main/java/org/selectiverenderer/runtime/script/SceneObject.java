@@ -40,6 +40,8 @@ final class SceneObject extends HostObject {
     names();
     method("addRoute", 4, this::addRoute);
     action("deleteRoute", 1, this::deleteRoute);
+    method("toXMLString", 0, args -> NodeTexts.xml(scene));
+    method("toVRMLString", 0, args -> NodeTexts.classic(scene, files.catalogue()));
     method("getMetaData", 1, args -> scene.meta().get(text(args[0])));
     action("setMetaData", 2, args -> scene.meta().put(text(args[0]), text(args[1])));
   }
@@ -66,7 +68,7 @@ final class SceneObject extends HostObject {
   private Object createNode(String type) {
     Node made =
         files
-            .make(type, Location.of("(made by a Script)"))
+            .make(engine.running().node(), type, Location.of("(made by a Script)"))
             .orElseThrow(() -> ScriptRuntime.typeError("there is no node type " + type));
     return engine.values().node(engine.running().own(made));
   }

@@ -127,7 +127,9 @@ final class DocumentReader implements NodeReader.Links {
       NodeReader.Child child = nodes.read(in, scope);
       if (child != null) {
         NodeType type = child.node().type();
-        if (!reading.parts() && !type.is("X3DChildNode") && !type.is("LayerSet")) {
+        boolean fits =
+            type.is("X3DChildNode") || type.is("LayerSet") || type.is("X3DMetadataObject");
+        if (!reading.parts() && !fits) {
           reading.warning(
               child.location(),
               Spelling.one(type.name())
