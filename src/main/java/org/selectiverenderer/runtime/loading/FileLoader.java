@@ -16,6 +16,7 @@ import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.Libraries;

@@ -253,8 +253,10 @@ public final class X3dReader {
     if (cut != null) {
       problems.error(Location.of(document.name()), cut.message() + "; the part before it is kept");
     }
+    String rest =
+        document.root().isPresent() ? "; the part before it is kept" : "; nothing can be shown";
     for (DocumentFault fault : document.faults()) {
-      problems.error(fault.location(), fault.message() + "; the part before it is kept");
+      problems.error(fault.location(), fault.message() + rest);
     }
     return file;
   }
