@@ -4,6 +4,7 @@ import java.util.Set;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.Statements;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
@@ -17,30 +18,8 @@ import org.selectiverenderer.x3d.source.XmlDocument;
  */
 public record FileView(
     NodeCatalogue catalogue, XmlDocument document, X3dFile scene, Set<String> rules) {
-  /** The elements of X3D that are no nodes. */
-  public static final Set<String> STATEMENTS =
-      Set.of(
-          "X3D",
-          "head",
-          "component",
-          "meta",
-          "unit",
-          "Scene",
-          "ROUTE",
-          "IMPORT",
-          "EXPORT",
-          "IS",
-          "connect",
-          "ProtoDeclare",
-          "ProtoInterface",
-          "ProtoBody",
-          "ExternProtoDeclare",
-          "ProtoInstance",
-          "field",
-          "fieldValue");
-
   /** Whether an element is one of X3D. */
   public boolean knows(DocumentElement element) {
-    return STATEMENTS.contains(element.name()) || catalogue.find(element.name()).isPresent();
+    return Statements.is(element.name()) || catalogue.find(element.name()).isPresent();
   }
 }

@@ -111,6 +111,7 @@ final class ShownSteps implements WindowChain.Runs {
             scene,
             new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
         .allowing(study.access())
+        .muted(study.mute())
         .with(MotionSettings.walking(study.mouse()))
         .with(
             DisplaySettings.of(presentation)

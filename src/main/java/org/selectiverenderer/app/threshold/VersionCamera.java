@@ -93,7 +93,12 @@ final class VersionCamera implements AutoCloseable {
       ObjectVersion version = versions.get(rung);
       Path folder = version.file().toAbsolutePath().getParent();
       try (SceneLoader loader =
-          new SceneLoader(catalogue, new NodeFactory(), ReadLimits.standard(), new Problems())) {
+          new SceneLoader(
+              catalogue,
+              new NodeFactory(),
+              ReadLimits.standard(),
+              study.access(),
+              new Problems())) {
         byte[] content = content(plan.get(), version);
         World world =
             new World(
@@ -127,7 +132,8 @@ final class VersionCamera implements AutoCloseable {
       Optional<VersionsEdit> plan =
           VersionsEdit.plan(
               document,
-              new VersionsEdit.Request(study.scene(), object, goals, "inlineNodes"),
+              new VersionsEdit.Request(study.scene(), object, goals, "inlineNodes")
+                  .allowing(study.access()),
               catalogue,
               found);
       // Nothing is written, so what is said of files that would change is of no use here.

@@ -25,6 +25,7 @@ import org.selectiverenderer.x3d.files.ContentAccess;
  * @param course how a session goes on
  * @param streams what goes to, and comes from, the Lab Streaming Layer
  * @param access what the scenes may name besides their own files
+ * @param mute whether the sounds of the scenes are left out
  */
 public record Study(
     Path file,
@@ -46,7 +47,8 @@ public record Study(
     StudyQuality quality,
     StudyCourse course,
     StudyStreams streams,
-    ContentAccess access) {
+    ContentAccess access,
+    boolean mute) {
 
   public Study {
     conditions = List.copyOf(conditions);

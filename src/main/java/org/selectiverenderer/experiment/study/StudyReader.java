@@ -113,7 +113,8 @@ public final class StudyReader {
             QualityReader.read(keys),
             CourseReader.read(keys),
             StudyStreamsReader.read(keys),
-            AllowedKeys.of(keys, file.toAbsolutePath()));
+            AllowedKeys.of(keys, file.toAbsolutePath()),
+            keys.truth("mute", false));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");

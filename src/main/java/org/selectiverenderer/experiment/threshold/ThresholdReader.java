@@ -10,6 +10,7 @@ import java.util.Set;
 import org.selectiverenderer.base.json.JsonMembers;
 import org.selectiverenderer.base.json.JsonSettings;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.x3d.files.AllowedKeys;
 
 /** Reads the settings of a threshold pilot; a fault in them means none, as for a study. */
 public final class ThresholdReader {
@@ -59,7 +60,8 @@ public final class ThresholdReader {
         keys.number("catches", 0, 0.5, 0.1),
         keys.number("attention", 0, 1, 0.75),
         keys.whole("seed", 0, 1L << 53, 0),
-        keys.text("language", false).orElse("en"));
+        keys.text("language", false).orElse("en"),
+        AllowedKeys.of(keys, file.toAbsolutePath()));
   }
 
   private Path scene(JsonMembers keys) {

@@ -2,6 +2,7 @@ package org.selectiverenderer.experiment.threshold;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
  * The settings of a threshold pilot.
@@ -16,6 +17,7 @@ import java.util.List;
  * @param catches share of trials with another object in the version's place
  * @param attention share of these that a participant must get right to count
  * @param language of what the participant reads
+ * @param access what the scene may name besides its own files
  */
 public record ThresholdStudy(
     Path file,
@@ -31,7 +33,8 @@ public record ThresholdStudy(
     double catches,
     double attention,
     long seed,
-    String language) {
+    String language,
+    ContentAccess access) {
 
   /**
    * An object that is judged.

@@ -17,10 +17,12 @@ import org.selectiverenderer.runtime.movie.ProjectionRoom;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.Libraries;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.PrototypeLibrary;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
@@ -72,10 +74,19 @@ final class FileLoader {
     return begin(reader.with(libraries, base).read(name, in, size, problems), key, base, problems);
   }
 
-  /** As {@link #first}, of a text. */
-  FileContent first(String name, String text, String key, ContentBase base) {
+  /** As {@link #first}, of a text whose nodes others are given. */
+  FileContent parts(String name, String text, String key, ContentBase base) {
     Problems problems = new Problems();
-    return begin(reader.with(libraries, base).read(name, text, problems), key, base, problems);
+    X3dReader own = reader.with(libraries, base).ofParts();
+    return begin(own.read(name, text, problems), key, base, problems);
+  }
+
+  /** As {@link #first}, of an instance of a prototype. */
+  FileContent instance(
+      String name, PrototypeLibrary library, String prototype, String key, ContentBase base) {
+    Problems problems = new Problems();
+    X3dReader own = reader.with(libraries, base);
+    return begin(own.instance(name, library, prototype, problems), key, base, problems);
   }
 
   private FileContent begin(X3dFile file, String key, ContentBase base, Problems problems) {

@@ -17,6 +17,7 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 
 /**

@@ -19,6 +19,7 @@ import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
@@ -143,6 +144,29 @@ public final class LiveFiles {
     return none ? Optional.empty() : Optional.of(loaded(scene));
   }
 
+  /**
+   * Makes an instance of a prototype that a scene declares; empty if it declares none of the name.
+   *
+   * @return a scene that holds the instance; without a node, after a message, where the body has
+   *     none
+   */
+  public Optional<Scene> instance(Scene of, String prototype) {
+    SceneStore store = loaded.loader().store();
+    return store
+        .prototypes(of.root())
+        .filter(library -> library.has(prototype))
+        .map(
+            library ->
+                loaded
+                    .loader()
+                    .instance(
+                        of.url(),
+                        library,
+                        prototype,
+                        origin(of.root()),
+                        new Problems(problems::add)));
+  }
+
   /** A scene of this loader, to be shown. */
   public LoadedScene loaded(Scene scene) {
     return new LoadedScene(scene, loaded.loader());
@@ -163,11 +187,25 @@ public final class LiveFiles {
             from.unitLength()));
   }
 
+  /**
+   * The same, made by a Script.
+   *
+   * @param asker against whose file urls of the node are resolved
+   */
+  public Optional<Node> make(Node asker, String type, Location location) {
+    Optional<Node> made = make(type, location);
+    made.ifPresent(node -> loaded.loader().store().maker(node, origin(asker)));
+    return made;
+  }
+
+  /** The node types that scenes may have. */
+  public NodeCatalogue catalogue() {
+    return loaded.loader().catalogue();
+  }
+
   /** A node of a type, with all fields at their defaults; empty if there is no such type. */
   public Optional<Node> make(String type, Location location) {
-    return loaded
-        .loader()
-        .catalogue()
+    return catalogue()
         .find(type)
         .map(found -> loaded.loader().factory().make(found, null, location));
   }
@@ -278,6 +316,7 @@ public final class LiveFiles {
     SceneStore store = loaded.loader().store();
     return store
         .origin(node)
+        .or(() -> store.maker(node))
         .or(() -> store.origin(loaded.scene().root()))
         .orElseGet(() -> UrlBase.workingFolder(loaded.loader().access()));
   }

@@ -124,6 +124,9 @@ final class SceneBuilder {
       scene.root().init(groupType.indexOf("children"), makeAll(file.nodes()));
       file.loose().forEach(this::end);
       scene.types(content.types());
+      if (file.prototypes() != null && content.types().contains("Script")) {
+        store.prototypes(scene.root(), file.prototypes());
+      }
       file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
       file.named()
           .forEach(

@@ -35,6 +35,7 @@ import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.PrototypeLibrary;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.shader.ShaderText;
@@ -236,10 +237,28 @@ public final class SceneLoader implements AutoCloseable {
    * @param name for messages
    */
   Scene text(String name, String text, UrlBase origin, Problems hears) {
+    String whole = SceneText.whole(text);
+    return made(loader -> loader.parts(name, whole, origin.file(), origin.base()), origin, hears);
+  }
+
+  /**
+   * Makes a scene of one instance of a prototype.
+   *
+   * @param name for messages
+   * @param origin of the scene that declares the prototype
+   */
+  Scene instance(
+      String name, PrototypeLibrary library, String prototype, UrlBase origin, Problems hears) {
+    return made(
+        loader -> loader.instance(name, library, prototype, origin.file(), origin.base()),
+        origin,
+        hears);
+  }
+
+  private Scene made(Function<FileLoader, FileContent> reading, UrlBase origin, Problems hears) {
     TaskGroup tasks = new TaskGroup(threads);
     FileContent content =
-        new FileLoader(reader, tessellator, tasks, origin.root(), room)
-            .first(name, SceneText.whole(text), origin.file(), origin.base());
+        reading.apply(new FileLoader(reader, tessellator, tasks, origin.root(), room));
     TaskGroup.await(tasks.end());
     return build(content, origin.root(), origin.above(), hears);
   }

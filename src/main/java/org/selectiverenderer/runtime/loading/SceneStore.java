@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.loading;
 
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import java.util.function.Predicate;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.read.PrototypeLibrary;
 
 /**
  * What a loader knows of the nodes that it made, as long as they live: assets, the pictures of
@@ -24,7 +26,9 @@ final class SceneStore {
 
   private final AssetStore assets;
   private final Predicate<NodeType> actedOn;
-  private final Map<Node, UrlBase> origins = new WeakHashMap<>();
+  private final Map<Node, UrlBase> origins = perNode();
+  private final Map<Node, UrlBase> makers = perNode();
+  private final Map<Node, PrototypeLibrary> prototypes = perNode();
   private final Map<Node, Map<Backdrop.Side, Node>> pictures = new WeakHashMap<>();
   private final Set<String> keptOnly = ConcurrentHashMap.newKeySet();
 
@@ -36,22 +40,46 @@ final class SceneStore {
     this.actedOn = actedOn;
   }
 
+  private static <T> Map<Node, T> perNode() {
+    return Collections.synchronizedMap(new WeakHashMap<>());
+  }
+
   AssetStore assets() {
     return assets;
   }
 
   /** Keeps where a node comes from. */
   void origin(Node node, UrlBase origin) {
-    synchronized (origins) {
-      origins.put(node, origin);
-    }
+    origins.put(node, origin);
   }
 
   /** Where a node comes from; empty for one that an application made. */
   Optional<UrlBase> origin(Node node) {
-    synchronized (origins) {
-      return Optional.ofNullable(origins.get(node));
-    }
+    return Optional.ofNullable(origins.get(node));
+  }
+
+  /** Keeps where the urls of a node lead that a Script has made: where those of the Script do. */
+  void maker(Node made, UrlBase origin) {
+    makers.put(made, origin);
+  }
+
+  /** Where the urls of a node lead that a Script has made. */
+  Optional<UrlBase> maker(Node made) {
+    return Optional.ofNullable(makers.get(made));
+  }
+
+  /**
+   * Keeps the prototypes of a scene, for a Script of it that makes instances.
+   *
+   * @param root of the scene
+   */
+  void prototypes(Node root, PrototypeLibrary library) {
+    prototypes.put(root, library);
+  }
+
+  /** The prototypes of a scene, where they have been kept. */
+  Optional<PrototypeLibrary> prototypes(Node root) {
+    return Optional.ofNullable(prototypes.get(root));
   }
 
   /** Keeps the texture that stands for a picture of a Background. */

@@ -6,6 +6,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ProgramChoice;
 import org.selectiverenderer.x3d.script.ScriptProgram;

@@ -92,6 +92,19 @@ public final class InstanceFace {
     return seen instanceof FaceNode node ? node.current(field) : seen.value(field);
   }
 
+  /**
+   * Gives a field that takes no events another value, of whatever {@link #seen} gives: the nodes
+   * that it stands for look at it again.
+   */
+  public static void replace(Node seen, int field, @Nullable Object value) {
+    if (seen instanceof FaceNode node) {
+      node.shown().links.stream()
+          .filter(link -> link.field == field && link.holds)
+          .forEach(link -> link.node.replace(link.nodeField, value));
+    }
+    seen.replace(field, value);
+  }
+
   /** The routes between nodes of the scene that a route stands for; itself if it is one. */
   static List<Route> behind(Route route) {
     if (!(route.from() instanceof FaceNode) && !(route.to() instanceof FaceNode)) {

@@ -131,7 +131,7 @@ public class Node implements NodeView {
   }
 
   /** Gives a field that sends no events a new value; observers hear of it. */
-  private void replace(int field, @Nullable Object value) {
+  final void replace(int field, @Nullable Object value) {
     VarHandle.releaseFence();
     values[field] = value;
     tellObservers(field);
@@ -179,9 +179,7 @@ public class Node implements NodeView {
    * derives from others, such as the deformed skin of a figure.
    */
   public final void derive(int field, Object value) {
-    VarHandle.releaseFence();
-    values[field] = value;
-    tellObservers(field);
+    replace(field, value);
   }
 
   /** Makes observers look at a field again, without an event: what it leads to has changed. */

@@ -113,11 +113,14 @@ final class BrowserObject {
   }
 
   private Scene fromText(String text) {
-    return world
-        .files()
-        .text(engine.running().node(), text)
-        .orElseThrow(() -> ScriptRuntime.typeError("the text holds no scene that can be read"))
-        .scene();
+    Scene made =
+        world
+            .files()
+            .text(engine.running().node(), text)
+            .orElseThrow(() -> ScriptRuntime.typeError("the text holds no scene that can be read"))
+            .scene();
+    made.root().nodes("children").forEach(node -> engine.running().own(node));
+    return made;
   }
 
   private String[] urls(Object argument) {

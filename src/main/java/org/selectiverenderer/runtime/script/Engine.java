@@ -1,13 +1,20 @@
 package org.selectiverenderer.runtime.script;
 
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.CompilerEnvirons;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.ContextFactory;
+import org.mozilla.javascript.ErrorReporter;
+import org.mozilla.javascript.Evaluator;
+import org.mozilla.javascript.ScriptRuntime;
+import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 import org.selectiverenderer.runtime.script.value.Constructors;
 import org.selectiverenderer.runtime.script.value.FieldValues;
+import org.selectiverenderer.x3d.script.BigIntegers;
 
 /**
  * Rhino with all that scripts of a world share. It interprets instead of compiling: a scene's
@@ -36,6 +43,7 @@ final class Engine {
       Map.of("TRUE", true, "FALSE", false).forEach((name, value) -> hidden(name, value));
       hidden("NULL", null);
       hidden("X3DConstants", Constants.of(context, shared));
+      NodeMethods.define(shared, () -> world.files().catalogue());
       new BrowserObject(this, scripts, world).define(context, shared);
       Guards.define(shared, () -> world.cascade().time());
     } finally {
@@ -84,11 +92,39 @@ final class Engine {
     }
   }
 
+  /** A context that takes no program with integers of any length, {@code eval} included. */
+  private static final class Bounded extends Context {
+    Bounded(ContextFactory factory) {
+      super(factory);
+    }
+
+    @Override
+    protected Object compileImpl(
+        @Nullable Scriptable scope,
+        String source,
+        String name,
+        int line,
+        @Nullable Object domain,
+        boolean function,
+        @Nullable Evaluator compiler,
+        @Nullable ErrorReporter reporter,
+        @Nullable Consumer<CompilerEnvirons> settings) {
+      BigIntegers.line(source)
+          .ifPresent(
+              found -> {
+                throw ScriptRuntime.constructError(
+                    "SyntaxError", BigIntegers.REFUSED, name, line + found - 1, null, 0);
+              });
+      return super.compileImpl(
+          scope, source, name, line, domain, function, compiler, reporter, settings);
+    }
+  }
+
   /** Contexts in which a script can neither reach Java nor go on for ever. */
   private final class Limited extends ContextFactory {
     @Override
     protected Context makeContext() {
-      Context context = super.makeContext();
+      Context context = new Bounded(this);
       context.setInterpretedMode(true);
       context.setLanguageVersion(Context.VERSION_ES6);
       context.setMaximumInterpreterStackDepth(MAX_DEPTH);

@@ -51,6 +51,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private boolean started;
   private boolean off;
   private boolean undirected;
+  private boolean late;
   private int failures;
   private int calls;
   private double callsAt = Double.NaN;
@@ -104,7 +105,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     started = true;
     Cascade cascade = world.cascade();
     run(
-        START_SECONDS,
+        true,
         cascade,
         cx -> {
           cx.compileString(program.text(), "script", 1, null).exec(cx, scope, scope);
@@ -138,7 +139,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     org.mozilla.javascript.Function answer = off ? null : scope.answerTo(field);
     if (answer != null) {
       run(
-          CALL_SECONDS,
+          false,
           cascade,
           cx -> {
             Object given = engine.values().toScript(field.type(), value, null);
@@ -172,20 +173,21 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private void call(org.mozilla.javascript.@Nullable Function function) {
     if (function != null && !off) {
       Cascade cascade = world.cascade();
-      run(CALL_SECONDS, cascade, cx -> function.call(cx, scope, scope, stamp(cascade)));
+      run(false, cascade, cx -> function.call(cx, scope, scope, stamp(cascade)));
       send(cascade);
     }
   }
 
-  private void run(double seconds, Cascade cascade, Function<Context, @Nullable Object> code) {
-    if (tooMany(cascade)) {
+  private void run(boolean starting, Cascade cascade, Function<Context, @Nullable Object> code) {
+    if (tooMany(cascade) || !starting && scripts.together().over(cascade.time())) {
       return;
     }
     scripts.called();
+    long began = System.nanoTime();
     try {
       engine.call(
           this,
-          seconds,
+          starting ? START_SECONDS : CALL_SECONDS,
           cx -> {
             code.apply(cx);
             return this;
@@ -200,6 +202,13 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       failed(program.start(), "calls are nested too deeply");
     } catch (RuntimeException e) {
       failed(program.start(), "a function of the browser failed: " + e);
+    }
+    double took = (System.nanoTime() - began) * 1e-9;
+    if (!starting && scripts.together().add(cascade.time(), took)) {
+      problem(
+          program.start(),
+          "scripts have run for more than %s s at one time; further events of this time are dropped"
+              .formatted(TimeTogether.MOST_SECONDS));
     }
   }
 
@@ -292,9 +301,14 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       accept(field, value);
       direct(to);
       writes.add(to, field, value);
-    } else if (field.access() == FieldAccess.INITIALIZE_ONLY && made.contains(to)) {
+    } else if (field.access() == FieldAccess.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
       accept(field, value);
-      to.init(field.index(), value);
+      if (made.contains(to)) {
+        to.init(field.index(), value);
+      } else {
+        late(to, field);
+        writes.add(to, field, value);
+      }
     } else {
       throw org.mozilla.javascript.ScriptRuntime.typeError(
           "%s of %s is %s and cannot be set"
@@ -317,6 +331,19 @@ final class RunningScript implements ScriptCalls, NodeAccess {
           "%s takes %s, not a %s"
               .formatted(
                   field.name(), String.join(" or ", field.nodeTypes()), value.type().name()));
+    }
+  }
+
+  /** Says once that a field is given a value after its time (X3D 4.0, 4.4.2.2). */
+  private void late(Node to, FieldDefinition field) {
+    if (!late) {
+      late = true;
+      world
+          .problems()
+          .info(
+              node.location(),
+              "%s writes to %s of %s, which is initializeOnly; other browsers may refuse that"
+                  .formatted(name(), field.name(), to.type().name()));
     }
   }
 

@@ -12,6 +12,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.script.value.NodeValue;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 
@@ -39,6 +40,8 @@ final class SceneObject extends HostObject {
     names();
     method("addRoute", 4, this::addRoute);
     action("deleteRoute", 1, this::deleteRoute);
+    method("toXMLString", 0, args -> NodeTexts.xml(scene));
+    method("toVRMLString", 0, args -> NodeTexts.classic(scene, files.catalogue()));
     method("getMetaData", 1, args -> scene.meta().get(text(args[0])));
     action("setMetaData", 2, args -> scene.meta().put(text(args[0]), text(args[1])));
   }
@@ -49,14 +52,7 @@ final class SceneObject extends HostObject {
 
   private void nodes() {
     method("createNode", 1, args -> createNode(text(args[0])));
-    method(
-        "createProto",
-        1,
-        args -> {
-          throw ScriptRuntime.typeError(
-              "prototypes are expanded while a scene is read, and createProto has none to use; "
-                  + "write the instance with createX3DFromString");
-        });
+    method("createProto", 1, args -> createProto(text(args[0])));
     action("addRootNode", 1, args -> changeRoots(roots -> roots.add(Ends.body(args[0]))));
     action("removeRootNode", 1, args -> changeRoots(roots -> roots.remove(Ends.body(args[0]))));
   }
@@ -72,9 +68,24 @@ final class SceneObject extends HostObject {
   private Object createNode(String type) {
     Node made =
         files
-            .make(type, Location.of("(made by a Script)"))
+            .make(engine.running().node(), type, Location.of("(made by a Script)"))
             .orElseThrow(() -> ScriptRuntime.typeError("there is no node type " + type));
     return engine.values().node(engine.running().own(made));
+  }
+
+  private Object createProto(String prototype) {
+    Scene made =
+        files
+            .instance(scene, prototype)
+            .orElseThrow(
+                () -> ScriptRuntime.typeError("no prototype of the scene is called " + prototype));
+    List<Node> nodes = made.root().nodes("children");
+    if (nodes.isEmpty()) {
+      throw ScriptRuntime.typeError("no instance of " + prototype + " can be made");
+    }
+    NodeValue instance = engine.values().node(nodes.get(0));
+    engine.running().own(instance.node());
+    return instance;
   }
 
   private Object named(String name) {

@@ -36,6 +36,7 @@ public final class Scripts {
   private double frameTime = Double.NaN;
   private double framesPerSecond;
   private double speed;
+  private final TimeTogether together = new TimeTogether();
   private long calls;
 
   public Scripts(ScriptWorld world) {
@@ -150,6 +151,11 @@ public final class Scripts {
 
   void called() {
     calls++;
+  }
+
+  /** How long scripts have run at the time stamp of now. */
+  TimeTogether together() {
+    return together;
   }
 
   /** Of the scene's own time, in the last frame. */

@@ -72,7 +72,12 @@ final class Writes {
     all = new ArrayList<>();
     latest.clear();
     for (Write write : sent) {
-      cascade.send(write.node, write.field, write.value);
+      FieldDefinition field = write.node.type().fields().get(write.field);
+      if (field.access() == FieldAccess.INITIALIZE_ONLY) {
+        InstanceFace.replace(write.node, write.field, write.value);
+      } else {
+        cascade.send(write.node, write.field, write.value);
+      }
     }
   }
 }

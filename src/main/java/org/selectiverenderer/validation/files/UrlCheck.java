@@ -15,6 +15,7 @@ import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.files.ContentRoot.Cause;
 import org.selectiverenderer.x3d.files.ContentRoot.Target;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.script.ProgramChoice;
 
 /** The urls of Inlines, textures, sounds, scripts and shaders. */
 final class UrlCheck implements SceneCheck {
@@ -47,6 +48,9 @@ final class UrlCheck implements SceneCheck {
       for (String text : node.strings("url")) {
         if (CONTENT.matcher(text).matches()) {
           return;
+        }
+        if (node.type().is("X3DScriptNode") && ProgramChoice.otherLanguage(text).isPresent()) {
+          continue; // SR604 tells of it.
         }
         urls.add(new Url(text, scene.root().resolve(text, node.base(file.file().base()))));
       }

@@ -13,20 +13,29 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ProgramChoice;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
-/** Programs in files of their own; one that cannot be read is a matter of its url. */
+/**
+ * Programs in files of their own, and those in other languages; one that cannot be read is a matter
+ * of its url.
+ */
 final class FileProgramCheck implements SceneCheck {
   @Override
   public void check(SceneView scene, Findings findings) {
     Set<Location> seen = new HashSet<>();
     for (FileOutline file : scene.files()) {
       for (ParsedNode node : file.nodes()) {
-        if (node.type().is("X3DScriptNode")
-            && seen.add(node.location())
-            && ProgramChoice.of(node, scene.root(), node.base(file.file().base()))
-                instanceof ProgramChoice.File program) {
-          read(node, program.content(), findings);
+        if (node.type().is("X3DScriptNode") && seen.add(node.location())) {
+          check(
+              node, ProgramChoice.of(node, scene.root(), node.base(file.file().base())), findings);
         }
       }
+    }
+  }
+
+  private static void check(ParsedNode node, ProgramChoice choice, Findings findings) {
+    if (choice instanceof ProgramChoice.File program) {
+      read(node, program.content(), findings);
+    } else if (choice instanceof ProgramChoice.None none && none.language() != null) {
+      findings.add(ScriptRules.LANGUAGE, node, none.language());
     }
   }
 

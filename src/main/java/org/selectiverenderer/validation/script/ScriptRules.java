@@ -41,12 +41,22 @@ public final class ScriptRules {
           .good(GOOD)
           .see("X3D 4.0, 29.2.2");
 
+  static final Rule LANGUAGE =
+      Rule.error("SR604", "Script {reason}; it does nothing")
+          .because(
+              """
+              Programs are run in ECMAScript only. Those in Java could reach files and the \
+              network, and those of other languages run in one program only.""")
+          .bad("<Script url='\"Lamp.class\"'/>")
+          .good("<Script url='\"lamp.js\"'/>")
+          .see("X3D 4.0, 29.2.3; docs/scripts.md");
+
   private ScriptRules() {}
 
   public static RuleGroup group() {
     return new RuleGroup(
         "Scripts",
-        List.of(SYNTAX, NO_FUNCTION, TWICE),
+        List.of(SYNTAX, NO_FUNCTION, TWICE, LANGUAGE),
         List.of(new TextProgramCheck(), new FieldNameCheck()),
         List.of(new FileProgramCheck()));
   }

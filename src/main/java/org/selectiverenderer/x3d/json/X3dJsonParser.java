@@ -57,7 +57,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       }
       if (!found) {
         throw document.fault(
-            0, "a scene in JSON is an object with a member \"X3D\"; there is none");
+            0, "this is JSON, but no scene: that is an object with a member \"X3D\"");
       }
       tokens.end();
     }

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -15,7 +16,7 @@ final class DocumentReader implements NodeReader.Links {
   private final ReadState reading;
   private final RouteReader routes;
   private final NodeReader nodes;
-  private final NameScope scope = new NameScope(null, null);
+  private final NameScope scope;
   private final Map<String, Integer> components = new LinkedHashMap<>();
   private final List<X3dFile.Meta> meta = new ArrayList<>();
   private final List<X3dFile.Unit> units = new ArrayList<>();
@@ -26,7 +27,15 @@ final class DocumentReader implements NodeReader.Links {
   private String profile = "";
 
   DocumentReader(ReadState reading) {
+    this(reading, null);
+  }
+
+  /**
+   * @param around whose prototypes the file may use, too
+   */
+  DocumentReader(ReadState reading, @Nullable NameScope around) {
     this.reading = reading;
+    scope = new NameScope(around, null);
     this.routes = new RouteReader(reading);
     this.nodes = new NodeReader(reading, routes, this);
   }
@@ -118,7 +127,9 @@ final class DocumentReader implements NodeReader.Links {
       NodeReader.Child child = nodes.read(in, scope);
       if (child != null) {
         NodeType type = child.node().type();
-        if (!type.is("X3DChildNode") && !type.is("LayerSet")) {
+        boolean fits =
+            type.is("X3DChildNode") || type.is("LayerSet") || type.is("X3DMetadataObject");
+        if (!reading.parts() && !fits) {
           reading.warning(
               child.location(),
               Spelling.one(type.name())
@@ -196,6 +207,15 @@ final class DocumentReader implements NodeReader.Links {
         List.copyOf(routes.imported()),
         instances(),
         reading.interfaces.listing(),
-        List.copyOf(reading.externFaults()));
+        List.copyOf(reading.externFaults()),
+        prototypes());
+  }
+
+  /** The prototypes of the scene, once all else has been taken from its scope. */
+  private @Nullable PrototypeLibrary prototypes() {
+    scope.keepPrototypes();
+    return scope.prototypeNames().isEmpty()
+        ? null
+        : new PrototypeLibrary(reading.source(), scope, null, List.of());
   }
 }

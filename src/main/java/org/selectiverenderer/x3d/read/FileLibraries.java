@@ -1,6 +1,7 @@
 package org.selectiverenderer.x3d.read;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -9,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 
 /**
@@ -62,7 +64,13 @@ public final class FileLibraries implements Libraries {
     try {
       read = new Read(reader.library(content), "");
     } catch (IOException e) {
-      read = new Read(null, "cannot be read (%s)".formatted(e.getMessage()));
+      // Its own message names the file by its absolute path.
+      read =
+          new Read(
+              null,
+              e instanceof FileSystemException
+                  ? Failure.clause(e)
+                  : "cannot be read (%s)".formatted(e.getMessage()));
     } finally {
       mine.complete(read);
     }

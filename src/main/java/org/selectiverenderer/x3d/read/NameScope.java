@@ -80,6 +80,15 @@ final class NameScope {
     return open.contains(node);
   }
 
+  /** Forgets all but the prototypes, when nothing more is read in the scope. */
+  void keepPrototypes() {
+    names.clear();
+    open.clear();
+    lost.clear();
+    imported.clear();
+    routes.clear();
+  }
+
   void declare(DeclaredPrototype prototype) {
     prototypes.put(prototype.name(), prototype);
   }

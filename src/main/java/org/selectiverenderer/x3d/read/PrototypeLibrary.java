@@ -9,7 +9,7 @@ import org.selectiverenderer.base.problem.Problem;
  *
  * <p>What is wrong with it is told to every file that uses it.
  */
-final class PrototypeLibrary {
+public final class PrototypeLibrary {
   private final String name;
   private final NameScope scope;
   private final @Nullable String first;
@@ -31,6 +31,11 @@ final class PrototypeLibrary {
     return name;
   }
 
+  /** The scope that holds its prototypes. */
+  NameScope scope() {
+    return scope;
+  }
+
   List<Problem> problems() {
     return problems;
   }
@@ -43,6 +48,11 @@ final class PrototypeLibrary {
   @Nullable DeclaredPrototype prototype(String fragment) {
     String wanted = fragment.isEmpty() ? first : fragment;
     return wanted == null ? null : scope.prototype(wanted);
+  }
+
+  /** Whether a prototype of that name is in it, be it of another file. */
+  public boolean has(String prototype) {
+    return scope.prototype(prototype) != null;
   }
 
   Iterable<String> names() {

@@ -28,6 +28,7 @@ final class ReadState {
   private final Problems problems;
   final Libraries libraries;
   private final ContentBase ofFile;
+  private final boolean parts;
   private final Set<Problem> replayed = new HashSet<>();
   private int reported;
   private int spent;
@@ -41,6 +42,7 @@ final class ReadState {
   /**
    * @param libraries where prototypes of other files come from
    * @param ofFile where the relative urls of the file start
+   * @param parts whether what is read is to become part of other nodes
    */
   ReadState(
       String source,
@@ -48,13 +50,20 @@ final class ReadState {
       ReadLimits limits,
       Problems problems,
       Libraries libraries,
-      ContentBase ofFile) {
+      ContentBase ofFile,
+      boolean parts) {
     this.source = source;
+    this.parts = parts;
     this.libraries = libraries;
     this.ofFile = ofFile;
     this.catalogue = catalogue;
     this.limits = limits;
     this.problems = problems;
+  }
+
+  /** Whether any node may stand at the top: it is to become part of another. */
+  boolean parts() {
+    return parts;
   }
 
   /** A Script that stands in no other node: it runs although it takes up no place. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.read;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 
@@ -23,6 +24,7 @@ import org.selectiverenderer.base.problem.Problem;
  * @param exportedInstances the fields of exported instances of prototypes, by the exported name
  * @param instances the instances of prototypes: what their interfaces stand for
  * @param externFaults what is wrong with prototypes of other files that it uses; told already
+ * @param prototypes those that its scene declares, for instances made later; null for none
  */
 public record X3dFile(
     String source,
@@ -40,7 +42,8 @@ public record X3dFile(
     List<ImportedRoute> importedRoutes,
     Map<String, InstanceFields> exportedInstances,
     ParsedInstance.Listing instances,
-    List<Problem> externFaults) {
+    List<Problem> externFaults,
+    @Nullable PrototypeLibrary prototypes) {
 
   /** The nodes at the top of the scene, then those that stand in no other node. */
   public List<ParsedNode> allNodes() {
@@ -79,7 +82,8 @@ public record X3dFile(
         List.of(),
         Map.of(),
         ParsedInstance.Listing.NONE,
-        List.of());
+        List.of(),
+        null);
   }
 
   public record Meta(String name, String content) {}

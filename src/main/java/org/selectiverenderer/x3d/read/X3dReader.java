@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -43,6 +44,7 @@ public final class X3dReader {
   private final ReadLimits limits;
   private final Libraries libraries;
   private final ContentBase base;
+  private final boolean parts;
 
   public X3dReader(NodeCatalogue catalogue) {
     this(catalogue, ReadLimits.standard());
@@ -54,15 +56,20 @@ public final class X3dReader {
   }
 
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
-    this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")));
+    this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")), false);
   }
 
   private X3dReader(
-      NodeCatalogue catalogue, ReadLimits limits, Libraries libraries, ContentBase base) {
+      NodeCatalogue catalogue,
+      ReadLimits limits,
+      Libraries libraries,
+      ContentBase base,
+      boolean parts) {
     this.catalogue = catalogue;
     this.limits = limits;
     this.libraries = libraries;
     this.base = base;
+    this.parts = parts;
   }
 
   /**
@@ -72,7 +79,16 @@ public final class X3dReader {
    * @param newBase where the relative urls of what is read start
    */
   public X3dReader with(Libraries from, ContentBase newBase) {
-    return new X3dReader(catalogue, limits, from, newBase);
+    return new X3dReader(catalogue, limits, from, newBase, parts);
+  }
+
+  /** A reader of parts of scenes: nodes that others are given, so that any may stand at the top. */
+  public X3dReader ofParts() {
+    return new X3dReader(catalogue, limits, libraries, base, true);
+  }
+
+  private ReadState state(String source, Problems problems) {
+    return new ReadState(source, catalogue, limits, problems, libraries, base, parts);
   }
 
   /**
@@ -91,8 +107,7 @@ public final class X3dReader {
       }
     }
     Problems problems = new Problems();
-    ReadState reading =
-        new ReadState(content.name(), catalogue, limits, problems, libraries, content.base());
+    ReadState reading = with(libraries, content.base()).state(content.name(), problems);
     reading.base(content.base());
     return new LibraryReader(reading, problems).read(document);
   }
@@ -161,6 +176,21 @@ public final class X3dReader {
   }
 
   /**
+   * Makes a file of an instance of a prototype, with the default values of its fields.
+   *
+   * @param source the name that problems call it by
+   * @param name of a prototype of the library
+   */
+  public X3dFile instance(String source, PrototypeLibrary library, String name, Problems problems) {
+    String text =
+        "<X3D version='4.0' profile='Full'><Scene><ProtoInstance name=\"%s\"/></Scene></X3D>"
+            .formatted(Markup.attribute(name));
+    ReadState reading = ofParts().state(source, problems);
+    XmlEvents xml = Preflight.of(source, SourceText.of(text)).events();
+    return new DocumentReader(reading, library.scope()).read(new XmlCursor(xml, reading, false));
+  }
+
+  /**
    * Reads a stream to its end as a document: all elements with their places, whatever they mean.
    * The caller closes the stream.
    *
@@ -176,8 +206,7 @@ public final class X3dReader {
 
   /** Makes the scene that a document describes, without parsing it again. */
   public X3dFile scene(XmlDocument document, Problems problems) {
-    ReadState reading =
-        new ReadState(document.name(), catalogue, limits, problems, libraries, base);
+    ReadState reading = state(document.name(), problems);
     return new DocumentReader(reading).read(TreeCursor.of(document, reading));
   }
 
@@ -203,7 +232,7 @@ public final class X3dReader {
       problems.error(xml.fault().location(), xml.fault().message() + "; nothing can be shown");
       return empty(source);
     }
-    ReadState reading = new ReadState(source, catalogue, limits, problems, libraries, base);
+    ReadState reading = state(source, problems);
     X3dFile file = new DocumentReader(reading).read(new XmlCursor(xml, reading, cut != null));
     if (cut != null) {
       boolean flood = cut.kind() == DocumentFault.Kind.LIMIT;
@@ -224,8 +253,10 @@ public final class X3dReader {
     if (cut != null) {
       problems.error(Location.of(document.name()), cut.message() + "; the part before it is kept");
     }
+    String rest =
+        document.root().isPresent() ? "; the part before it is kept" : "; nothing can be shown";
     for (DocumentFault fault : document.faults()) {
-      problems.error(fault.location(), fault.message() + "; the part before it is kept");
+      problems.error(fault.location(), fault.message() + rest);
     }
     return file;
   }
@@ -255,6 +286,7 @@ public final class X3dReader {
         List.of(),
         Map.of(),
         ParsedInstance.Listing.NONE,
-        List.of());
+        List.of(),
+        null);
   }
 }

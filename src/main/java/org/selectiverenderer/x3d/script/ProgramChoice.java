@@ -28,14 +28,16 @@ public sealed interface ProgramChoice {
    * There is none that can be used.
    *
    * @param problem why; a Script without any program is worth a remark only
+   * @param language what is said of it, where it is in another language; null otherwise
    */
-  record None(Problem problem) implements ProgramChoice {}
+  record None(Problem problem, @Nullable String language) implements ProgramChoice {}
 
   /**
    * @param base where the relative urls of the Script start
    */
   static ProgramChoice of(ParsedNode script, ContentRoot root, ContentBase base) {
     @Nullable String reason = null;
+    @Nullable String language = null;
     String text = script.string("sourceCode");
     if (!text.isBlank()) {
       Optional<String> other = ScriptProgram.otherLanguage(text);
@@ -43,18 +45,17 @@ public sealed interface ProgramChoice {
         return new Text(ScriptProgram.of(text, script.textLocation()));
       }
       reason = "is in " + other.get() + NOT_OURS;
+      language = reason;
     }
     String[] urls = script.strings("url");
     for (String url : urls) {
       if (ScriptProgram.isText(url)) {
         return new Text(ScriptProgram.of(url, script.textLocation()));
       }
-      Optional<String> other = ScriptProgram.otherLanguage(url);
+      Optional<String> other = otherLanguage(url);
       String why;
       if (other.isPresent()) {
-        why = "is in " + other.get() + NOT_OURS;
-      } else if (isJava(url)) {
-        why = "is a program in Java, which is never run; write it in ECMAScript";
+        why = other.get();
       } else {
         ContentRoot.Target target = root.resolve(url, base);
         if (target instanceof ContentRoot.Target.Found found) {
@@ -62,14 +63,25 @@ public sealed interface ProgramChoice {
         }
         why = ((ContentRoot.Target.Refused) target).reason();
       }
-      reason = reason == null ? "url '%s' %s".formatted(shown(url), why) : reason;
+      if (reason == null) {
+        reason = "url '%s' %s".formatted(shown(url), why);
+        language = other.isPresent() ? reason : null;
+      }
     }
     return new None(
         reason == null
             ? new Problem(
                 Severity.INFO, script.location(), "the Script has no program; it does nothing")
             : new Problem(
-                Severity.ERROR, script.location(), "Script " + reason + "; it does nothing"));
+                Severity.ERROR, script.location(), "Script " + reason + "; it does nothing"),
+        language);
+  }
+
+  /** What is said of a url that names or holds a program in another language; else empty. */
+  static Optional<String> otherLanguage(String url) {
+    return isJava(url)
+        ? Optional.of("is a program in Java, which is never run; write it in ECMAScript")
+        : ScriptProgram.otherLanguage(url).map(language -> "is in " + language + NOT_OURS);
   }
 
   private static boolean isJava(String url) {

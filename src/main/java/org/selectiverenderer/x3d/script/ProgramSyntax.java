@@ -55,6 +55,7 @@ public record ProgramSyntax(List<Fault> faults, Set<String> names) {
     }
     Set<String> names = new LinkedHashSet<>();
     if (root != null) {
+      BigIntegers.line(program.text()).ifPresent(line -> faults.add(line, BigIntegers.REFUSED));
       for (Node statement : root) {
         names(statement, names);
       }

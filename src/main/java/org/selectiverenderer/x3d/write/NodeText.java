@@ -30,6 +30,8 @@ public final class NodeText {
     String written(NodeView node, String url);
   }
 
+  private static final String SOURCE = "sourceCode";
+
   private final X3dWriter out;
   private final Written which;
   private final Map<NodeView, String> defined = new IdentityHashMap<>();
@@ -81,24 +83,50 @@ public final class NodeText {
 
   /** The values of a node that are no nodes, but for one field. */
   public void values(NodeView node, String without, UrlRule urls) {
-    for (FieldDefinition field : node.type().fields()) {
-      Object value = field.type().isNode() ? null : written(node, field, without);
+    for (FieldDefinition field : node.type().fields().subList(0, node.type().ownFrom())) {
+      boolean asText = field.type().isNode() || field.name().equals(SOURCE);
+      Object value = asText ? null : written(node, field, without);
       if (value != null) {
         out.attribute(field.name(), ValueText.of(turned(node, field, value, urls)));
       }
     }
   }
 
-  /** The nodes in a node, but for those of one field. */
+  /** What stands in a node: its own fields, nodes but for those of one field, its program. */
   public void nodes(NodeView node, String without, UrlRule urls) {
-    for (FieldDefinition field : node.type().fields()) {
-      Object value = field.type().isNode() ? written(node, field, without) : null;
-      if (value instanceof NodeView child) {
-        append(child, field.name(), urls);
-      } else if (value instanceof List<?> children) {
-        children.forEach(child -> append((NodeView) child, field.name(), urls));
+    List<FieldDefinition> fields = node.type().fields();
+    int ownFrom = node.type().ownFrom();
+    fields.subList(ownFrom, fields.size()).forEach(field -> own(node, field, urls));
+    for (FieldDefinition field : fields.subList(0, ownFrom)) {
+      if (field.type().isNode()) {
+        within(written(node, field, without), field.name(), urls);
       }
     }
+    node.type()
+        .field(SOURCE)
+        .map(field -> (String) written(node, field, without))
+        .ifPresent(out::code);
+  }
+
+  private void within(@Nullable Object value, String container, UrlRule urls) {
+    if (value instanceof NodeView child) {
+      append(child, container, urls);
+    } else if (value instanceof List<?> children) {
+      children.forEach(child -> append((NodeView) child, container, urls));
+    }
+  }
+
+  /** A field that a Script or shader declares itself (ISO/IEC 19776-1, 4.3.7). */
+  private void own(NodeView node, FieldDefinition field, UrlRule urls) {
+    out.open("field", "name", field.name(), "type", field.type().name());
+    out.attribute("accessType", field.access().spelling());
+    Object value = field.access().initialisable() ? node.value(field.index()) : null;
+    if (field.type().isNode()) {
+      within(value, "", urls);
+    } else if (value != null) {
+      out.attribute("value", ValueText.of(value));
+    }
+    out.close();
   }
 
   /** A field's value, or null if it is not to be written. */

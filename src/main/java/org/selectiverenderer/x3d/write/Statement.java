@@ -4,34 +4,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The elements of X3D that are no nodes, and the types of what they say. */
+/** The types of what the elements of X3D say that are no nodes. */
 final class Statement {
   private Statement() {}
-
-  static boolean is(String element) {
-    return switch (element) {
-      case "X3D",
-          "head",
-          "component",
-          "meta",
-          "unit",
-          "Scene",
-          "ROUTE",
-          "IMPORT",
-          "EXPORT",
-          "IS",
-          "connect",
-          "ProtoDeclare",
-          "ProtoInterface",
-          "ProtoBody",
-          "ExternProtoDeclare",
-          "ProtoInstance",
-          "field",
-          "fieldValue" ->
-          true;
-      default -> false;
-    };
-  }
 
   /** The type of an attribute; null for a value that nobody knows the type of. */
   static @Nullable FieldType type(DocumentElement element, String attribute, Interfaces known) {

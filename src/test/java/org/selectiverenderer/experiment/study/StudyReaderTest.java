@@ -70,6 +70,13 @@ class StudyReaderTest {
   }
 
   @Test
+  void aStudyMayLeaveOutTheSoundsOfItsScenes() throws IOException {
+    assertThat(StudyReader.read(file, new Problems()).orElseThrow().mute()).isFalse();
+    Files.writeString(file, text.replaceFirst("\\{", "{\"mute\": true, "));
+    assertThat(StudyReader.read(file, new Problems()).orElseThrow().mute()).isTrue();
+  }
+
+  @Test
   void thePilotStudyShowsNothingAndAsksAboutExpectancy() throws IOException {
     Study pilot =
         StudyReader.read(folder.resolve("pilot/study.json"), new Problems()).orElseThrow();
@@ -128,6 +135,7 @@ class StudyReaderTest {
         "\"seconds\": 45 | \"seconds\": \"long\" | \"seconds\" must be a number from "
             + "0.1 to 36000",
         "\"seed\": 2009 | \"seed\": 0.5 | \"seed\" must be a whole number",
+        "\"seed\": 2009 | \"mute\": 1 | \"mute\" must be true or false",
         "\"name\": \"lounge\" | \"name\": \"kitchen\" | the area kitchen is named twice",
         "\"order\": \"fixed\" | \"order\": \"any\" | 'any' is not one of fixed, counterbalanced",
         "\"stay\": \"turn\" | \"stay\": \"run\" | 'run' is not one of turn, walk, free",

@@ -51,6 +51,7 @@ class ThresholdReaderTest extends PilotFolder {
         "room.x3d        | hall.x3d             | there is no file 'hall.x3d'",
         "\"seed\": 7     | \"reversals\": 7     | an even number must be left, two at least",
         "\"seed\": 7     | \"fewest\": 2        | \"fewest\" must be a number from",
+        "\"seed\": 7     | \"allow\": [\"no\"]   | there is no folder 'no' as seen from this file",
         "\"Mug\"         | \"Vase\"             | the object Vase is named twice",
         "\"name\": \"Pilot\", | ~~             | a threshold pilot needs \"name\""
       })

@@ -443,4 +443,23 @@ class LiveFilesTest {
     assertThat(tree.shapes().get(0).surface().texture()).isNull();
     assertThat(problems.list()).isEmpty();
   }
+
+  @Test
+  void aNodeThatAScriptOfAnInlineMakesStartsAtTheFileOfTheScript() throws Exception {
+    Files.createDirectories(folder.resolve("rooms"));
+    write("rooms/room.x3d", "<Script/>");
+    write("rooms/lamp.x3d", "<Shape><Box/></Shape>");
+    load("<Inline DEF='I' url='\"rooms/room.x3d\"'/>");
+    Node script = ((InlineNode) node("I")).content().orElseThrow().root().nodes("children").get(0);
+    InlineNode made = (InlineNode) files.make(script, "Inline", Location.of("made")).orElseThrow();
+    made.init(made.urlField(), url("lamp.x3d"));
+    files.watch(List.of(made));
+    files.update();
+    arrive();
+
+    assertThat(made.content()).isPresent();
+    assertThat(problems.list())
+        .extracting(Problem::severity)
+        .doesNotContain(Problem.Severity.ERROR);
+  }
 }

@@ -3,44 +3,31 @@ package org.selectiverenderer.runtime.nodes.event;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** Speeds up after a key and slows down before the next one (X3D 4.0, 19.4.4). */
-public final class EaseInEaseOutNode extends Node {
-  private final int fraction;
-  private final int key;
+public final class EaseInEaseOutNode extends KeyedNode {
   private final int ease;
   private final int modified;
 
   public EaseInEaseOutNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
-    fraction = type.indexOf("set_fraction");
-    key = type.indexOf("key");
     ease = type.indexOf("easeInEaseOut");
     modified = type.indexOf("modifiedFraction_changed");
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
-    if (field.index() != fraction) {
-      super.receive(field, value, cascade);
-      return;
-    }
-    float at = (Float) value;
-    float[] keys = (float[]) value(key);
-    float[] eases = (float[]) value(ease);
-    int count = Math.min(keys.length, eases.length / 2);
-    if (count == 0 || Float.isNaN(at)) {
-      return;
-    }
-    int low = KeyFrames.at(keys, count, at);
-    if (low == count - 1 || at <= keys[low]) {
+  protected int values() {
+    return ((float[]) value(ease)).length / 2;
+  }
+
+  @Override
+  protected void send(int low, int count, float part, Cascade cascade) {
+    if (part == 0) {
       emit(modified, low == count - 1 && count > 1 ? 1f : 0f, cascade);
       return;
     }
-    float part = (at - keys[low]) / (keys[low + 1] - keys[low]);
+    float[] eases = (float[]) value(ease);
     emit(modified, (float) eased(part, eases[2 * low + 1], eases[2 * low + 2]), cascade);
   }
 

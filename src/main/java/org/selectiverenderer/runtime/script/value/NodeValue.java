@@ -19,6 +19,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
  */
 @SuppressWarnings("serial") // See FieldValue.
 public final class NodeValue extends ScriptableObject implements Wrapper {
+  private static final String SET = "set_";
+
   private final transient Node node;
   private final transient FieldValues values;
   private final transient NodeAccess access;
@@ -53,7 +55,15 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
     return node.type()
         .field(name)
         .or(() -> node.type().output(name))
-        .filter(field -> field.access().initialisable() || field.access().sendsEvents());
+        .filter(field -> field.access().initialisable() || field.access().sendsEvents())
+        .or(() -> set(name));
+  }
+
+  /** The field whose value a name such as set_coordIndex gives. */
+  private Optional<FieldDefinition> set(String name) {
+    return name.startsWith(SET)
+        ? node.type().field(name.substring(SET.length())).filter(f -> f.access().initialisable())
+        : Optional.empty();
   }
 
   @Override
@@ -87,7 +97,7 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
               + name
               + Spelling.nearest(name, names).map(n -> " (did you mean " + n + "?)").orElse(""));
     }
-    FieldDefinition set = node.type().field("set_" + name).orElse(null);
+    FieldDefinition set = node.type().field(SET + name).orElse(null);
     boolean fixed = field.access() == FieldAccess.INITIALIZE_ONLY && set != null;
     access.write(node, fixed ? set : field, values.toField(field.type(), value));
   }

@@ -1,4 +1,4 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d.files;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -6,11 +6,11 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
 /** Says why a file cannot be read. */
-final class Failure {
+public final class Failure {
   private Failure() {}
 
   /** A clause that reads after the file's name. */
-  static String clause(IOException failure) {
+  public static String clause(IOException failure) {
     if (failure instanceof AccessDeniedException) {
       return "cannot be read: no permission";
     }

@@ -1,0 +1,52 @@
+package org.selectiverenderer.runtime.nodes.event;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * A node that answers a fraction by what it has between two keys (X3D 4.0, 19.2.1). Without a whole
+ * key value, and for a fraction that is NaN, nothing is sent.
+ */
+public abstract class KeyedNode extends Node {
+  private final int fraction;
+  private final int key;
+
+  protected KeyedNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    fraction = type.indexOf("set_fraction");
+    key = type.indexOf("key");
+  }
+
+  @Override
+  protected final void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    if (field.index() != fraction) {
+      super.receive(field, value, cascade);
+      return;
+    }
+    float at = (Float) value;
+    float[] keys = (float[]) value(key);
+    int count = Math.min(keys.length, values());
+    if (count == 0 || Float.isNaN(at)) {
+      return;
+    }
+    int low = KeyFrames.at(keys, count, at);
+    boolean between = low < count - 1 && at > keys[low];
+    send(low, count, between ? (at - keys[low]) / (keys[low + 1] - keys[low]) : 0, cascade);
+  }
+
+  /** How many keys have a value. */
+  protected abstract int values();
+
+  /**
+   * Answers a fraction.
+   *
+   * @param low the key at or before it; the first one where it is before that
+   * @param count of the keys that count, 1 at least
+   * @param part how far it is from there to the next key, from 0; 0 at and outside of the keys
+   */
+  protected abstract void send(int low, int count, float part, Cascade cascade);
+}
