@@ -29,6 +29,7 @@ import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
 import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
+import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
@@ -50,6 +51,7 @@ public final class NodeFactory {
     makers.putAll(KeyDevice.MAKERS);
     makers.putAll(Followers.MAKERS);
     makers.putAll(Geospatial.MAKERS);
+    makers.putAll(PickSensorNode.MAKERS);
     makers.putAll(Sounds.MAKERS);
     makers.putAll(SplineInterpolators.MAKERS);
     put(

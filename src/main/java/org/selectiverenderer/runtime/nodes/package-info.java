@@ -18,6 +18,7 @@
  *   <li>{@code geo} what is placed on the earth
  *   <li>{@code hanim} figures: skeletons and their skin
  *   <li>{@code particle} particle systems
+ *   <li>{@code pick} what says which shapes a geometry meets
  *   <li>{@code sound} clips of sound, and where they are heard
  *   <li>{@code spline} interpolators along smooth curves
  *   <li>{@code event} what answers events by events: interpolators, sequencers, triggers

@@ -21,11 +21,15 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 public class GroupingNode extends Node {
   private final int children;
   private final int visible;
+  private final int pickable;
+  private final int objectType;
 
   public GroupingNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
     children = type.field("children").map(FieldDefinition::index).orElse(-1);
     visible = type.field("visible").map(FieldDefinition::index).orElse(-1);
+    pickable = type.field("pickable").map(FieldDefinition::index).orElse(-1);
+    objectType = type.field("objectType").map(FieldDefinition::index).orElse(-1);
   }
 
   /** What stands in the group, in order. */
@@ -54,7 +58,9 @@ public class GroupingNode extends Node {
     if (field == children) {
       return Effect.STRUCTURE;
     }
-    return field == visible ? Effect.CHOICE : Effect.NONE;
+    return field == visible || field == pickable || field == objectType
+        ? Effect.CHOICE
+        : Effect.NONE;
   }
 
   /** What follows from a new value of a field. */
@@ -62,7 +68,7 @@ public class GroupingNode extends Node {
     NONE,
     /** Other children. */
     STRUCTURE,
-    /** Other children are shown. */
+    /** Other children are shown, or may be picked. */
     CHOICE,
     /** The children are elsewhere. */
     PLACEMENT,
