@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
+import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
@@ -29,6 +30,7 @@ import org.selectiverenderer.runtime.scene.Scene;
  * @param scripts all Scripts, those that stand in no group last
  * @param keySensors sensors of the keyboard
  * @param sounds all Sounds
+ * @param picks picking sensors
  * @param touchable whether there is a sensor of the pointing device or an Anchor
  * @param draggable whether there is a drag sensor
  */
@@ -38,6 +40,7 @@ record FrameNodes(
     List<ScriptNode> scripts,
     List<KeyDeviceSensorNode> keySensors,
     List<SoundNode> sounds,
+    List<PickSensorNode> picks,
     boolean touchable,
     boolean draggable) {
 
@@ -73,6 +76,8 @@ record FrameNodes(
     add(loose, KeyDeviceSensorNode.class, keySensors);
     List<SoundNode> sounds = new ArrayList<>();
     add(placed, SoundNode.class, sounds);
+    List<PickSensorNode> picks = new ArrayList<>();
+    add(placed, PickSensorNode.class, picks);
     boolean touchable =
         anchors || placed.stream().anyMatch(node -> node instanceof PointingSensorNode);
     boolean draggable =
@@ -83,6 +88,7 @@ record FrameNodes(
         List.copyOf(scripts),
         List.copyOf(keySensors),
         List.copyOf(sounds),
+        List.copyOf(picks),
         touchable,
         draggable);
   }

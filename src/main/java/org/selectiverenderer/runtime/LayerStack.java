@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -214,6 +215,27 @@ final class LayerStack {
       SceneLayer layer = order.get(i);
       left = layer.point(left, part(layer), pickable(layer), user, cascade);
     }
+  }
+
+  /**
+   * The shape of the active layer that is pointed at, with nothing above it, if the scene itself
+   * has nothing to do with a click there.
+   *
+   * @param latest what the device said since the last frame, if anything
+   */
+  Optional<ShapeInstance> pointedAt(Optional<Pointer> latest) {
+    if (alone()) {
+      return base.pointing.idle(latest.orElse(base.pointing.last()), user);
+    }
+    List<SceneLayer> order = order();
+    for (int i = order.size() - 1; i >= 0; i--) {
+      SceneLayer layer = order.get(i);
+      Pointer inside = LayerPointing.in(part(layer), layer.viewer(), latest.orElse(pointed), user);
+      if (pickable(layer) && layer.pointing.meets(inside, layer.viewer())) {
+        return layer == active ? layer.pointing.idle(inside, user) : Optional.empty();
+      }
+    }
+    return Optional.empty();
   }
 
   void sense(double time, Cascade cascade) {

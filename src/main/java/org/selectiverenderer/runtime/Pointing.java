@@ -9,6 +9,7 @@ import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.TouchDispatch;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.viewer.ViewRay;
@@ -93,6 +94,19 @@ final class Pointing {
 
   private Optional<RayCaster.Hit> cast(TouchDispatch.Ray ray) {
     return rays().cast(ray.origin(), ray.direction(), Double.POSITIVE_INFINITY);
+  }
+
+  /** The last word of the device. */
+  Pointer last() {
+    return last;
+  }
+
+  /** The shape that it is over, if the scene itself has nothing to do with a click there. */
+  Optional<ShapeInstance> idle(Pointer pointer, Viewer viewer) {
+    return ray(pointer, viewer)
+        .flatMap(this::cast)
+        .map(RayCaster.Hit::shape)
+        .filter(at -> TouchDispatch.sensors(at).isEmpty() && TouchDispatch.anchor(at).isEmpty());
   }
 
   private void point(Pointer pointer, Viewer viewer, Cascade cascade) {

@@ -19,6 +19,7 @@ import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
+import org.selectiverenderer.runtime.pick.Picking;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
@@ -41,6 +42,7 @@ final class SceneLayer {
   final ViewpointFollower follower;
   final Pointing pointing;
   final BackdropReader backdrops;
+  private final Picking picking;
   private Viewer viewer;
   private List<FrameNode> looking = List.of();
   private List<FrameNode> chosen = List.of();
@@ -68,6 +70,7 @@ final class SceneLayer {
     bindables = new BindStacks(root, parts.cascade());
     follower = new ViewpointFollower(instances, bindables, viewer);
     pointing = new Pointing(instances, parts.meshes(), parts.activated());
+    picking = new Picking(instances, parts.assets(), parts.meshes());
   }
 
   Viewer viewer() {
@@ -163,6 +166,7 @@ final class SceneLayer {
   /** Its sensors and clocks look at the frame. */
   void sense(double time, Cascade cascade) {
     round.frame(new WorldFrame(time, viewer, instances), cascade);
+    picking.frame(cascade);
   }
 
   /**
@@ -205,6 +209,7 @@ final class SceneLayer {
     keySensors = walk.keySensors();
     sounds = walk.sounds();
     draggable = walk.draggable();
+    picking.follow(walk.picks());
     pointing.touchable(walk.touchable());
     return true;
   }
@@ -235,6 +240,7 @@ final class SceneLayer {
 
   void close() {
     round.close();
+    picking.follow(List.of());
     bindables.close();
     instances.close();
   }

@@ -6,13 +6,18 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShownBounds;
 import org.selectiverenderer.runtime.nodes.bind.BindStacks;
 import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Extent;
+import org.selectiverenderer.runtime.viewer.Framing;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
+import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -33,6 +38,13 @@ final class ViewpointFollower {
   private final Matrix4d pose = new Matrix4d();
   private boolean started;
   private int jumps;
+  private boolean viewsAll;
+
+  /** Whether all is to be looked at as soon as something is there. */
+  private boolean allWanted;
+
+  private @Nullable Vector3d centre;
+  private @Nullable Extent wide;
 
   ViewpointFollower(InstanceTree instances, BindStacks bindables, Viewer viewer) {
     this.instances = instances;
@@ -67,10 +79,12 @@ final class ViewpointFollower {
             .map(ViewpointNode.class::cast);
     ViewpointNode viewpoint = bound.orElse(null);
     boolean another = !started || viewpoint != followed;
+    boolean first = !started;
     if (viewpoint == null) {
       // The viewer stays where the last viewpoint left it (X3D 4.0, 7.2.2: none is bound).
       if (!started) {
         place(DEFAULT);
+        endView();
         viewer.fieldOfView(Math.PI / 4);
         viewer.extent(Optional.empty());
         pose.set(DEFAULT);
@@ -78,9 +92,11 @@ final class ViewpointFollower {
     } else {
       Matrix4d now = poseOf(viewpoint);
       if (!started) {
+        endView();
         place(now);
       } else if (another && viewpoint.jump()) {
         jumps++;
+        endView();
         place(retainsOffset(viewpoint) ? keepingOffset(now) : now);
       } else if (!another && !now.equals(pose)) {
         place(keepingOffset(now));
@@ -89,12 +105,64 @@ final class ViewpointFollower {
       if (!another || !started || viewpoint.jump()) {
         viewer.fieldOfView(viewpoint.fieldOfView());
         double scale = NavigationFrame.of(placeOf(viewpoint)).scale();
-        viewer.extent(viewpoint.extent().map(Extent::of).map(extent -> extent.times(scale)));
+        viewer.extent(
+            viewpoint.extent().map(extent -> wide == null ? Extent.of(extent).times(scale) : wide));
       }
       pose.set(now);
     }
     started = true;
     followed = viewpoint;
+    followAll(viewpoint, first, another);
+  }
+
+  /** A viewpoint with {@code viewAll} shows the scene whenever it is bound or the field is set. */
+  private void followAll(@Nullable ViewpointNode viewpoint, boolean first, boolean another) {
+    boolean before = viewsAll && !another;
+    viewsAll = viewpoint != null && viewpoint.viewAll();
+    if (viewpoint != null && viewsAll && !before && (first || !another || viewpoint.jump())) {
+      if (!another) {
+        jumps++;
+      }
+      allWanted = true;
+    }
+    if (allWanted) {
+      allWanted = !viewAll();
+    }
+  }
+
+  /**
+   * Takes the viewer to where all that is shown is seen; the next viewpoint ends that.
+   *
+   * @return whether anything is shown
+   */
+  boolean viewAll() {
+    Optional<Bounds> all = ShownBounds.of(instances.shapes());
+    all.ifPresent(this::look);
+    return all.isPresent();
+  }
+
+  /** Takes the viewer to where a box is seen as a whole. */
+  void look(Bounds box) {
+    Node from = followed;
+    NavigationFrame frame =
+        from == null ? NavigationFrame.WORLD : NavigationFrame.of(placeOf(from));
+    Framing framing = Framing.of(box, Pose.of(viewer), frame.upright());
+    boolean parallel = viewer.extent().isPresent();
+    framing.pose().applyTo(viewer);
+    wide = framing.extent();
+    viewer.extent(parallel ? Optional.of(framing.extent()) : Optional.empty());
+    centre = framing.centre();
+  }
+
+  private void endView() {
+    allWanted = false;
+    centre = null;
+    wide = null;
+  }
+
+  /** The middle of what the viewer was last taken to see; empty at a viewpoint of the scene. */
+  Optional<Vector3dc> centre() {
+    return Optional.ofNullable(centre);
   }
 
   private boolean retainsOffset(ViewpointNode viewpoint) {

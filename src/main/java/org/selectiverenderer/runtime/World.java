@@ -8,8 +8,10 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Matrix4dc;
+import org.joml.Vector3dc;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.collide.MeshTrees;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
@@ -496,6 +498,43 @@ public final class World {
           cascade.run();
           layers.active().follower.jump();
         });
+  }
+
+  /**
+   * Takes the viewer to where all that is shown is seen at once.
+   *
+   * @return whether there is anything to see
+   */
+  public boolean viewAll() {
+    boolean[] moved = new boolean[1];
+    hold(() -> moved[0] = layers.active().follower.viewAll());
+    return moved[0];
+  }
+
+  /**
+   * Takes the viewer to where the shape that is pointed at is seen as a whole (X3D 4.0, 23.4.4:
+   * LOOKAT).
+   *
+   * @return whether there is one that does nothing by itself when it is clicked on
+   */
+  public boolean lookAt() {
+    boolean[] moved = new boolean[1];
+    hold(
+        () -> {
+          Optional<Pointer> latest = pointed.stream().reduce((before, after) -> after);
+          Optional<Bounds> box = layers.pointedAt(latest).map(shape -> Bounds.of(shape.bounds()));
+          box.ifPresent(layers.active().follower::look);
+          moved[0] = box.isPresent();
+        });
+    return moved[0];
+  }
+
+  /**
+   * The middle of what the viewer was taken to see by {@link #viewAll}, {@link #lookAt} or a
+   * viewpoint with {@code viewAll}; empty once another viewpoint is bound.
+   */
+  public Optional<Vector3dc> centre() {
+    return layers.active().follower.centre();
   }
 
   /**

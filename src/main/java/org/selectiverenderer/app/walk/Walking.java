@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.Colliders;
@@ -36,6 +37,7 @@ public final class Walking implements ViewerMotion {
   private @Nullable InstanceTree tree;
   private @Nullable Node info;
   private @Nullable Node viewpoint;
+  private @Nullable Vector3dc centre;
   private boolean stale;
   private Walker walker;
   private boolean collisions;
@@ -81,6 +83,8 @@ public final class Walking implements ViewerMotion {
         }
       }
       case NEXT_MODE -> nextMode();
+      case VIEW_ALL -> viewAll();
+      case LOOK_AT -> lookAt();
       case TOGGLE_COLLISIONS -> {
         collisions = !collisions;
         walker.collisions(collisions);
@@ -101,6 +105,30 @@ public final class Walking implements ViewerMotion {
     Pose from = Pose.of(world.viewer());
     world.goTo(to);
     begin(from, world.time());
+  }
+
+  /** To where all is seen, which a walker does not fall from: he examines it where he may. */
+  private void viewAll() {
+    boolean falls = walker.mode() == NavigationMode.WALK;
+    boolean examines = walker.navigation().allows(NavigationMode.EXAMINE);
+    Pose from = Pose.of(world.viewer());
+    if (walker.mode() != NavigationMode.NONE && (!falls || examines) && world.viewAll()) {
+      if (falls) {
+        walker.mode(NavigationMode.EXAMINE);
+      }
+      begin(from, world.time());
+    }
+  }
+
+  private void lookAt() {
+    boolean may =
+        walker.mode() == NavigationMode.LOOKAT
+            || walker.mode() == NavigationMode.EXAMINE
+                && walker.navigation().allows(NavigationMode.LOOKAT);
+    Pose from = Pose.of(world.viewer());
+    if (may && world.lookAt()) {
+      begin(from, world.time());
+    }
   }
 
   /** Begins the way to where the viewer was just put. */
@@ -210,7 +238,9 @@ public final class Walking implements ViewerMotion {
     Node boundInfo = world.bindables().bound("NavigationInfo").orElse(null);
     Node boundViewpoint = world.bindables().bound("Viewpoint").orElse(null);
     boolean keeps = !another && boundInfo == info;
-    if (!keeps || boundViewpoint != viewpoint || stale) {
+    Vector3dc middle = world.centre().orElse(null);
+    if (!keeps || boundViewpoint != viewpoint || middle != centre || stale) {
+      centre = middle;
       info = watched(boundInfo, info);
       viewpoint = watched(boundViewpoint, viewpoint);
       stale = false;
@@ -242,7 +272,13 @@ public final class Walking implements ViewerMotion {
     } else {
       walker.use(navigation, frame);
     }
-    if (from instanceof ViewpointNode known) {
+    Vector3dc middle = centre;
+    if (info == null && from instanceof ViewpointNode known && known.viewAll()) {
+      walker.mode(NavigationMode.EXAMINE); // Nobody asked for walking, and he would fall.
+    }
+    if (middle != null) {
+      walker.pivot(middle);
+    } else if (from instanceof ViewpointNode known) {
       known
           .centerOfRotation()
           .ifPresent(center -> walker.pivot(world.placeOf(known).transformPosition(center)));

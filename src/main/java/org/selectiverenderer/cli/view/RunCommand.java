@@ -56,8 +56,8 @@ import picocli.CommandLine.Option;
           + "steer, or use the arrow keys or W A S D. Page Up and Page Down go to other "
           + "viewpoints, Home returns to the present one. F1 shows figures, F2 changes the "
           + "way of moving, F3 switches collisions on or off, F4 makes the present "
-          + "direction of a tracked head straight ahead, F11 fills the screen, Escape ends "
-          + "the run."
+          + "direction of a tracked head straight ahead, F5 shows the whole scene, F11 fills the "
+          + "screen, Escape ends the run."
     },
     footer = {
       "  ./selective-renderer run scenes/trashcan.x3d",

@@ -2,14 +2,10 @@ package org.selectiverenderer.runtime.collide;
 
 import java.util.List;
 import java.util.Optional;
-import org.joml.Matrix4d;
-import org.joml.Matrix4dc;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.geometry.tree.MeshTree;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
@@ -105,57 +101,8 @@ public final class RayCaster {
         hit.placed().shape(),
         distance,
         new Vector3d(origin).fma(distance, direction),
-        normal(hit, direction),
-        texCoord(hit));
-  }
-
-  private Vector3d normal(PlacedIndex.PlacedHit<PlacedMesh.OfShape> hit, Vector3dc direction) {
-    Mesh mesh = hit.mesh();
-    Matrix4dc world = hit.placed().world();
-    Vector3d local = new Vector3d();
-    float[] normals = mesh.normals();
-    if (normals != null) {
-      for (int corner = 0; corner < 3; corner++) {
-        int at = 3 * vertex(hit, corner);
-        double weight = weight(hit.at(), corner);
-        local.add(weight * normals[at], weight * normals[at + 1], weight * normals[at + 2]);
-      }
-    }
-    if (local.lengthSquared() < 1e-12) {
-      MeshTree bvh = meshes.of(mesh);
-      int triangle = hit.at().triangle();
-      Vector3d a = bvh.corner(triangle, 0, new Vector3d());
-      Vector3d ab = bvh.corner(triangle, 1, new Vector3d()).sub(a);
-      ab.cross(bvh.corner(triangle, 2, new Vector3d()).sub(a), local);
-    }
-    Vector3d normal = world.normal(new Matrix4d()).transformDirection(local).normalize();
-    // The back of a surface that is seen from both sides has the opposite normal.
-    return !mesh.solid() && normal.dot(direction) > 0 ? normal.negate() : normal;
-  }
-
-  private static @Nullable Vector2d texCoord(PlacedIndex.PlacedHit<PlacedMesh.OfShape> hit) {
-    float[] texCoords = hit.mesh().texCoords();
-    if (texCoords == null) {
-      return null;
-    }
-    Vector2d result = new Vector2d();
-    for (int corner = 0; corner < 3; corner++) {
-      int at = 2 * vertex(hit, corner);
-      double weight = weight(hit.at(), corner);
-      result.add(weight * texCoords[at], weight * texCoords[at + 1]);
-    }
-    return result;
-  }
-
-  private static int vertex(PlacedIndex.PlacedHit<PlacedMesh.OfShape> hit, int corner) {
-    return hit.mesh().indices()[3 * hit.at().triangle() + corner];
-  }
-
-  private static double weight(MeshTree.MeshHit at, int corner) {
-    return switch (corner) {
-      case 0 -> 1 - at.u() - at.v();
-      case 1 -> at.u();
-      default -> at.v();
-    };
+        SurfaceHit.normal(
+            hit.mesh(), meshes.of(hit.mesh()), hit.at(), hit.placed().world(), direction),
+        SurfaceHit.texCoord(hit.mesh(), hit.at()));
   }
 }

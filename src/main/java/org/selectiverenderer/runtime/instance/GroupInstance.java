@@ -152,7 +152,10 @@ public final class GroupInstance extends Instance implements NodeObserver {
           moved(tree);
           tree.moved();
         }
-        case CHOICE -> choose();
+        case CHOICE -> {
+          choose();
+          tree.chosen();
+        }
         case FORM -> ((Deforming) group).deform();
         case NONE -> {}
       }

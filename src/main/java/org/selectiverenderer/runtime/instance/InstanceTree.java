@@ -67,6 +67,7 @@ public final class InstanceTree {
   private List<ShapeInstance> shapes = List.of();
   private long structureVersion;
   private long placementVersion;
+  private long choiceVersion;
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
@@ -101,6 +102,15 @@ public final class InstanceTree {
   /** Changes when a shape may have moved or may have got another mesh. */
   public long placementVersion() {
     return placementVersion;
+  }
+
+  /** Changes when a group may let other children be seen or picked. */
+  public long choiceVersion() {
+    return choiceVersion;
+  }
+
+  void chosen() {
+    choiceVersion++;
   }
 
   /** All lights, on or off, in document order. */

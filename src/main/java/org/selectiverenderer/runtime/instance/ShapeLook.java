@@ -16,8 +16,7 @@ import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
-import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.runtime.scene.NodesBelow;
 
 /**
  * The mesh and surface of one Shape node, shared by its instances. It observes the Shape and every
@@ -135,23 +134,13 @@ final class ShapeLook implements NodeObserver {
   }
 
   private void observe(Node node, Set<Node> set) {
-    if (!set.add(node)) {
-      return;
-    }
-    node.addObserver(this);
-    if (node instanceof PlayedNode film) {
-      films = films.isEmpty() ? new ArrayList<>(1) : films;
-      films.add(film);
-    }
-    for (FieldDefinition field : node.type().fields()) {
-      if (field.name().equals("metadata")) {
-        continue;
-      }
-      Object value = node.value(field.index());
-      if (value instanceof Node child) {
-        observe(child, set);
-      } else if (field.type() == FieldType.MFNode) {
-        node.nodes(field.name()).forEach(child -> observe(child, set));
+    for (Node part : NodesBelow.of(node)) {
+      if (set.add(part)) {
+        part.addObserver(this);
+        if (part instanceof PlayedNode film) {
+          films = films.isEmpty() ? new ArrayList<>(1) : films;
+          films.add(film);
+        }
       }
     }
   }

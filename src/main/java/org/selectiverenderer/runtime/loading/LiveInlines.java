@@ -17,7 +17,8 @@ import org.selectiverenderer.runtime.scene.Scene;
 /**
  * Fills the Inlines of a running scene anew when their fields change. {@code load FALSE} empties
  * one at once; its content is kept and is back at once with {@code load TRUE} unless the url has
- * changed meanwhile. Of several changes in a row the last one counts.
+ * changed meanwhile. Of several changes in a row the last one counts. One that leaves the scene
+ * while it is read asks again when it comes back.
  */
 final class LiveInlines {
   private final LiveFiles files;
@@ -73,9 +74,8 @@ final class LiveInlines {
       this.inline = inline;
       load = inline.type().indexOf("load");
       inline.addObserver(this);
-      if (files.fromFile(inline) && inline.bool("load") || inline.content().isPresent()) {
-        requested = url();
-      } else {
+      requested = inline.asked();
+      if (requested != url()) {
         changed.add(this);
       }
     }
@@ -95,7 +95,7 @@ final class LiveInlines {
       String[] wanted = url();
       if (!inline.bool("load")) {
         if (waiting) {
-          requested = null;
+          requested = inline.asked();
           waiting = false;
         }
       } else if (requested != wanted) {
@@ -108,6 +108,7 @@ final class LiveInlines {
     private void arrived(String[] url, Optional<Scene> content) {
       if (requested == url && waiting) {
         waiting = false;
+        inline.asked(url);
         double scale = content.map(Scene::unitLength).orElse(1.0) / files.unitLength(inline);
         inline.refill(content.orElse(null), content.isPresent() ? scale : 1);
         imports.refresh(watched.keySet());

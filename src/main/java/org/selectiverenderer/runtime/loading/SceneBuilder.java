@@ -230,6 +230,9 @@ final class SceneBuilder {
           .ifPresent(image -> store.assets().putImage(node, image));
       if (node instanceof InlineNode inline) {
         store.origin(inline, origin.of(parsed));
+        if (inline.bool("load")) {
+          inline.asked(inline.strings("url"));
+        }
         Optional.ofNullable(content.inlines().get(parsed))
             .ifPresent(outcome -> fill(inline, outcome.join()));
       } else if (node.type().is("X3DUrlObject")) {

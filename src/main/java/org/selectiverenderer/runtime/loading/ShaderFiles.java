@@ -10,6 +10,7 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.shader.ShaderChoice;
 import org.selectiverenderer.x3d.shader.ShaderText;

@@ -30,6 +30,7 @@ import org.selectiverenderer.runtime.nodes.key.KeyDevice;
 import org.selectiverenderer.runtime.nodes.layout.Layouts;
 import org.selectiverenderer.runtime.nodes.network.LoadSensorNode;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
+import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
@@ -108,6 +109,7 @@ public final class NodeFactory {
       case "Interpolation", "NURBS" -> SplineInterpolators.MAKERS;
       case "KeyDeviceSensor" -> KeyDevice.MAKERS;
       case "Layout" -> Layouts.MAKERS;
+      case "Picking" -> PickSensorNode.MAKERS;
       case "PointingDeviceSensor" -> DragSensors.MAKERS;
       case "Shaders" -> Shaders.MAKERS;
       case "Sound", "Texturing" -> Sounds.MAKERS;

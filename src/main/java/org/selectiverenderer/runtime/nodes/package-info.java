@@ -20,6 +20,7 @@
  *   <li>{@code layout} what is placed and measured in the picture
  *   <li>{@code hanim} figures: skeletons and their skin
  *   <li>{@code particle} particle systems
+ *   <li>{@code pick} what says which shapes a geometry meets
  *   <li>{@code shape} shapes that make their own mesh: many copies of one
  *   <li>{@code sound} clips of sound, and where they are heard
  *   <li>{@code spline} interpolators along smooth curves

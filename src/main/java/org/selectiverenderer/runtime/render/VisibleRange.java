@@ -5,13 +5,15 @@ import org.selectiverenderer.runtime.LayerView;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.DepthRange;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.walk.Navigation;
 
 /**
  * What the bound NavigationInfo decides about a picture (X3D 4.0, 23.4.4), and the bound
- * viewpoint's {@code nearDistance} and {@code farDistance} where they are above 0 (23.3.1).
+ * viewpoint's {@code nearDistance} and {@code farDistance} where they are above 0 and nothing is to
+ * be seen beyond them: not with {@code viewAll} (23.3.1).
  *
  * @param range of depths that are drawn
  * @param headlight whether the viewer carries a light
@@ -50,6 +52,7 @@ public record VisibleRange(DepthRange range, boolean headlight) {
 
   private static Optional<Double> distance(Optional<? extends Node> viewpoint, String field) {
     return viewpoint
+        .filter(node -> !(node instanceof ViewpointNode known && known.viewAll()))
         .map(node -> node.value(field) instanceof Float f ? (double) f : -1)
         .filter(distance -> distance > 0);
   }

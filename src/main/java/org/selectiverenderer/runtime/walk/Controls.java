@@ -18,6 +18,8 @@ import java.util.Set;
  *       until it is released; moving the mouse meanwhile steers. If the mouse moves before that,
  *       the press only looks around, so that one can look without walking and a click on something
  *       is no step. Dragging with the middle button always only looks.
+ *   <li>A click with the left button goes to what it points at, where one may ({@link
+ *       NavigationCommand#LOOK_AT}).
  *   <li>Wheel: changes the speed for good, by a quarter per notch.
  *   <li>With {@link #looking} off, as under a head tracker, the mouse turns nothing, and a button
  *       walks at once whatever the hand that holds the mouse does.
@@ -50,6 +52,11 @@ public final class Controls implements MotionSource {
     private double dragged;
     private boolean looksOnly;
     private boolean walks;
+
+    /** Whether it was neither held nor dragged. */
+    boolean clicks() {
+      return !walks && !looksOnly;
+    }
   }
 
   private final MouseMapping mapping;
@@ -96,6 +103,7 @@ public final class Controls implements MotionSource {
           case F2 -> NavigationCommand.NEXT_MODE;
           case F3 -> NavigationCommand.TOGGLE_COLLISIONS;
           case F4 -> NavigationCommand.RESET_HEADING;
+          case F5 -> NavigationCommand.VIEW_ALL;
           case F11 -> NavigationCommand.TOGGLE_FULL_SCREEN;
           case ESCAPE -> NavigationCommand.LEAVE;
           default -> null;
@@ -109,7 +117,10 @@ public final class Controls implements MotionSource {
   }
 
   public void buttonUp(MouseButton button) {
-    presses.remove(button);
+    Press press = presses.remove(button);
+    if (press != null && button == MouseButton.LEFT && looking && press.clicks()) {
+      commands.add(NavigationCommand.LOOK_AT);
+    }
   }
 
   /**

@@ -18,6 +18,10 @@ public enum NavigationCommand {
   TOGGLE_COLLISIONS,
   /** F4: where the head looks now is straight ahead. */
   RESET_HEADING,
+  /** F5: where all of the scene is seen. */
+  VIEW_ALL,
+  /** A click: to what is pointed at, where the navigation type is LOOKAT. */
+  LOOK_AT,
   /** F11. */
   TOGGLE_FULL_SCREEN,
   /** Escape. */

@@ -23,6 +23,7 @@ public enum WalkKey {
   F2,
   F3,
   F4,
+  F5,
   F11,
   ESCAPE
 }

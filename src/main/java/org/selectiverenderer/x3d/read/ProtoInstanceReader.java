@@ -22,6 +22,7 @@ final class ProtoInstanceReader {
   private final RouteReader routes;
   private final IsReader connecting;
   private final ExternReader externs;
+  private final PrototypeSize sizes;
   private final Set<DocumentElement> expanding = Collections.newSetFromMap(new IdentityHashMap<>());
 
   ProtoInstanceReader(
@@ -31,6 +32,7 @@ final class ProtoInstanceReader {
     this.routes = routes;
     this.connecting = connecting;
     externs = new ExternReader(reading);
+    sizes = new PrototypeSize(reading.catalogue, reading.limits.maxDepth());
   }
 
   /**
@@ -61,6 +63,13 @@ final class ProtoInstanceReader {
       in.skip();
       return null;
     }
+    if (!reading.spend(location) || !fits(declaration, location)) {
+      if (def != null) {
+        scope.lose(def);
+      }
+      in.skip();
+      return null;
+    }
     String containerField = in.attribute("containerField");
     ProtoInstance instance =
         new ProtoInstance(declaration, reading.interfaces.begin(), scope.instance());
@@ -79,6 +88,19 @@ final class ProtoInstanceReader {
       }
     }
     return new NodeReader.Child(named, containerField, location);
+  }
+
+  /** Whether what an instance makes is within the limit of nodes; false after a message. */
+  private boolean fits(ProtoDeclaration declaration, Location location) {
+    if (sizes.of(declaration) <= reading.left()) {
+      return true;
+    }
+    reading.error(
+        location,
+        ("an instance of the prototype %s makes more than what is left of the %s nodes that a"
+                + " file may have; it is left out")
+            .formatted(declaration.name(), reading.limits.maxNodes()));
+    return false;
   }
 
   /** The prototype that a scope knows by a name; null after a message. */
@@ -188,6 +210,9 @@ final class ProtoInstanceReader {
     reading.base(outside);
     reading.angles(unitOutside);
     expanding.remove(declaration.body());
+    if (top.isEmpty() && reading.left() == 0) {
+      return null; // What it has is beyond the limit, which is told.
+    }
     if (top.isEmpty()) {
       reading.error(
           location,

@@ -197,6 +197,11 @@ final class ReadState {
     depth--;
   }
 
+  /** How many nodes there may still be. */
+  int left() {
+    return Math.max(0, limits.maxNodes() - spent);
+  }
+
   /**
    * Counts a node, or something that costs as much; false, with one message, when the limit is
    * reached.

@@ -6,7 +6,7 @@ package org.selectiverenderer.x3d.source;
  * @param maxBytes length of the text after decompression; also bounds every attribute
  * @param maxRatio decompressed to compressed length, asked from the second MiB of output on
  * @param maxDepth elements within elements, instances of prototypes counted as what they stand for
- * @param maxNodes nodes, with those that instances of prototypes make
+ * @param maxNodes nodes, instances of prototypes and those that they make
  */
 public record ReadLimits(long maxBytes, int maxRatio, int maxDepth, int maxNodes) {
   /**

@@ -9,9 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.Pointer;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
@@ -20,6 +24,7 @@ import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 import org.selectiverenderer.runtime.walk.NavigationMode;
+import org.selectiverenderer.runtime.walk.WalkKey;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
@@ -34,6 +39,7 @@ class WalkingTest {
   private final List<String> sent = new ArrayList<>();
   private World world;
   private Walking walking;
+  private Controls controls;
 
   private void scene(String nodes) throws IOException {
     String text = "<X3D version='4.0' profile='Immersive'><Scene>" + nodes + "</Scene></X3D>";
@@ -45,7 +51,8 @@ class WalkingTest {
                 Path.of("no-such-folder")),
             new Problems());
     world.epoch(0);
-    walking = new Walking(world, new Controls(MouseMapping.WALK));
+    controls = new Controls(MouseMapping.WALK);
+    walking = new Walking(world, controls);
     step(0);
   }
 
@@ -158,5 +165,102 @@ class WalkingTest {
             Path.of("no-such-folder")));
     step(1);
     assertThat(walking.describe()).isEqualTo("WALK, through walls");
+  }
+
+  private static final String BOX =
+      "<Transform translation='20 0 0'>%s<Shape><Box/></Shape></Transform>";
+
+  /** How far off a Box of 2 it is seen whole. */
+  private static final double WHOLE = 1.1 * (1 + 1 / Math.tan(Math.PI / 8));
+
+  private void click() {
+    world.point(new Pointer(Optional.of(new Vector3d(20, 0, -10)), false));
+    walking.command(NavigationCommand.LOOK_AT);
+  }
+
+  @Test
+  void aClickGoesToWhereTheShapeIsSeenAsAWhole() throws IOException {
+    scene("<NavigationInfo type='\"LOOKAT\"' transitionTime='2'/>" + BOX.formatted(""));
+    click();
+    step(1);
+    step(3);
+    Vector3dc eye = world.viewer().position();
+    assertThat(eye.distance(20, 0, 0)).isBetween(WHOLE, 2 * WHOLE);
+    Vector3d front = world.viewer().orientation().transform(new Vector3d(0, 0, -1));
+    assertThat(front.angle(new Vector3d(20, 0, 0).sub(eye))).isCloseTo(0, within(1e-6));
+  }
+
+  @Test
+  void theWayThereIsThatOfTheNavigationInfo() throws IOException {
+    scene("<NavigationInfo type='\"EXAMINE\" \"ANY\"' transitionTime='4'/>" + BOX.formatted(""));
+    click();
+    step(2);
+    double halfway = x();
+    step(4);
+    assertThat(halfway).isCloseTo(x() / 2, within(1e-6));
+  }
+
+  @Test
+  void afterAClickOneTurnsAboutTheShape() throws IOException {
+    scene("<NavigationInfo type='\"LOOKAT\"' transitionTime='0'/>" + BOX.formatted(""));
+    click();
+    step(1);
+    double distance = world.viewer().position().distance(20, 0, 0);
+    controls.keyDown(WalkKey.LEFT);
+    step(2);
+    step(3);
+    assertThat(world.viewer().position().distance(20, 0, 0)).isCloseTo(distance, within(1e-6));
+    assertThat(x()).isNotCloseTo(20, within(1e-3));
+  }
+
+  @Test
+  void aClickMovesNobodyWhereTheAuthorDoesNotAllowIt() throws IOException {
+    scene("<NavigationInfo type='\"EXAMINE\" \"FLY\"'/>" + BOX.formatted(""));
+    click();
+    step(1);
+    step(2);
+    assertThat(world.viewer().position()).isEqualTo(new Vector3d(0, 0, 10));
+  }
+
+  @Test
+  void aClickOnASensorIsTheScenesOwn() throws IOException {
+    scene("<NavigationInfo type='\"LOOKAT\"'/>" + BOX.formatted("<TouchSensor/>"));
+    click();
+    step(1);
+    step(2);
+    assertThat(world.viewer().position()).isEqualTo(new Vector3d(0, 0, 10));
+  }
+
+  @Test
+  void aWalkerWhoWantsToSeeAllExaminesItAndComesBackByTheViewpoint() throws IOException {
+    scene(VIEWPOINTS + BOX.formatted(""));
+    walking.command(NavigationCommand.VIEW_ALL);
+    step(1);
+    step(2);
+    assertThat(walking.mode()).isEqualTo(NavigationMode.EXAMINE);
+    assertThat(world.viewer().position().distance(20, 0, 0)).isBetween(WHOLE, 2 * WHOLE);
+    walking.command(NavigationCommand.RESET_VIEWPOINT);
+    step(3);
+    step(4);
+    assertThat(world.viewer().position()).isEqualTo(new Vector3d(0, 0, 10));
+    assertThat(world.centre()).isEmpty();
+  }
+
+  @Test
+  void whoMayOnlyWalkOrNotMoveAtAllIsNotTakenUpToSeeAll() throws IOException {
+    for (String type : List.of("WALK", "NONE")) {
+      scene("<NavigationInfo type='" + type + "'/>" + BOX.formatted(""));
+      walking.command(NavigationCommand.VIEW_ALL);
+      step(1);
+      step(2);
+      assertThat(x()).as(type).isZero();
+    }
+  }
+
+  @Test
+  void aSceneThatShowsAllOfItselfIsExamined() throws IOException {
+    scene("<Viewpoint viewAll='true'/>" + BOX.formatted(""));
+    assertThat(walking.mode()).isEqualTo(NavigationMode.EXAMINE);
+    assertThat(world.centre()).contains(new Vector3d(20, 0, 0));
   }
 }

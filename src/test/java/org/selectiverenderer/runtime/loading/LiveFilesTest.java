@@ -347,6 +347,36 @@ class LiveFilesTest {
   }
 
   @Test
+  void anInlineThatLeavesWhileItIsReadIsFilledWhenItIsBack() throws Exception {
+    load("<Inline DEF='I' load='false' url='\"boxes2.x3d\"'/>");
+    set("I", "load", true);
+    files.watch(List.of());
+    arrive();
+    assertBoxes(0);
+    watch();
+    frame();
+    arrive();
+    assertBoxes(2);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void anInlineWhoseUrlIsAnotherWhenItIsBackHasThatContent() throws Exception {
+    load("<Inline DEF='I' url='\"boxes1.x3d\"'/>");
+    files.watch(List.of());
+    set("I", "url", url("boxes3.x3d"));
+    watch();
+    frame();
+    assertBoxes(1);
+    arrive();
+    assertBoxes(3);
+    files.watch(List.of());
+    watch();
+    frame();
+    assertThat(arrivals).isEmpty();
+  }
+
+  @Test
   void anotherImageTakesTheOldOnesPlaceWhenItIsThere() throws Exception {
     picture("a.png", 3);
     picture("b.png", 5);

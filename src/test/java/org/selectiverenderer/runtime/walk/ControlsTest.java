@@ -49,6 +49,23 @@ class ControlsTest {
   }
 
   @Test
+  void onlyAClickWithTheLeftButtonLooksAtSomething() {
+    controls.buttonDown(MouseButton.LEFT);
+    hold(controls, 0.1);
+    controls.buttonUp(MouseButton.LEFT);
+    assertThat(controls.takeCommands()).containsExactly(NavigationCommand.LOOK_AT);
+    controls.buttonDown(MouseButton.LEFT);
+    hold(controls, 0.3);
+    controls.buttonUp(MouseButton.LEFT);
+    controls.buttonDown(MouseButton.LEFT);
+    controls.drag(20, 0);
+    controls.buttonUp(MouseButton.LEFT);
+    controls.buttonDown(MouseButton.RIGHT);
+    controls.buttonUp(MouseButton.RIGHT);
+    assertThat(controls.takeCommands()).isEmpty();
+  }
+
+  @Test
   void draggingAtOnceOnlyLooks() {
     controls.buttonDown(MouseButton.LEFT);
     controls.drag(20, 10);

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
@@ -203,6 +204,51 @@ class BadInputTest {
     assertThat(file.nodes()).hasSize(50);
     small.scene("<Teapot>".repeat(5000) + "</Teapot>".repeat(5000));
     assertThat(small.problems.list()).hasSize(1);
+  }
+
+  /** Prototypes of ten of the one before each, and what their bodies stand in. */
+  private static String multiplying(int levels, String body) {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < levels; i++) {
+      String instances = "<ProtoInstance name='P%d'/>".formatted(i - 1).repeat(10);
+      text.append("<ProtoDeclare name='P").append(i).append("'><ProtoBody>");
+      text.append(i == 0 ? "<Group/>" : body.formatted(instances));
+      text.append("</ProtoBody></ProtoDeclare>\n");
+    }
+    return text.toString();
+  }
+
+  @Test
+  @Timeout(60)
+  void whatPrototypesMultiplyBeyondTheLimitIsNotBegun() {
+    for (String body : List.of("<Group>%s</Group>", "%s")) {
+      X3dFile file =
+          fixture.scene(
+              multiplying(40, body)
+                  + "<ProtoInstance name='P39'/><ProtoInstance name='P1'/><Group/>");
+      fixture.assertOnly(
+          "test.x3d:42:1: an instance of the prototype P39 makes more than what is left of the"
+              + " 10000 nodes that a file may have; it is left out");
+      assertThat(file.nodes()).hasSize(2);
+    }
+  }
+
+  @Test
+  void beyondTheLimitNoInstanceIsSaidToHaveNoNode() {
+    ReaderFixture small = new ReaderFixture(new ReadLimits(1 << 20, 1000, 10, 20));
+    X3dFile file =
+        small.scene(
+            "<ProtoDeclare name='P'><ProtoBody><Group/></ProtoBody></ProtoDeclare>"
+                + "<Group/>".repeat(18)
+                + "<ProtoInstance name='P'/>".repeat(5)
+                + "<Group><ProtoInstance name='P'/></Group>");
+    assertThat(file.nodes()).hasSize(18);
+    assertThat(small.problems.list())
+        .extracting(Problem::message)
+        .containsExactly(
+            "an instance of the prototype P makes more than what is left of the 20 nodes that"
+                + " a file may have; it is left out",
+            "the file has more than 20 nodes and routes, which is the limit; the rest is left out");
   }
 
   @Test

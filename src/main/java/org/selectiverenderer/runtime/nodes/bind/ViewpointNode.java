@@ -75,6 +75,11 @@ public class ViewpointNode extends BindableNode {
     return bool("jump");
   }
 
+  /** Whether all of the scene is to be seen from it (X3D 4.0, 23.3.5). */
+  public boolean viewAll() {
+    return bool("viewAll");
+  }
+
   Optional<BindableNode> navigationInfo() {
     return value(navigationInfo) instanceof BindableNode info
         ? Optional.of(info)

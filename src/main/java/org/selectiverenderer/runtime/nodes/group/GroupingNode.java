@@ -21,11 +21,15 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 public class GroupingNode extends Node {
   private final int children;
   private final int visible;
+  private final int pickable;
+  private final int objectType;
 
   public GroupingNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
     children = index(type, "children");
     visible = index(type, "visible");
+    pickable = index(type, "pickable");
+    objectType = index(type, "objectType");
   }
 
   private static int index(NodeType type, String field) {
@@ -58,7 +62,9 @@ public class GroupingNode extends Node {
     if (field == children) {
       return Effect.STRUCTURE;
     }
-    return field == visible ? Effect.CHOICE : Effect.NONE;
+    return field == visible || field == pickable || field == objectType
+        ? Effect.CHOICE
+        : Effect.NONE;
   }
 
   /** What follows from a new value of a field. */
@@ -66,7 +72,7 @@ public class GroupingNode extends Node {
     NONE,
     /** Other children. */
     STRUCTURE,
-    /** Other children are shown. */
+    /** Other children are shown, or may be picked. */
     CHOICE,
     /** The children are elsewhere. */
     PLACEMENT,

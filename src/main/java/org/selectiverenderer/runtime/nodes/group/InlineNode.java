@@ -15,6 +15,7 @@ public final class InlineNode extends GroupingNode {
   private final int url;
   private @Nullable Scene content;
   private double scale = 1;
+  private String @Nullable [] asked;
 
   public InlineNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
@@ -40,6 +41,19 @@ public final class InlineNode extends GroupingNode {
   public void fill(@Nullable Scene newContent, double newScale) {
     content = newContent;
     scale = newScale;
+  }
+
+  /**
+   * What its content was read from, or was to be: the value that the field {@code url} had. Null
+   * when nobody has asked for any.
+   */
+  public String @Nullable [] asked() {
+    return asked;
+  }
+
+  /** Its content is that of these urls, or there is none since they cannot be read. */
+  public void asked(String[] urls) {
+    asked = urls;
   }
 
   /** Fills it while the world runs: observers see other children, no event is sent. */

@@ -4,6 +4,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.runtime.viewer.Framing;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
@@ -15,8 +16,6 @@ final class Orbit {
   private static final double POLE = Math.toRadians(1);
 
   private static final double NEARER_PER_NOTCH = 0.85;
-  private static final double ROOM = 1.1;
-  private static final double NEAREST = 1e-3;
 
   private final Vector3d position = new Vector3d(0, 0, 10);
   private final Quaterniond orientation = new Quaterniond();
@@ -84,21 +83,8 @@ final class Orbit {
 
   /** Looks at a box as a whole in the present direction. */
   void frame(Bounds box) {
-    Vector3d half = box.max().sub(box.min()).mul(0.5);
-    pivot.set(box.min()).add(half);
-    double slope = Math.tan(fieldOfView / 2);
-    double distance = NEAREST;
-    Quaterniond toEye = orientation.conjugate(new Quaterniond());
-    for (int corner = 0; corner < 8; corner++) {
-      Vector3d at =
-          new Vector3d(
-              (corner & 1) == 0 ? half.x : -half.x,
-              (corner & 2) == 0 ? half.y : -half.y,
-              (corner & 4) == 0 ? half.z : -half.z);
-      toEye.transform(at);
-      distance = Math.max(distance, at.z + Math.max(Math.abs(at.x), Math.abs(at.y)) / slope);
-    }
-    pivot.fma(-ROOM * distance, forward(), position);
+    pivot.set(box.min()).add(box.max()).mul(0.5);
+    pivot.fma(-Framing.distance(box, orientation, fieldOfView), forward(), position);
   }
 
   /**

@@ -117,7 +117,13 @@ final class PictureHands extends MouseAdapter implements KeyListener {
   public void mouseReleased(MouseEvent event) {
     if (walking()) {
       MouseButton button = WalkKeys.button(event);
-      controls(controls -> controls.buttonUp(button));
+      int x = view.toPixels(event.getX());
+      int y = view.toPixels(event.getY());
+      thread.tell(
+          stage -> {
+            stage.point(x, y);
+            stage.controls().buttonUp(button);
+          });
     } else if (!dragged && SwingUtilities.isLeftMouseButton(event)) {
       view.labelAt(event.getX(), event.getY())
           .ifPresentOrElse(

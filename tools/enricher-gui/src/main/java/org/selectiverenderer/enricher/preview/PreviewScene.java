@@ -13,6 +13,7 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.instance.ShownBounds;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Pose;

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.Pointer;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.AntiAliasing;
@@ -136,14 +137,25 @@ final class PreviewStage implements AutoCloseable {
   }
 
   private Optional<RayCaster.Hit> cast(int x, int y) {
-    if (scene == null || width == 0) {
-      return Optional.empty();
+    return scene == null || width == 0 ? Optional.empty() : scene.hit(direction(scene, x, y));
+  }
+
+  /** Says to the scene of a walk which pixel the pointer is over. */
+  void point(int x, int y) {
+    if (scene != null && width > 0 && height > 0) {
+      scene
+          .world()
+          .point(new Pointer(Optional.of(direction(scene, x, y)), false, (double) width / height));
     }
-    double half = Math.tan(scene.world().viewer().fieldOfView() / 2);
+  }
+
+  /** Of the line of sight through the middle of a pixel, in the viewer's frame. */
+  private Vector3d direction(PreviewScene of, int x, int y) {
+    double half = Math.tan(of.world().viewer().fieldOfView() / 2);
     double smaller = Math.min(width, height);
     double right = (2 * (x + 0.5) - width) / smaller * half;
     double up = (height - 2 * (y + 0.5)) / smaller * half;
-    return scene.hit(new Vector3d(right, up, -1));
+    return new Vector3d(right, up, -1);
   }
 
   /**

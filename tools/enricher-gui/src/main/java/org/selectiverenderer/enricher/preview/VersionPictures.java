@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.ShownBounds;
 import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.mark.MarkedPicture;

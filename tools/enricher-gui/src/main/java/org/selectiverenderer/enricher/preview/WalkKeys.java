@@ -28,7 +28,8 @@ final class WalkKeys {
           Map.entry(KeyEvent.VK_PAGE_UP, WalkKey.PAGE_UP),
           Map.entry(KeyEvent.VK_PAGE_DOWN, WalkKey.PAGE_DOWN),
           Map.entry(KeyEvent.VK_F2, WalkKey.F2),
-          Map.entry(KeyEvent.VK_F3, WalkKey.F3));
+          Map.entry(KeyEvent.VK_F3, WalkKey.F3),
+          Map.entry(KeyEvent.VK_F5, WalkKey.F5));
 
   private WalkKeys() {}
 

@@ -1,0 +1,74 @@
+package org.selectiverenderer.geometry.convex;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** A convex body, closed and bounded, about the origin where it is a primitive of X3D. */
+@FunctionalInterface
+public interface Convex {
+  /**
+   * The point of the body that is farthest in a direction.
+   *
+   * @param direction of any length; any point is right for 0
+   * @return {@code out}
+   */
+  Vector3d farthest(Vector3dc direction, Vector3d out);
+
+  /** A box by its sizes, about the origin. */
+  static Convex box(double width, double height, double depth) {
+    return (d, out) ->
+        out.set(
+            Math.copySign(width / 2, d.x()),
+            Math.copySign(height / 2, d.y()),
+            Math.copySign(depth / 2, d.z()));
+  }
+
+  /** A ball about the origin. */
+  static Convex sphere(double radius) {
+    return (d, out) -> {
+      double length = d.length();
+      return length > 0 ? d.mul(radius / length, out) : out.set(radius, 0, 0);
+    };
+  }
+
+  /** A cylinder about the Y axis, its middle at the origin. */
+  static Convex cylinder(double radius, double height) {
+    return (d, out) -> rim(d, radius, Math.copySign(height / 2, d.y()), out);
+  }
+
+  /** A cone about the Y axis, its tip up, the middle of its height at the origin. */
+  static Convex cone(double radius, double height) {
+    return (d, out) -> {
+      double atRim = radius * Math.hypot(d.x(), d.z()) - d.y() * height / 2;
+      return d.y() * height / 2 > atRim
+          ? out.set(0, height / 2, 0)
+          : rim(d, radius, -height / 2, out);
+    };
+  }
+
+  private static Vector3d rim(Vector3dc d, double radius, double y, Vector3d out) {
+    double level = Math.hypot(d.x(), d.z());
+    double scale = level > 0 ? radius / level : 0;
+    return out.set(d.x() * scale, y, d.z() * scale);
+  }
+
+  /**
+   * The hull of points.
+   *
+   * @param points x, y, z each; at least one
+   */
+  static Convex hull(double... points) {
+    return (d, out) -> {
+      int best = 0;
+      double most = Double.NEGATIVE_INFINITY;
+      for (int i = 0; i < points.length; i += 3) {
+        double along = points[i] * d.x() + points[i + 1] * d.y() + points[i + 2] * d.z();
+        if (along > most) {
+          most = along;
+          best = i;
+        }
+      }
+      return out.set(points[best], points[best + 1], points[best + 2]);
+    };
+  }
+}

@@ -1,0 +1,70 @@
+package org.selectiverenderer.runtime.collide;
+
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tree.MeshTree;
+
+/** What a mesh is like where a ray hits it. */
+public final class SurfaceHit {
+  private SurfaceHit() {}
+
+  /**
+   * The normal, of unit length; interpolated where the mesh has normals. The back of a surface that
+   * is seen from both sides has the opposite one.
+   *
+   * @param to takes the mesh's coordinates to those of the normal
+   * @param direction of the ray, in those coordinates
+   */
+  public static Vector3d normal(
+      Mesh mesh, MeshTree tree, MeshTree.MeshHit at, Matrix4dc to, Vector3dc direction) {
+    Vector3d local = new Vector3d();
+    float[] normals = mesh.normals();
+    if (normals != null) {
+      for (int corner = 0; corner < 3; corner++) {
+        int first = 3 * vertex(mesh, at, corner);
+        double weight = weight(at, corner);
+        local.add(
+            weight * normals[first], weight * normals[first + 1], weight * normals[first + 2]);
+      }
+    }
+    if (local.lengthSquared() < 1e-12) {
+      Vector3d a = tree.corner(at.triangle(), 0, new Vector3d());
+      Vector3d ab = tree.corner(at.triangle(), 1, new Vector3d()).sub(a);
+      ab.cross(tree.corner(at.triangle(), 2, new Vector3d()).sub(a), local);
+    }
+    Vector3d normal = to.normal(new Matrix4d()).transformDirection(local).normalize();
+    return !mesh.solid() && normal.dot(direction) > 0 ? normal.negate() : normal;
+  }
+
+  /** The texture coordinates s, t; null when the mesh has none. */
+  public static @Nullable Vector2d texCoord(Mesh mesh, MeshTree.MeshHit at) {
+    float[] texCoords = mesh.texCoords();
+    if (texCoords == null) {
+      return null;
+    }
+    Vector2d result = new Vector2d();
+    for (int corner = 0; corner < 3; corner++) {
+      int first = 2 * vertex(mesh, at, corner);
+      double weight = weight(at, corner);
+      result.add(weight * texCoords[first], weight * texCoords[first + 1]);
+    }
+    return result;
+  }
+
+  private static int vertex(Mesh mesh, MeshTree.MeshHit at, int corner) {
+    return mesh.indices()[3 * at.triangle() + corner];
+  }
+
+  private static double weight(MeshTree.MeshHit at, int corner) {
+    return switch (corner) {
+      case 0 -> 1 - at.u() - at.v();
+      case 1 -> at.u();
+      default -> at.v();
+    };
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * Picking sensors (X3D 4.0, clause 38): nodes that say which shapes a geometry of theirs meets.
+ *
+ * <p>In: fields, and what {@code runtime.pick} found. Out: events. Uses {@code runtime.scene},
+ * {@code x3d.catalogue} and {@code base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.runtime.nodes.pick;
+
+import org.jspecify.annotations.NullMarked;

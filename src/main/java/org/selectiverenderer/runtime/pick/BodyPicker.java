@@ -1,0 +1,112 @@
+package org.selectiverenderer.runtime.pick;
+
+import java.util.List;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.convex.Convex;
+import org.selectiverenderer.geometry.convex.Meeting;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tree.MeshInside;
+
+/**
+ * A convex body that meets something: one of X3D's primitives, which meets all that it has a place
+ * in common with (X3D 4.0, PrimitivePickSensor, 38.4.4), or the hull of any geometry, which meets
+ * what has a vertex in it (VolumePickSensor, 38.4.5). Shapes are sorted by how far their middles
+ * are from the body's: of a cone from its tip.
+ */
+final class BodyPicker implements Picker {
+  private final Convex body;
+  private final Bounds box;
+  private final Vector3dc middle;
+  private final boolean vertices;
+
+  /**
+   * @param box around the body
+   * @param middle from which distances count
+   * @param vertices whether only vertices of shapes are met
+   */
+  BodyPicker(Convex body, Bounds box, Vector3dc middle, boolean vertices) {
+    this.body = body;
+    this.box = box;
+    this.middle = middle;
+    this.vertices = vertices;
+  }
+
+  @Override
+  public Bounds box() {
+    return box;
+  }
+
+  private Met met(Target target) {
+    return new Met(Picker.toMiddle(target, middle), List.of());
+  }
+
+  /** Who asks has compared the boxes already. */
+  @Override
+  public Optional<Met> bounds(Target target) {
+    return Optional.of(met(target));
+  }
+
+  @Override
+  public Optional<Met> mesh(Target target) {
+    boolean meets = vertices ? holdsVertex(target) : meetsPart(target) || isWithin(target);
+    return meets ? Optional.of(met(target)) : Optional.empty();
+  }
+
+  private boolean holdsVertex(Target target) {
+    for (int index : target.mesh().indices()) {
+      Vector3d at = vertex(target, index);
+      if (box.contains(at) && Meeting.of(body, Convex.hull(at.x, at.y, at.z))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static Vector3d vertex(Target target, int index) {
+    float[] p = target.mesh().positions();
+    return target
+        .toSensor()
+        .transformPosition(new Vector3d(p[3 * index], p[3 * index + 1], p[3 * index + 2]));
+  }
+
+  private boolean meetsPart(Target target) {
+    if (target.mesh().primitive() != Mesh.Primitive.TRIANGLES) {
+      int corners = target.mesh().primitive() == Mesh.Primitive.LINES ? 2 : 1;
+      for (int i = 0; i + corners <= target.mesh().indices().length; i += corners) {
+        if (meets(target, i, corners)) {
+          return true;
+        }
+      }
+      return false;
+    }
+    boolean[] found = new boolean[1];
+    target
+        .tree()
+        .inBox(
+            box.transformed(target.fromSensor()).toArray(),
+            triangle -> found[0] = found[0] || meets(target, 3 * triangle, 3));
+    return found[0];
+  }
+
+  /** Whether it meets the part of a mesh that some indices make. */
+  private boolean meets(Target target, int first, int corners) {
+    double[] points = new double[3 * corners];
+    for (int corner = 0; corner < corners; corner++) {
+      Vector3d at = vertex(target, target.mesh().indices()[first + corner]);
+      points[3 * corner] = at.x;
+      points[3 * corner + 1] = at.y;
+      points[3 * corner + 2] = at.z;
+    }
+    return Meeting.of(body, Convex.hull(points));
+  }
+
+  /** Whether the body is inside of a shape whose surface it does not touch. */
+  private boolean isWithin(Target target) {
+    Vector3d inside = box.min().add(box.max()).mul(0.5);
+    target.fromSensor().transformPosition(inside);
+    return target.mesh().polygons() > 0 && MeshInside.contains(target.tree(), inside, 0);
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.runtime.pick;
+
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.convex.Convex;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
+import org.selectiverenderer.runtime.scene.Node;
+
+/** Makes a {@link Picker} of what a sensor picks with. */
+final class Pickers {
+  private Pickers() {}
+
+  static Picker of(PickSensorNode.With with, @Nullable Node geometry, Assets assets) {
+    Optional<Mesh> mesh =
+        Optional.ofNullable(geometry).flatMap(assets::mesh).filter(made -> !made.isEmpty());
+    if (geometry == null || mesh.isEmpty()) {
+      return Picker.NOTHING;
+    }
+    return switch (with) {
+      case POINTS -> new PointPicker(mesh.get());
+      case LINES -> new LinePicker(mesh.get());
+      case PRIMITIVE -> primitive(geometry, mesh.get());
+      case HULL -> hull(mesh.get(), true);
+    };
+  }
+
+  /** One of the four primitives; the hull of any other geometry. */
+  private static Picker primitive(Node node, Mesh mesh) {
+    Bounds box = Bounds.of(mesh.bounds());
+    Vector3d middle = new Vector3d();
+    Convex body;
+    switch (node.type().name()) {
+      case "Box" -> {
+        float[] size = node.floats("size");
+        body = Convex.box(size[0], size[1], size[2]);
+      }
+      case "Sphere" -> body = Convex.sphere(node.number("radius"));
+      case "Cylinder" -> body = Convex.cylinder(node.number("radius"), node.number("height"));
+      case "Cone" -> {
+        body = Convex.cone(node.number("bottomRadius"), node.number("height"));
+        middle.y = node.number("height") / 2;
+      }
+      default -> {
+        return hull(mesh, false);
+      }
+    }
+    return new BodyPicker(body, box, middle, false);
+  }
+
+  private static Picker hull(Mesh mesh, boolean vertices) {
+    double[] points = new double[mesh.positions().length];
+    for (int i = 0; i < points.length; i++) {
+      points[i] = mesh.positions()[i];
+    }
+    Bounds box = Bounds.of(mesh.bounds());
+    return new BodyPicker(Convex.hull(points), box, box.min().add(box.max()).mul(0.5), vertices);
+  }
+}

@@ -1,0 +1,58 @@
+package org.selectiverenderer.runtime.pick;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.tree.MeshInside;
+import org.selectiverenderer.runtime.nodes.pick.Picked;
+
+/** Points that lie in something (X3D 4.0, PointPickSensor, 38.4.3). */
+final class PointPicker implements Picker {
+  /** Share of a shape's size that is on its surface. */
+  private static final double TOUCHING = 1e-6;
+
+  private final List<Vector3dc> points = new ArrayList<>();
+  private final Bounds box;
+
+  PointPicker(Mesh mesh) {
+    float[] positions = mesh.positions();
+    for (int i = 0; i < positions.length; i += 3) {
+      points.add(new Vector3d(positions[i], positions[i + 1], positions[i + 2]));
+    }
+    box = Bounds.around(positions);
+  }
+
+  @Override
+  public Bounds box() {
+    return box;
+  }
+
+  @Override
+  public Optional<Met> bounds(Target target) {
+    Bounds around = target.box().grown(TOUCHING * target.box().extent());
+    return met(p -> around.contains(target.toWorld().transformPosition(p, new Vector3d())));
+  }
+
+  @Override
+  public Optional<Met> mesh(Target target) {
+    Bounds around = Bounds.of(target.mesh().bounds());
+    double touching = TOUCHING * around.extent();
+    Bounds near = around.grown(touching);
+    return met(
+        p -> {
+          Vector3d local = target.fromSensor().transformPosition(p, new Vector3d());
+          return near.contains(local) && MeshInside.contains(target.tree(), local, touching);
+        });
+  }
+
+  private Optional<Met> met(Predicate<Vector3dc> inside) {
+    List<Picked.Place> places =
+        points.stream().filter(inside).map(p -> new Picked.Place(p, null, null)).toList();
+    return places.isEmpty() ? Optional.empty() : Optional.of(new Met(0, places));
+  }
+}

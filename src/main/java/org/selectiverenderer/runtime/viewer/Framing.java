@@ -1,0 +1,85 @@
+package org.selectiverenderer.runtime.viewer;
+
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.selectiverenderer.geometry.Bounds;
+
+/**
+ * Where to stand so that a whole box is seen (X3D 4.0, 23.3.5 {@code viewAll}, 23.4.4 {@code
+ * LOOKAT}): on the line from its middle to the eye, looking at the middle.
+ *
+ * @param centre the middle of the box, in the world
+ * @param pose upright, aimed at the centre
+ * @param extent what a parallel view shows from there, the box within
+ */
+public record Framing(Vector3d centre, Pose pose, Extent extent) {
+  /** How much farther off than where the box just fills the picture. */
+  private static final double ROOM = 1.1;
+
+  /** The nearest that one stands to anything, however small. */
+  private static final double NEAREST = 1e-3;
+
+  /**
+   * The view of a box.
+   *
+   * @param box not empty
+   * @param from the pose before; its field of view stays
+   * @param upright takes directions of coordinates whose +Y is up to the world
+   */
+  public static Framing of(Bounds box, Pose from, Quaterniondc upright) {
+    Vector3d centre = box.min().add(box.max()).mul(0.5);
+    Quaterniond orientation = aim(new Vector3d(centre).sub(from.position()), from, upright);
+    double distance = distance(box, orientation, from.fieldOfView());
+    Vector3d eye = orientation.transform(new Vector3d(0, 0, distance)).add(centre);
+    Vector3d half = half(box, orientation).mul(ROOM).max(new Vector3d(NEAREST));
+    return new Framing(
+        centre,
+        new Pose(eye, orientation, from.fieldOfView()),
+        new Extent(-half.x, -half.y, half.x, half.y));
+  }
+
+  /** Looks in a direction, upright; as before where it is none. */
+  private static Quaterniond aim(Vector3d to, Pose from, Quaterniondc upright) {
+    Vector3d front = upright.transformInverse(to.normalize(new Vector3d()));
+    if (!(to.length() > NEAREST) || !front.isFinite()) {
+      return new Quaterniond(from.orientation());
+    }
+    Quaterniond before = upright.conjugate(new Quaterniond()).mul(from.orientation());
+    double level = Math.hypot(front.x, front.z);
+    double yaw = level > 1e-6 ? Math.atan2(-front.x, -front.z) : Heading.of(before).yaw();
+    Heading heading = new Heading(yaw, Math.atan2(front.y, level));
+    return upright.mul(heading.orientation(), new Quaterniond());
+  }
+
+  /**
+   * How far off its middle a box is seen as a whole.
+   *
+   * @param orientation takes the viewer's frame, looking along -Z, to the world's
+   * @param fieldOfView the smaller viewing angle in radians
+   */
+  public static double distance(Bounds box, Quaterniondc orientation, double fieldOfView) {
+    double slope = Math.tan(fieldOfView / 2);
+    double distance = NEAREST;
+    for (int corner = 0; corner < 8; corner++) {
+      Vector3d at = corner(box, corner, orientation);
+      distance = Math.max(distance, at.z + Math.max(Math.abs(at.x), Math.abs(at.y)) / slope);
+    }
+    return ROOM * distance;
+  }
+
+  /** Half of what the box takes to the right, up and towards the eye. */
+  private static Vector3d half(Bounds box, Quaterniondc orientation) {
+    Vector3d half = new Vector3d();
+    for (int corner = 0; corner < 8; corner++) {
+      half.max(corner(box, corner, orientation));
+    }
+    return half;
+  }
+
+  /** A corner from the middle of the box, in the viewer's frame. */
+  private static Vector3d corner(Bounds box, int corner, Quaterniondc orientation) {
+    Vector3d middle = box.min().add(box.max()).mul(0.5);
+    return orientation.transformInverse(box.corner(corner).sub(middle));
+  }
+}

@@ -1,0 +1,110 @@
+package org.selectiverenderer.x3d.read;
+
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Counts the nodes that an instance of a prototype makes, before any is made: prototypes of
+ * prototypes multiply, so that a file of a few lines may ask for billions. Each body is counted
+ * once. Never more than will be made; prototypes of other files count as one node.
+ */
+final class PrototypeSize {
+  private final NodeCatalogue catalogue;
+  private final int maxDepth;
+  private final Map<DocumentElement, Long> known = new IdentityHashMap<>();
+
+  /**
+   * @param maxDepth elements within elements beyond which nothing is made
+   */
+  PrototypeSize(NodeCatalogue catalogue, int maxDepth) {
+    this.catalogue = catalogue;
+    this.maxDepth = maxDepth;
+  }
+
+  /** The nodes of an instance, those in its body's instances included. */
+  long of(ProtoDeclaration declaration) {
+    return body(declaration.body(), new Known(declaration.environment(), null), 0);
+  }
+
+  /** The prototypes that have a name somewhere: those declared in a body, then those around it. */
+  private static final class Known {
+    private final NameScope around;
+    private final @Nullable Known outer;
+    private final Map<String, DocumentElement> bodies = new HashMap<>();
+
+    Known(NameScope around, @Nullable Known outer) {
+      this.around = around;
+      this.outer = outer;
+    }
+  }
+
+  private long body(DocumentElement body, Known names, int depth) {
+    Long before = known.get(body);
+    if (before != null || depth > maxDepth) {
+      return before == null ? 0 : before;
+    }
+    known.put(body, 0L); // What contains itself is left out.
+    long nodes = children(body, new Known(names.around, names), depth);
+    known.put(body, nodes);
+    return nodes;
+  }
+
+  private long children(DocumentElement element, Known names, int depth) {
+    long nodes = 0;
+    for (DocumentElement child : element.children()) {
+      nodes = sum(nodes, element(child, names, depth + 1));
+    }
+    return nodes;
+  }
+
+  private long element(DocumentElement element, Known names, int depth) {
+    if (depth > maxDepth || element.use().isPresent()) {
+      return 0;
+    }
+    return switch (element.name()) {
+      case "ProtoDeclare" -> {
+        declare(element, names);
+        yield 0;
+      }
+      case "ExternProtoDeclare" -> 0;
+      case "fieldValue", "field" -> children(element, names, depth);
+      case "ProtoInstance" ->
+          sum(1, sum(instance(element, names, depth), children(element, names, depth)));
+      default ->
+          catalogue.find(element.name()).isEmpty() ? 0 : sum(1, children(element, names, depth));
+    };
+  }
+
+  private static void declare(DocumentElement element, Known names) {
+    String name = element.attribute("name").map(DocumentAttribute::text).orElse(null);
+    for (DocumentElement child : element.children()) {
+      if (name != null && child.name().equals("ProtoBody")) {
+        names.bodies.put(name, child);
+      }
+    }
+  }
+
+  private long instance(DocumentElement element, Known names, int depth) {
+    String name = element.attribute("name").map(DocumentAttribute::text).orElse("");
+    for (Known scope = names; scope != null; scope = scope.outer) {
+      DocumentElement body = scope.bodies.get(name);
+      if (body != null) {
+        return body(body, scope, depth);
+      }
+    }
+    return names.around.prototype(name) instanceof ProtoDeclaration found
+        ? body(found.body(), new Known(found.environment(), null), depth)
+        : 0;
+  }
+
+  /** Large sums stay large. */
+  private static long sum(long a, long b) {
+    long sum = a + b;
+    return sum < 0 ? Long.MAX_VALUE : sum;
+  }
+}

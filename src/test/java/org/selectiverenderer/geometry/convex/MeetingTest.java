@@ -1,0 +1,75 @@
+package org.selectiverenderer.geometry.convex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** Bodies meet where a formula of their own says so. */
+class MeetingTest {
+  /** Nearer to touching than this, rounding decides. */
+  private static final double UNSURE = 1e-6;
+
+  private final Random random = new Random(38);
+
+  private Vector3d somewhere(double reach) {
+    return new Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
+        .mul(reach);
+  }
+
+  private static Convex at(Convex body, Vector3d place) {
+    return (direction, out) -> body.farthest(direction, out).add(place);
+  }
+
+  private static void check(Convex one, Convex two, double apart, String what) {
+    if (Math.abs(apart) > UNSURE) {
+      assertThat(Meeting.of(one, two)).as(what).isEqualTo(apart < 0);
+      assertThat(Meeting.of(two, one)).as(what).isEqualTo(apart < 0);
+    }
+  }
+
+  @Test
+  void boxes() {
+    for (int i = 0; i < 2000; i++) {
+      Vector3d p = somewhere(1.5);
+      double apart = Math.max(Math.abs(p.x) - 1.5, Math.max(Math.abs(p.y) - 2, Math.abs(p.z) - 1));
+      check(Convex.box(2, 2, 1), at(Convex.box(1, 2, 1), p), apart, "boxes " + p);
+    }
+  }
+
+  @Test
+  void spheres() {
+    for (int i = 0; i < 2000; i++) {
+      Vector3d p = somewhere(1.5);
+      check(Convex.sphere(1), at(Convex.sphere(1.5), p), p.length() - 2.5, "spheres " + p);
+    }
+  }
+
+  @Test
+  void pointsAndACone() {
+    for (int i = 0; i < 2000; i++) {
+      Vector3d p = somewhere(1);
+      double inWall = Math.hypot(p.x, p.z) - (1 - p.y / 2);
+      double apart = Math.max(Math.max(p.y - 2, -2 - p.y), inWall);
+      check(Convex.cone(2, 4), Convex.hull(p.x, p.y, p.z), apart, "cone " + p);
+    }
+  }
+
+  @Test
+  void pointsAndACylinder() {
+    for (int i = 0; i < 2000; i++) {
+      Vector3d p = somewhere(1);
+      double apart = Math.max(Math.hypot(p.x, p.z) - 1, Math.abs(p.y) - 1.5);
+      check(Convex.cylinder(1, 3), Convex.hull(p.x, p.y, p.z), apart, "cylinder " + p);
+    }
+  }
+
+  @Test
+  void aBallAndATriangleThatIsNearestByItsFace() {
+    Convex triangle = Convex.hull(-5, 0, -5, 5, 0, -5, 0, 0, 5);
+    for (double y = -1.45; y < 1.5; y += 0.1) {
+      check(at(Convex.sphere(1), new Vector3d(0, y, 0)), triangle, Math.abs(y) - 1, "ball " + y);
+    }
+  }
+}
