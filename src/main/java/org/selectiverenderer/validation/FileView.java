@@ -4,7 +4,7 @@ import java.util.Set;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.Statements;
+import org.selectiverenderer.x3d.source.StatementNames;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
@@ -20,6 +20,6 @@ public record FileView(
     NodeCatalogue catalogue, XmlDocument document, X3dFile scene, Set<String> rules) {
   /** Whether an element is one of X3D. */
   public boolean knows(DocumentElement element) {
-    return Statements.is(element.name()) || catalogue.find(element.name()).isPresent();
+    return StatementNames.is(element.name()) || catalogue.find(element.name()).isPresent();
   }
 }

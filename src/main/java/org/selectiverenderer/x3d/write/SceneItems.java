@@ -22,7 +22,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.Encoding;
-import org.selectiverenderer.x3d.source.Statements;
+import org.selectiverenderer.x3d.source.StatementNames;
 import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.SceneItem.Element;
 import org.selectiverenderer.x3d.write.SceneItem.Place;
@@ -73,7 +73,7 @@ final class SceneItems {
       DocumentElement element, @Nullable NodeType parent, Interfaces known) {
     String name = element.name();
     NodeType type = catalogue.find(name).orElse(null);
-    if (type == null && !Statements.is(name)) {
+    if (type == null && !StatementNames.is(name)) {
       leftOut(element.location(), "unknown element " + name + "; it and its children are left out");
       skip(element);
       return Optional.empty();

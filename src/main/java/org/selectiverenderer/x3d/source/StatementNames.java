@@ -3,7 +3,7 @@ package org.selectiverenderer.x3d.source;
 import java.util.Set;
 
 /** The elements of X3D that are no nodes. */
-public final class Statements {
+public final class StatementNames {
   private static final Set<String> NAMES =
       Set.of(
           "X3D",
@@ -25,7 +25,7 @@ public final class Statements {
           "field",
           "fieldValue");
 
-  private Statements() {}
+  private StatementNames() {}
 
   public static boolean is(String element) {
     return NAMES.contains(element);
