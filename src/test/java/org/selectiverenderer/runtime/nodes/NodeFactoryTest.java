@@ -45,7 +45,6 @@ class NodeFactoryTest {
             Layout: all
             NURBS: NurbsSet
             Networking: LoadSensor
-            Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             RigidBodyPhysics: all
             Shaders: all
             Shape: AcousticProperties
