@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.BackdropReader;
 import org.selectiverenderer.runtime.instance.Fog;
@@ -21,6 +22,8 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.runtime.walk.Navigation;
+import org.selectiverenderer.runtime.walk.NavigationMode;
 
 /**
  * A layer of a scene with all that a frame does in it: its instances, what is bound in it, who sees
@@ -124,9 +127,18 @@ final class SceneLayer {
     instances.update();
   }
 
+  /** What is turned about, where the NavigationInfo has the user do that first of all. */
+  private Optional<Vector3dc> pivot() {
+    return bindables
+        .bound("NavigationInfo")
+        .map(info -> Navigation.of(info).initial())
+        .filter(mode -> mode == NavigationMode.EXAMINE || mode == NavigationMode.LOOKAT)
+        .flatMap(mode -> follower.pivot());
+  }
+
   /** Its sensors and clocks look at the frame. */
   void sense(double time, Cascade cascade) {
-    round.frame(new WorldFrame(time, viewer, instances), cascade);
+    round.frame(new WorldFrame(time, viewer, instances, this::pivot), cascade);
     picking.frame(cascade);
   }
 
