@@ -55,7 +55,7 @@ public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implem
         world
             .bindables()
             .bound("X3DViewpointNode")
-            .map(viewpoint -> NavigationFrame.of(world.placeOf(viewpoint)));
+            .map(viewpoint -> NavigationFrame.of(world.views().placeOf(viewpoint)));
     return frame.map(NavigationFrame::scale).orElse(1.0) / world.scene().unitLength();
   }
 

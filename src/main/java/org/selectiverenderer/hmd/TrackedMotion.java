@@ -100,7 +100,7 @@ public final class TrackedMotion implements ViewerMotion {
     return world
         .bindables()
         .bound("Viewpoint")
-        .map(viewpoint -> NavigationFrame.of(world.placeOf(viewpoint)).upright())
+        .map(viewpoint -> NavigationFrame.of(world.views().placeOf(viewpoint)).upright())
         .orElse(NavigationFrame.WORLD.upright());
   }
 }

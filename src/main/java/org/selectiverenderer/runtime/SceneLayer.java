@@ -25,6 +25,8 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.runtime.walk.Navigation;
+import org.selectiverenderer.runtime.walk.NavigationMode;
 
 /**
  * A layer of a scene with all that a frame does in it: its instances, what is bound in it, who sees
@@ -163,9 +165,18 @@ final class SceneLayer {
     }
   }
 
+  /** What is turned about, where the NavigationInfo has the user do that first of all. */
+  private Optional<Vector3dc> pivot() {
+    return bindables
+        .bound("NavigationInfo")
+        .map(info -> Navigation.of(info).initial())
+        .filter(mode -> mode == NavigationMode.EXAMINE || mode == NavigationMode.LOOKAT)
+        .flatMap(mode -> follower.pivot());
+  }
+
   /** Its sensors and clocks look at the frame. */
   void sense(double time, Cascade cascade) {
-    round.frame(new WorldFrame(time, viewer, instances), cascade);
+    round.frame(new WorldFrame(time, viewer, instances, this::pivot), cascade);
     picking.frame(cascade);
   }
 

@@ -154,6 +154,18 @@ final class ViewpointFollower {
     centre = framing.centre();
   }
 
+  /** What the user turns about: the centre, or else what the bound viewpoint says. */
+  Optional<Vector3dc> pivot() {
+    return centre()
+        .or(
+            () ->
+                followed instanceof ViewpointNode known
+                    ? known
+                        .centerOfRotation()
+                        .map(at -> (Vector3dc) placeOf(known).transformPosition(at))
+                    : Optional.empty());
+  }
+
   private void endView() {
     allWanted = false;
     centre = null;

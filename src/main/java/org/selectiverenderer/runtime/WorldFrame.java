@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
 import org.joml.FrustumIntersection;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -25,9 +27,15 @@ final class WorldFrame implements Frame {
   private final double time;
   private final Viewer viewer;
   private final InstanceTree instances;
+  private final Supplier<Optional<Vector3dc>> pivot;
   private @Nullable FrustumIntersection frustum;
 
-  WorldFrame(double time, Viewer viewer, InstanceTree instances) {
+  /**
+   * @param pivot what the viewer turns about, if the way of navigating has that
+   */
+  WorldFrame(
+      double time, Viewer viewer, InstanceTree instances, Supplier<Optional<Vector3dc>> pivot) {
+    this.pivot = pivot;
     this.time = time;
     this.viewer = viewer;
     this.instances = instances;
@@ -64,6 +72,11 @@ final class WorldFrame implements Frame {
       frustum = new FrustumIntersection(new Matrix4f(projection));
     }
     return frustum;
+  }
+
+  @Override
+  public @Nullable Vector3dc centerOfRotation() {
+    return pivot.get().orElse(null);
   }
 
   @Override

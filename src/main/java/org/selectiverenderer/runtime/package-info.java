@@ -18,9 +18,10 @@
  *   <li>{@code viewer} the viewer, and motion along paths and between Viewpoints
  *   <li>{@code collide} rays, and what the viewer bumps into
  *   <li>{@code walk} the viewer's walking
- *   <li>this package: {@code World}, the frame step, and the layers of a scene: each {@code
- *       SceneLayer} has instances, bound nodes, sensors and a viewer of its own, and the user's
- *       viewer is that of the active one ({@code LayerStack})
+ *   <li>{@code pick} what picking sensors meet
+ *   <li>this package: {@code World}, the frame step; the {@code RunningScene} that it shows, and
+ *       the layers of that: each {@code SceneLayer} has instances, bound nodes, sensors and a
+ *       viewer of its own, and the user's viewer is that of the active one ({@code LayerStack})
  *   <li>{@code sai} the standard's interfaces onto it
  *   <li>{@code view} what is to be seen: cameras and marks, without GL
  *   <li>{@code render} the JOGL renderer, the only place with GL

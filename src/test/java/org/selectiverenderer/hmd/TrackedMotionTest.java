@@ -126,7 +126,7 @@ class TrackedMotionTest {
     TrackedMotion motion = new TrackedMotion(world, head, STANDING, WhenLost.FREEZE);
     head.advanceTo(0);
     world.step(1, motion);
-    world.goTo(world.scene().find("Right").orElseThrow());
+    world.views().goTo(world.scene().find("Right").orElseThrow());
     world.step(2, motion);
     assertLooks(world, -90, 0, 0);
     assertThat(world.viewer().position()).isEqualTo(new Vector3d(3, 0, 0));

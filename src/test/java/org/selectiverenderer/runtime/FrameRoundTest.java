@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -34,7 +35,7 @@ class FrameRoundTest {
       world.viewer().moveTo(eye);
       world.cascade().run();
       world.instances().update();
-      WorldFrame frame = new WorldFrame(time, world.viewer(), world.instances());
+      WorldFrame frame = new WorldFrame(time, world.viewer(), world.instances(), Optional::empty);
       if (all) {
         nodes.forEach(node -> node.frame(frame, world.cascade()));
       } else {

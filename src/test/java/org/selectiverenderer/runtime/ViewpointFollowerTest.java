@@ -43,7 +43,7 @@ class ViewpointFollowerTest {
       fixture.step(0);
       assertAt(fixture, 0, 0, 10);
       assertLooks(fixture, 0, 0, -1);
-      fixture.world.goToViewpoint(+1);
+      fixture.world.views().goToViewpoint(+1);
       assertAt(fixture, 0, 0, 10);
     }
   }
@@ -166,7 +166,7 @@ class ViewpointFollowerTest {
       fixture.send("G", "children", List.of());
       fixture.step(1);
       assertAt(fixture, 1, 0, 0);
-      assertThat(fixture.world.viewpoints()).hasSize(1);
+      assertThat(fixture.world.views().viewpoints()).hasSize(1);
     }
   }
 
@@ -191,9 +191,9 @@ class ViewpointFollowerTest {
         new WorldFixture(
             "<Viewpoint DEF='A' position='1 0 0'/><Viewpoint DEF='B' position='2 0 0' jump='false'/>")) {
       fixture.step(0, 9, 9, 9);
-      fixture.world.goTo(fixture.node("A"));
+      fixture.world.views().goTo(fixture.node("A"));
       assertAt(fixture, 1, 0, 0);
-      fixture.world.goTo(fixture.node("B"));
+      fixture.world.views().goTo(fixture.node("B"));
       assertAt(fixture, 2, 0, 0);
       fixture.step(1);
       assertAt(fixture, 2, 0, 0);
@@ -208,12 +208,12 @@ class ViewpointFollowerTest {
       fixture.step(0);
       double[] expected = {2, 3, 1, 2};
       for (double x : expected) {
-        fixture.world.goToViewpoint(+1);
+        fixture.world.views().goToViewpoint(+1);
         fixture.step(1);
         assertAt(fixture, x, 0, 0);
       }
-      fixture.world.goToViewpoint(-1);
-      fixture.world.goToViewpoint(-1);
+      fixture.world.views().goToViewpoint(-1);
+      fixture.world.views().goToViewpoint(-1);
       assertAt(fixture, 3, 0, 0);
     }
   }

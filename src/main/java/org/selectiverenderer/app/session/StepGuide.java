@@ -71,10 +71,10 @@ final class StepGuide implements RunGuide {
   public void opened(Walkthrough opened) {
     walk = opened;
     controls.takeGoOn(); // Asked for before there was anything to go on from.
-    opened.world().viewpoints().stream()
+    opened.world().views().viewpoints().stream()
         .filter(node -> viewpoint.equals(node.name()))
         .findFirst()
-        .ifPresent(opened.world()::goTo);
+        .ifPresent(opened.world().views()::goTo);
   }
 
   @Override

@@ -41,7 +41,7 @@ public final class Viewpoints {
 
   /** All of a scene, Inlines included, in document order. */
   public static List<Entry> of(World world) {
-    return world.viewpoints().stream().map(Entry::of).toList();
+    return world.views().viewpoints().stream().map(Entry::of).toList();
   }
 
   /**
@@ -58,7 +58,7 @@ public final class Viewpoints {
             .or(() -> find(all, entry -> entry.name().equalsIgnoreCase(wanted)))
             .or(() -> find(all, entry -> entry.description().equalsIgnoreCase(wanted.strip())))
             .orElseThrow(() -> new IOException(unknown(wanted, all)));
-    world.goTo(found);
+    world.views().goTo(found);
   }
 
   private static Optional<Node> find(List<Entry> all, Function<Entry, Boolean> wanted) {

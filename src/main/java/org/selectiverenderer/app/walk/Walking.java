@@ -60,7 +60,7 @@ public final class Walking implements ViewerMotion {
     this.controls = controls;
     this.collisions = collisions;
     walker = newWalker();
-    jumps = world.jumps();
+    jumps = world.views().jumps();
   }
 
   private Walker newWalker() {
@@ -77,7 +77,7 @@ public final class Walking implements ViewerMotion {
       case PREVIOUS_VIEWPOINT -> go(-1);
       case NEXT_VIEWPOINT -> go(+1);
       case LAST_VIEWPOINT -> {
-        List<Node> all = world.viewpoints();
+        List<Node> all = world.views().viewpoints();
         if (!all.isEmpty()) {
           go(all.get(all.size() - 1));
         }
@@ -97,13 +97,13 @@ public final class Walking implements ViewerMotion {
 
   private void go(int steps) {
     Pose from = Pose.of(world.viewer());
-    world.goToViewpoint(steps);
+    world.views().goToViewpoint(steps);
     begin(from, world.time());
   }
 
   private void go(Node to) {
     Pose from = Pose.of(world.viewer());
-    world.goTo(to);
+    world.views().goTo(to);
     begin(from, world.time());
   }
 
@@ -112,7 +112,7 @@ public final class Walking implements ViewerMotion {
     boolean falls = walker.mode() == NavigationMode.WALK;
     boolean examines = walker.navigation().allows(NavigationMode.EXAMINE);
     Pose from = Pose.of(world.viewer());
-    if (walker.mode() != NavigationMode.NONE && (!falls || examines) && world.viewAll()) {
+    if (walker.mode() != NavigationMode.NONE && (!falls || examines) && world.views().viewAll()) {
       if (falls) {
         walker.mode(NavigationMode.EXAMINE);
       }
@@ -126,7 +126,7 @@ public final class Walking implements ViewerMotion {
             || walker.mode() == NavigationMode.EXAMINE
                 && walker.navigation().allows(NavigationMode.LOOKAT);
     Pose from = Pose.of(world.viewer());
-    if (may && world.lookAt()) {
+    if (may && world.views().lookAt()) {
       begin(from, world.time());
     }
   }
@@ -146,7 +146,12 @@ public final class Walking implements ViewerMotion {
         .bindables()
         .bound("Viewpoint")
         .ifPresent(
-            node -> world.poseOf(node).invertAffine(offset).mul(Pose.of(world.viewer()).matrix()));
+            node ->
+                world
+                    .views()
+                    .poseOf(node)
+                    .invertAffine(offset)
+                    .mul(Pose.of(world.viewer()).matrix()));
     from.applyTo(world.viewer());
     last = from;
   }
@@ -174,8 +179,8 @@ public final class Walking implements ViewerMotion {
   @Override
   public void move(Viewer viewer, double time, double dt) {
     follow();
-    if (world.jumps() != jumps) {
-      jumps = world.jumps();
+    if (world.views().jumps() != jumps) {
+      jumps = world.views().jumps();
       if (last != null) {
         begin(last, time);
       }
@@ -207,7 +212,7 @@ public final class Walking implements ViewerMotion {
   private ViewpointTransition target(ViewpointTransition way) {
     return viewpoint == null
         ? way
-        : way.to(way.end().at(world.poseOf(viewpoint).mul(offset, new Matrix4d())));
+        : way.to(way.end().at(world.views().poseOf(viewpoint).mul(offset, new Matrix4d())));
   }
 
   /** Collision nodes hear when the viewer begins and ceases to bump into what is in them. */
@@ -233,12 +238,12 @@ public final class Walking implements ViewerMotion {
       walker = newWalker();
       transition = null;
       last = null;
-      jumps = world.jumps();
+      jumps = world.views().jumps();
     }
     Node boundInfo = world.bindables().bound("NavigationInfo").orElse(null);
     Node boundViewpoint = world.bindables().bound("Viewpoint").orElse(null);
     boolean keeps = !another && boundInfo == info;
-    Vector3dc middle = world.centre().orElse(null);
+    Vector3dc middle = world.views().centre().orElse(null);
     if (!keeps || boundViewpoint != viewpoint || middle != centre || stale) {
       centre = middle;
       info = watched(boundInfo, info);
@@ -266,7 +271,7 @@ public final class Walking implements ViewerMotion {
     Navigation navigation = info == null ? Navigation.WALKING : Navigation.of(info);
     Node from = viewpoint;
     NavigationFrame frame =
-        from == null ? NavigationFrame.WORLD : NavigationFrame.of(world.placeOf(from));
+        from == null ? NavigationFrame.WORLD : NavigationFrame.of(world.views().placeOf(from));
     if (keeps && navigation.modes().equals(walker.navigation().modes())) {
       walker.adapt(navigation, frame);
     } else {
@@ -281,7 +286,8 @@ public final class Walking implements ViewerMotion {
     } else if (from instanceof ViewpointNode known) {
       known
           .centerOfRotation()
-          .ifPresent(center -> walker.pivot(world.placeOf(known).transformPosition(center)));
+          .ifPresent(
+              center -> walker.pivot(world.views().placeOf(known).transformPosition(center)));
     }
   }
 }

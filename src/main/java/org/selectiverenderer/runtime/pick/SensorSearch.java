@@ -15,7 +15,7 @@ import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
-import org.selectiverenderer.runtime.nodes.pick.Labels;
+import org.selectiverenderer.runtime.nodes.pick.PickLabels;
 import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
 import org.selectiverenderer.runtime.nodes.pick.Picked;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -91,7 +91,7 @@ final class SensorSearch implements NodeObserver {
 
   private List<Picked> met() {
     List<Picked> met = new ArrayList<>();
-    Labels labels = sensor.labels();
+    PickLabels labels = sensor.labels();
     if (picker.box().isEmpty() || labels.none()) {
       return met;
     }
@@ -106,7 +106,7 @@ final class SensorSearch implements NodeObserver {
   }
 
   /** Whether the groups around something let it be picked. */
-  private static boolean pickable(@Nullable GroupInstance around, Labels labels) {
+  private static boolean pickable(@Nullable GroupInstance around, PickLabels labels) {
     for (GroupInstance group = around; group != null; group = group.parent()) {
       if (!lets(group, labels)) {
         return false;
@@ -115,7 +115,7 @@ final class SensorSearch implements NodeObserver {
     return true;
   }
 
-  private static boolean lets(GroupInstance group, Labels labels) {
+  private static boolean lets(GroupInstance group, PickLabels labels) {
     return !group.node().type().is("X3DPickableObject")
         || group.node().bool("pickable") && labels.fit(List.of(group.node().strings("objectType")));
   }
@@ -123,7 +123,7 @@ final class SensorSearch implements NodeObserver {
   /**
    * @param inline the Inline that hides what it is of, if any
    */
-  private void meet(Instance at, Labels labels, @Nullable Node inline, List<Picked> met) {
+  private void meet(Instance at, PickLabels labels, @Nullable Node inline, List<Picked> met) {
     if (at instanceof GroupInstance group && group.shown() && lets(group, labels)) {
       Node hiding = inline == null && group.node() instanceof InlineNode ? group.node() : inline;
       group.children().forEach(child -> meet(child, labels, hiding, met));

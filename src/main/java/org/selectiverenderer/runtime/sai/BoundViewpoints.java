@@ -22,7 +22,7 @@ final class BoundViewpoints {
    * @param steps +1 for the next, -1 for the one before
    */
   void go(int steps) {
-    binding.execute(() -> world.goToViewpoint(steps));
+    binding.execute(() -> world.views().goToViewpoint(steps));
   }
 
   void first() {
@@ -36,9 +36,9 @@ final class BoundViewpoints {
   private void to(int index) {
     binding.execute(
         () -> {
-          List<Node> all = world.viewpoints();
+          List<Node> all = world.views().viewpoints();
           if (!all.isEmpty()) {
-            world.goTo(all.get(Math.floorMod(index, all.size())));
+            world.views().goTo(all.get(Math.floorMod(index, all.size())));
           }
         });
   }

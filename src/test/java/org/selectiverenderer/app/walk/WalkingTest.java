@@ -243,7 +243,7 @@ class WalkingTest {
     step(3);
     step(4);
     assertThat(world.viewer().position()).isEqualTo(new Vector3d(0, 0, 10));
-    assertThat(world.centre()).isEmpty();
+    assertThat(world.views().centre()).isEmpty();
   }
 
   @Test
@@ -261,6 +261,6 @@ class WalkingTest {
   void aSceneThatShowsAllOfItselfIsExamined() throws IOException {
     scene("<Viewpoint viewAll='true'/>" + BOX.formatted(""));
     assertThat(walking.mode()).isEqualTo(NavigationMode.EXAMINE);
-    assertThat(world.centre()).contains(new Vector3d(20, 0, 0));
+    assertThat(world.views().centre()).contains(new Vector3d(20, 0, 0));
   }
 }

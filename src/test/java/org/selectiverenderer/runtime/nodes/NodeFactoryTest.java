@@ -43,7 +43,6 @@ class NodeFactoryTest {
             DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
             EnvironmentalEffects: FogCoordinate
             NURBS: NurbsSet
-            Picking: LinePickSensor PointPickSensor PrimitivePickSensor VolumePickSensor
             Rendering: Tangent
             RigidBodyPhysics: BallJoint CollisionCollection CollisionSensor CollisionSpace Contact \
             DoubleAxisHingeJoint MotorJoint RigidBody RigidBodyCollection SingleAxisHingeJoint SliderJoint \

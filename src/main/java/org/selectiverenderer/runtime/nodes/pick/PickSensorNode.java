@@ -84,9 +84,9 @@ public final class PickSensorNode extends Node {
   }
 
   /** The labels of what it picks. */
-  public Labels labels() {
-    return new Labels(
-        List.of(strings("objectType")), Labels.Criterion.of(string("matchCriterion")));
+  public PickLabels labels() {
+    return new PickLabels(
+        List.of(strings("objectType")), PickLabels.Criterion.of(string("matchCriterion")));
   }
 
   /** Whether the boxes around shapes are met, and not the shapes themselves. */

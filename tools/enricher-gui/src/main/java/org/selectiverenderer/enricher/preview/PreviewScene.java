@@ -76,7 +76,7 @@ final class PreviewScene implements AutoCloseable {
   void walk(Controls controls) {
     asIf.reset();
     look(Pose.of(world.viewer()));
-    world.bindables().bound("Viewpoint").ifPresent(world::goTo);
+    world.bindables().bound("Viewpoint").ifPresent(world.views()::goTo);
     walking = new Walking(world, controls);
     controller =
         new SelectiveController(

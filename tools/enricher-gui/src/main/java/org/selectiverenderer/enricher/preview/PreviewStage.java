@@ -100,7 +100,7 @@ final class PreviewStage implements AutoCloseable {
             .bound("X3DViewpointNode")
             .map(
                 bound -> {
-                  scene.world().goTo(bound);
+                  scene.world().views().goTo(bound);
                   return scene.pose();
                 });
     if (start.isPresent()) {
@@ -114,7 +114,7 @@ final class PreviewStage implements AutoCloseable {
   /** To another viewpoint, counted from the bound one. */
   void viewpoint(int steps) {
     if (scene != null && !moving()) {
-      scene.world().goToViewpoint(steps);
+      scene.world().views().goToViewpoint(steps);
       place(scene.pose());
     }
   }

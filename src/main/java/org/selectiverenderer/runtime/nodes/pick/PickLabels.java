@@ -10,7 +10,7 @@ import java.util.Set;
  *
  * @param wanted the sensor's labels
  */
-public record Labels(List<String> wanted, Criterion criterion) {
+public record PickLabels(List<String> wanted, Criterion criterion) {
   private static final String ALL = "ALL";
   private static final String NONE = "NONE";
 
@@ -31,7 +31,7 @@ public record Labels(List<String> wanted, Criterion criterion) {
     }
   }
 
-  public Labels {
+  public PickLabels {
     wanted = List.copyOf(wanted);
   }
 
