@@ -24,7 +24,7 @@ import org.web3d.x3d.sai.X3DNode;
 /**
  * The node interfaces are written by hand, for what their comments say of each field; that they
  * have the methods of the node table is held here. They differ where the thesis's browser does: in
- * fields that came with X3D 4.0, and in few that it forgot.
+ * fields that came with X3D 4.0 or are of the draft of 4.1, and in few that it forgot.
  */
 class NodeInterfacesFollowTheTableTest {
   private static final String DIFFERENCES =
@@ -38,7 +38,11 @@ class NodeInterfacesFollowTheTableTest {
       ElevationGrid is without attrib fogCoord
       Group is without bboxDisplay visible
       ImageTexture is without autoRefresh autoRefreshTimeLimit description load
+      IndexedFaceSet is without tangent
       IndexedLineSet is without attrib fogCoord normal
+      IndexedTriangleFanSet is without tangent
+      IndexedTriangleSet is without tangent
+      IndexedTriangleStripSet is without tangent
       Inline is without autoRefresh autoRefreshTimeLimit bboxDisplay description global \
       visible
       LOD is without bboxDisplay visible
@@ -61,6 +65,9 @@ class NodeInterfacesFollowTheTableTest {
       TextureTransform is without mapping
       TimeSensor is without description
       Transform is without bboxDisplay visible
+      TriangleFanSet is without tangent
+      TriangleSet is without tangent
+      TriangleStripSet is without tangent
       Viewpoint is without centerOfRotation farDistance navigationInfo nearDistance viewAll
       Viewpoint lacks void getOrientation(float[])
       VisibilitySensor is without description

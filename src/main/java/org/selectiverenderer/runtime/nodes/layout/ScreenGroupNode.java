@@ -9,8 +9,8 @@ import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** One unit in it is one pixel, wherever it stands (X3D 4.0, 36.4.5). */
-public final class ScreenGroupNode extends GroupingNode implements Seen {
-  public ScreenGroupNode(NodeType type, @Nullable String name, Location location) {
+final class ScreenGroupNode extends GroupingNode implements Seen {
+  ScreenGroupNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);
   }
 

@@ -83,6 +83,7 @@ public final class MarkedView implements AutoCloseable {
   }
 
   private MarkedPicture drawHeld(GL3 gl, OffscreenTarget on, World world, Marking marking) {
+    world.seenIn(on.width(), on.height(), Optional.empty());
     renderer.prepare(gl, world.instances());
     VisibleRange sight = VisibleRange.of(world);
     Camera camera =

@@ -16,6 +16,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param schemas in force, by walking or as if
  * @param walking whether the author walks
  * @param selected the name of what is outlined, if anything is
+ * @param otherLayers layers of the scene that are seen, but not in this picture
  * @param revision of the document that is shown
  */
 record PreviewFrame(
@@ -27,6 +28,7 @@ record PreviewFrame(
     List<String> schemas,
     boolean walking,
     Optional<String> selected,
+    int otherLayers,
     long revision) {
 
   /**

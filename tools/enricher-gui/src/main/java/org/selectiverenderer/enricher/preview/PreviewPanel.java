@@ -50,6 +50,10 @@ public final class PreviewPanel extends JPanel {
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private final PictureView view = new PictureView();
   private final JLabel message = new JLabel(" ");
+
+  /** What is said where the scene has layers that are not shown. */
+  private String layersLeftOut = " ";
+
   private final JProgressBar progress = new JProgressBar();
   private final JToggleButton walk = new JToggleButton("Walk");
   private final JToggleButton sensors = new JToggleButton("Sensor boxes", true);
@@ -240,7 +244,22 @@ public final class PreviewPanel extends JPanel {
       if (walk.isSelected() != frame.walking()) {
         walk.setSelected(frame.walking());
       }
+      tellLayers(frame.otherLayers());
       onFrame.accept(frame);
+    }
+  }
+
+  /** Says that the picture is not all of the scene, unless something else is said. */
+  private void tellLayers(int others) {
+    String before = layersLeftOut;
+    layersLeftOut =
+        others == 0
+            ? " "
+            : "Shown is the layer that the viewer walks in; the scene has "
+                + (others == 1 ? "another one" : others + " others")
+                + " over or under it";
+    if (message.getText().equals(before) || message.getText().isBlank()) {
+      message.setText(layersLeftOut);
     }
   }
 

@@ -282,6 +282,7 @@ final class PreviewStage implements AutoCloseable {
         shown.schemas(),
         shown.walking().isPresent(),
         selected.map(Node::toString),
+        (int) shown.world().layers().stream().filter(layer -> !layer.active()).count(),
         shown.revision());
   }
 

@@ -190,6 +190,20 @@ class PreviewPanelTest {
   }
 
   @Test
+  void layersThatAreNotShownAreTold() throws Exception {
+    String layers = "<LayerSet order='0 1 2'><Layer/><Layer/></LayerSet>";
+    try (PreviewWindow window = open()) {
+      window.await(frame -> frame.otherLayers() == 0);
+      replace(window, "</Scene>", layers + "</Scene>");
+      window.await(frame -> frame.otherLayers() == 2);
+      assertThat(Swing.get(window.panel::message)).contains("2 others");
+      replace(window, layers, "");
+      window.await(frame -> frame.otherLayers() == 0);
+      assertThat(Swing.get(window.panel::message)).isBlank();
+    }
+  }
+
+  @Test
   void whatUnsavedTextNamesIsReadBesideTheFileAndPickedAsTheInline() throws Exception {
     Files.writeString(folder.resolve("more.x3d"), SCENE.replace("0 1 0", "0 1 1"));
     try (PreviewWindow window = open()) {
