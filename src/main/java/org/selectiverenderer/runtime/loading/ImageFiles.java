@@ -169,8 +169,8 @@ final class ImageFiles {
   private Decoded still(Content file) throws IOException {
     if (!ImageDecoder.knows(file)) {
       throw new IOException(
-          "is no film that can be shown: MPEG-1 video, such as ffmpeg makes of others as FILE.mpg,"
-              + " or animated GIF");
+          "is no film that can be shown (MPEG-1 video, animated GIF); `ffmpeg -i FILE -r 25"
+              + " FILE.mpg` makes one of it");
     }
     return decode(file);
   }
