@@ -88,12 +88,22 @@ final class ImageDecoder {
   }
 
   static void spend(long pixels, AtomicLong budget) throws IOException {
+    spend(pixels, BYTES, budget);
+  }
+
+  /**
+   * Takes memory from a budget.
+   *
+   * @param bytes for each pixel
+   * @throws IOException with a clause, when there is not enough
+   */
+  static void spend(long pixels, int bytes, AtomicLong budget) throws IOException {
     if (pixels > MAX_PIXELS) {
       throw new IOException(
           "has %s pixels, more than the limit of %s".formatted(pixels, MAX_PIXELS));
     }
-    if (budget.addAndGet(-BYTES * pixels) < 0) {
-      budget.addAndGet(BYTES * pixels);
+    if (budget.addAndGet(-bytes * pixels) < 0) {
+      budget.addAndGet(bytes * pixels);
       throw new IOException(
           "has %s pixels, for which there is not enough memory".formatted(pixels));
     }

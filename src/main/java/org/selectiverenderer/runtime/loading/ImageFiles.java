@@ -28,6 +28,9 @@ import org.selectiverenderer.x3d.files.UrlChoice;
 final class ImageFiles {
   private static final String CONSEQUENCE = "the texture is left out";
 
+  /** Bytes per pixel of a film: five pictures of four, and those that it is decoded in. */
+  private static final int FILM_BYTES = 36;
+
   private final ContentRoot root;
   private final Map<String, Decoded> files = new ConcurrentHashMap<>();
   private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 4);
@@ -116,7 +119,23 @@ final class ImageFiles {
           "%s holds no cube: an ImageCubeMapTexture takes a DDS image with six faces; %s"
               .formatted(file.name(), CONSEQUENCE));
     }
-    return decoded.image;
+    return movie ? shown(texture, decoded.image, file, problems) : decoded.image;
+  }
+
+  /** A film, if there is memory for it: each node that shows one has pictures of its own. */
+  private Optional<Texture.Image> shown(
+      NodeView texture, Optional<Texture.Image> image, Content file, Problems problems) {
+    if (image.map(Texture.Image::film).isPresent()) {
+      try {
+        long pixels = (long) image.get().width() * image.get().height();
+        ImageDecoder.spend(pixels, FILM_BYTES, budget);
+      } catch (IOException e) {
+        problems.error(
+            texture.location(), "%s %s; %s".formatted(file.name(), Failure.clause(e), CONSEQUENCE));
+        return Optional.empty();
+      }
+    }
+    return image;
   }
 
   private static boolean isNoCube(NodeView texture, Optional<Texture.Image> image) {
@@ -132,7 +151,6 @@ final class ImageFiles {
         return still(file);
       }
       Movie movie = read.get();
-      ImageDecoder.spend((long) movie.width() * movie.height(), budget);
       byte[] first = movie.open().picture(0);
       return new Decoded(
           Optional.of(
@@ -152,8 +170,8 @@ final class ImageFiles {
   private Decoded still(Content file) throws IOException {
     if (!ImageDecoder.knows(file)) {
       throw new IOException(
-          "is no film that can be shown: MPEG-1 video, such as ffmpeg makes of others as FILE.mpg,"
-              + " or animated GIF");
+          "is no film that can be shown (MPEG-1 video, animated GIF); `ffmpeg -i FILE -r 25"
+              + " FILE.mpg` makes one of it");
     }
     return decode(file);
   }

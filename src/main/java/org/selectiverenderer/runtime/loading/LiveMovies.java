@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.loading;
 
 import java.util.List;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.movie.Film;
 import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 
 /** The MovieTextures of a running scene: says which of them go on no longer. */
@@ -22,14 +23,17 @@ final class LiveMovies {
   void update() {
     for (MovieTextureNode movie : watched) {
       images.image(movie); // One that a script has made begins before it is drawn.
-      movie
-          .film()
-          .flatMap(film -> film.fault())
-          .ifPresent(
-              clause ->
-                  problems.error(
-                      movie.location(),
-                      "the file of the MovieTexture %s; its last picture stays".formatted(clause)));
+      movie.film().ifPresent(film -> follow(movie, film));
     }
+  }
+
+  private void follow(MovieTextureNode movie, Film film) {
+    film.nextFrame();
+    film.fault()
+        .ifPresent(
+            clause ->
+                problems.error(
+                    movie.location(),
+                    "the file of the MovieTexture %s; its last picture stays".formatted(clause)));
   }
 }

@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
  * until it is there, one sees what came last. A short film is decoded once and kept. Thread-safe.
  */
 public final class Film {
-  /** Bytes of pictures that are kept, unless fewer than {@link #AHEAD} take more. */
-  private static final long KEPT = 24 << 20;
-
   private static final int AHEAD = 3;
+
+  /** Pictures that are kept however large they are: one is seen, one comes, others are ahead. */
+  private static final int LEAST = AHEAD + 2;
 
   /** Seconds after which whoever waits for a picture gets what there is. */
   private static final long PATIENCE = 20;
@@ -30,7 +30,6 @@ public final class Film {
 
   private final Movie movie;
   private final ProjectionRoom room;
-  private final int most;
   private final Picture first;
 
   // Guarded by this:
@@ -38,6 +37,7 @@ public final class Film {
   private Picture shown;
   private int wanted;
   private int direction = 1;
+  private boolean turned = true;
   private boolean working;
   private @Nullable String fault;
   private boolean damaged;
@@ -48,7 +48,6 @@ public final class Film {
   Film(Movie movie, byte[] first, ProjectionRoom room) {
     this.movie = movie;
     this.room = room;
-    most = (int) Math.max(AHEAD + 1, KEPT / (4L * movie.width() * movie.height()));
     this.first = new Picture(movie.width(), movie.height(), first);
     shown = this.first;
     ready.put(0, shown);
@@ -56,7 +55,7 @@ public final class Film {
 
   /** The same movie, to be shown apart from this one, from its beginning. */
   public Film anew() {
-    return new Film(movie, first.rgba(), room);
+    return room.film(movie, first.rgba());
   }
 
   /** How long it takes at its own speed. */
@@ -73,10 +72,20 @@ public final class Film {
   public synchronized void stand(double seconds, boolean backwards) {
     wanted = movie.at(seconds);
     direction = backwards ? -1 : 1;
+    turned = true;
+  }
+
+  /** The scene has gone on by a frame, in which the same picture is seen by every eye. */
+  public synchronized void nextFrame() {
+    turned = true;
   }
 
   /** The picture of where it stands, or the nearest before that; has the next ones decoded. */
   public synchronized Picture picture() {
+    if (!turned) {
+      return shown;
+    }
+    turned = false;
     if (!ready.containsKey(wanted) || missing() >= 0) {
       work();
     }
@@ -174,6 +183,7 @@ public final class Film {
   }
 
   private synchronized void arrived(int number, byte[] rgba) {
+    long most = Math.max(LEAST, room.share() / rgba.length);
     if (ready.size() >= most) {
       ready.keySet().removeIf(old -> ready.size() >= most && !soon(old));
     }

@@ -1,5 +1,8 @@
 package org.selectiverenderer.runtime.movie;
 
+import java.util.Collections;
+import java.util.Map;
+import java.util.WeakHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -11,7 +14,11 @@ import java.util.concurrent.atomic.AtomicInteger;
  * none has been wanted for two seconds. Thread-safe.
  */
 public final class ProjectionRoom implements AutoCloseable {
+  /** Bytes of pictures that a film keeps at most, unless they are few. */
+  private static final long KEPT = 24 << 20;
+
   private final ThreadPoolExecutor threads;
+  private final Map<Film, Boolean> films = Collections.synchronizedMap(new WeakHashMap<>());
   private volatile boolean patient;
   private volatile boolean closed;
 
@@ -44,7 +51,14 @@ public final class ProjectionRoom implements AutoCloseable {
 
   /** A film of this room. */
   public Film film(Movie movie, byte[] first) {
-    return new Film(movie, first, this);
+    Film film = new Film(movie, first, this);
+    films.put(film, true);
+    return film;
+  }
+
+  /** Bytes of pictures that a film may keep: all together an eighth of the memory. */
+  long share() {
+    return Math.min(KEPT, Runtime.getRuntime().maxMemory() / 8 / Math.max(1, films.size()));
   }
 
   boolean patient() {

@@ -107,6 +107,8 @@ class FilmTest {
       assertThat(film.picture().rgba()[0]).isZero();
       goOn.countDown();
       room.waitForPictures();
+      assertThat(film.picture().rgba()[0]).as("the other eye").isZero();
+      film.nextFrame();
       assertThat(film.picture().rgba()[0]).isEqualTo((byte) 4);
     }
   }

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 public final class MpegDecoder {
   private final MpegVideo video;
   private final MpegCodes codes = MpegCodes.load();
-  private final Block block = new Block(codes.coefficient());
+  private final SampleBlock block = new SampleBlock(codes.coefficient());
   private final int across;
   private final int down;
 

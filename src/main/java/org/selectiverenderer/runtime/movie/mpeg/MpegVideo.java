@@ -67,7 +67,7 @@ public final class MpegVideo {
 
   private static int[] weights(BitReader bits) {
     int[] weights = new int[64];
-    for (int place : Block.ZIGZAG) {
+    for (int place : SampleBlock.ZIGZAG) {
       weights[place] = bits.read(8);
     }
     return weights;

@@ -34,7 +34,7 @@ final class Slice {
   }
 
   private final MpegCodes codes;
-  private final Block block;
+  private final SampleBlock block;
   private final Weights weights;
   private final Code types;
   private final boolean between;
@@ -51,7 +51,7 @@ final class Slice {
 
   Slice(
       MpegCodes codes,
-      Block block,
+      SampleBlock block,
       Weights weights,
       int pictureType,
       Pictures pictures,
@@ -146,8 +146,7 @@ final class Slice {
       } else if (!between) {
         forgetVectors();
       }
-      if ((type & MpegCodes.BACKWARD) != 0
-          && (!vector(bits, 2, back) || !vector(bits, 3, back))) {
+      if ((type & MpegCodes.BACKWARD) != 0 && (!vector(bits, 2, back) || !vector(bits, 3, back))) {
         return false;
       }
       predict(address, between ? type : type | MpegCodes.FORWARD);

@@ -9,7 +9,7 @@
  * org.selectiverenderer.runtime.movie.mpeg.SystemStream} takes the video out of a stream, {@link
  * org.selectiverenderer.runtime.movie.mpeg.Slice} reads macroblocks by the tables of {@link
  * org.selectiverenderer.runtime.movie.mpeg.MpegCodes}, {@link
- * org.selectiverenderer.runtime.movie.mpeg.Block} their coefficients; {@link
+ * org.selectiverenderer.runtime.movie.mpeg.SampleBlock} their coefficients; {@link
  * org.selectiverenderer.runtime.movie.mpeg.Planes} are the picture. Uses nothing of this program.
  */
 @NullMarked

@@ -6,7 +6,7 @@ import java.util.Arrays;
  * The coefficients of 8 x 8 samples, read and turned into samples (ISO/IEC 11172-2, 2.4.3.7 and
  * 2.4.4). Used for one block after the other.
  */
-final class Block {
+final class SampleBlock {
   /** The places of coefficients in the order in which they are coded. */
   static final int[] ZIGZAG = {
     0, 1, 8, 16, 9, 2, 3, 10, 17, 24, 32, 25, 18, 11, 4, 5, 12, 19, 26, 33, 40, 48, 41, 34, 27, 20,
@@ -25,7 +25,7 @@ final class Block {
   /**
    * @param code of coefficients
    */
-  Block(Code code) {
+  SampleBlock(Code code) {
     this.code = code;
     for (int u = 0; u < 8; u++) {
       for (int x = 0; x < 8; x++) {
