@@ -81,6 +81,7 @@ final class PassiveNodes {
           "GeoOrigin",
           "HAnimDisplacer",
           "FloatVertexAttribute",
+          "FogCoordinate",
           "Matrix3VertexAttribute",
           "Matrix4VertexAttribute",
           "Contour2D",

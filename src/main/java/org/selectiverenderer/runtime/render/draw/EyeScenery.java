@@ -47,7 +47,7 @@ final class EyeScenery {
     }
   }
 
-  private record Key(StrokeForm form, Stroke stroke, Surroundings around) {}
+  private record Key(StrokeForm form, Stroke stroke, Surroundings around, int fogDepth) {}
 
   /**
    * @param fog where no LocalFog reaches
@@ -69,13 +69,16 @@ final class EyeScenery {
       return PLAIN;
     }
     return packed.computeIfAbsent(
-        new Key(item.form(), item.shape().stroke(), item.around()), this::pack);
+        new Key(item.form(), item.shape().stroke(), item.around(), item.source().fogDepth()),
+        this::pack);
   }
 
   private Packed pack(Key key) {
     Fog here = key.around().fog().orElse(fog);
     float[] planes = planes(key.around());
-    Scenery scenery = new Scenery(key.form(), mist(here), planes.length / 4);
+    Scenery scenery =
+        new Scenery(
+            key.form(), mist(here), here.isClear() ? -1 : key.fogDepth(), planes.length / 4);
     return scenery.equals(Scenery.NONE)
         ? PLAIN
         : new Packed(scenery, stroke(key), here.isClear() ? NOTHING : numbers(here), planes);
