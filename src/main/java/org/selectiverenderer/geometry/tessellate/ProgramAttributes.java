@@ -37,10 +37,20 @@ final class ProgramAttributes {
     ProgramAttributes all = new ProgramAttributes(job, points);
     NodeView fog = node.node("fogCoord");
     if (fog != null && fog.type().name().equals("FogCoordinate")) {
-      all.add("fogCoord", Mesh.FOG_DEPTH, fog.floats("depth"), 1, 1);
+      all.add("fogCoord", Mesh.FOG_DEPTH, toTheLast(fog.floats("depth"), points), 1, 1);
     }
     node.nodes("attrib").forEach(all::add);
     return all.found;
+  }
+
+  /** Points that have no depth of their own have the last that is given. */
+  private static float[] toTheLast(float[] depths, int points) {
+    if (depths.length == 0 || depths.length >= points) {
+      return depths;
+    }
+    float[] all = Arrays.copyOf(depths, points);
+    Arrays.fill(all, depths.length, points, depths[depths.length - 1]);
+    return all;
   }
 
   private void add(NodeView attribute) {

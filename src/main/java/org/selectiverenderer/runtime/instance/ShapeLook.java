@@ -132,10 +132,8 @@ final class ShapeLook implements NodeObserver {
 
   @Override
   public void changed(Node node, int field) {
-    if (node instanceof ShaderNode shader
-        && shader.own(field)
-        && !shader.type().fields().get(field).type().isNode()) {
-      return; // A number of its program, which is asked for when the shape is drawn.
+    if (node instanceof ShaderNode shader && shader.onlyNumbers(field)) {
+      return;
     }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
