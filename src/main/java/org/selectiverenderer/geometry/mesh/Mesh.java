@@ -33,8 +33,8 @@ public record Mesh(
   /**
    * Texture coordinates of any size, or an attribute for programs of shaders.
    *
-   * @param components numbers per vertex: of coordinates 2, 3 or 4, s, t, r, q; of an attribute 1 to
-   *     4
+   * @param components numbers per vertex: of coordinates 2, 3 or 4, s, t, r, q; of an attribute 1
+   *     to 4
    * @param values of all vertices one after the other
    * @param name of the attribute, with {@code [n]} behind it for each further column of a matrix;
    *     empty for texture coordinates
@@ -44,6 +44,24 @@ public record Mesh(
     public TexCoords(int components, float[] values) {
       this(components, values, "");
     }
+  }
+
+  /**
+   * The name of the attribute that has the depths of fog (X3D 4.0, 24.4.2), one for each vertex.
+   */
+  public static final String FOG_DEPTH = "sr_FogCoord";
+
+  /**
+   * Where the depths of fog are among the further texture coordinates and attributes; -1 for a mesh
+   * without any.
+   */
+  public int fogDepth() {
+    for (int i = moreTexCoords.size() - 1; i >= 0; i--) {
+      if (moreTexCoords.get(i).name().equals(FOG_DEPTH)) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   /** A mesh with one set of texture coordinates at most. */

@@ -3,11 +3,13 @@ package org.selectiverenderer.geometry.tessellate;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
  * What a geometry's {@code attrib} gives the programs of shaders, a tuple for each point (X3D 4.0,
- * 31.4.2, 31.4.3, 31.4.4). A matrix is several attributes, one for each column.
+ * 31.4.2, 31.4.3, 31.4.4), and its {@code fogCoord} (24.4.2). A matrix is several attributes, one
+ * for each column.
  */
 final class ProgramAttributes {
   /** Columns of all attributes of a geometry: what every graphics card takes beside the others. */
@@ -27,13 +29,28 @@ final class ProgramAttributes {
    */
   static List<VertexAttribute> of(TessellationJob job, int[] corners) {
     NodeView node = job.node();
-    if (node.type().field("attrib").isEmpty() || node.nodes("attrib").isEmpty()) {
+    if (node.type().field("attrib").isEmpty()
+        || (node.nodes("attrib").isEmpty() && node.node("fogCoord") == null)) {
       return List.of();
     }
     int points = Arrays.stream(corners).max().orElse(-1) + 1;
     ProgramAttributes all = new ProgramAttributes(job, points);
+    NodeView fog = node.node("fogCoord");
+    if (fog != null && fog.type().name().equals("FogCoordinate")) {
+      all.add("fogCoord", Mesh.FOG_DEPTH, toTheLast(fog.floats("depth"), points), 1, 1);
+    }
     node.nodes("attrib").forEach(all::add);
     return all.found;
+  }
+
+  /** Points that have no depth of their own have the last that is given. */
+  private static float[] toTheLast(float[] depths, int points) {
+    if (depths.length == 0 || depths.length >= points) {
+      return depths;
+    }
+    float[] all = Arrays.copyOf(depths, points);
+    Arrays.fill(all, depths.length, points, depths[depths.length - 1]);
+    return all;
   }
 
   private void add(NodeView attribute) {
@@ -50,21 +67,23 @@ final class ProgramAttributes {
 
   private void add(NodeView attribute, int rows, int columns) {
     String name = attribute.string("name");
-    float[] values = attribute.floats("value");
+    add("attribute '" + name + "'", name, attribute.floats("value"), rows, columns);
+  }
+
+  private void add(String what, String name, float[] values, int rows, int columns) {
     int size = rows * columns;
     if (values.length / size < points) {
-      job.problem("has too few values in its attribute '%s'; it is left out".formatted(name));
+      job.problem("has too few values in its %s; it is left out".formatted(what));
       return;
     }
     for (float value : values) {
       if (!Float.isFinite(value)) {
-        job.problem("has values in its attribute '%s' that are not finite; it is left out".formatted(name));
+        job.problem("has values in its %s that are not finite; it is left out".formatted(what));
         return;
       }
     }
     if (found.size() + columns > MOST) {
-      job.problem(
-          "has more attributes than %s columns; '%s' is left out".formatted(MOST, name));
+      job.problem("has more attributes than %s columns; its %s is left out".formatted(MOST, what));
       return;
     }
     int count = values.length / size;

@@ -150,10 +150,8 @@ final class ShapeLook implements NodeObserver {
     if (node instanceof PlayedNode film && field != film.urlField() && field != film.loadField()) {
       return; // It runs, on the same surface.
     }
-    if (node instanceof ShaderNode shader
-        && shader.own(field)
-        && !shader.type().fields().get(field).type().isNode()) {
-      return; // A number of its program, which is asked for when the shape is drawn.
+    if (node instanceof ShaderNode shader && shader.onlyNumbers(field)) {
+      return;
     }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);

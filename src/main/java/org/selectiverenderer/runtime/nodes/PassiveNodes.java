@@ -80,6 +80,7 @@ final class PassiveNodes {
           "GeoOrigin",
           "HAnimDisplacer",
           "FloatVertexAttribute",
+          "FogCoordinate",
           "Matrix3VertexAttribute",
           "Matrix4VertexAttribute",
           "Contour2D",

@@ -46,6 +46,9 @@ uniform vec4 stroke[2];
 #ifdef FOG
 out vec3 fogPlace;
 #endif
+#ifdef FOG_DEPTH
+layout(location = FOG_DEPTH) in float fogDepth;
+#endif
 #if defined(PLANES) && defined(LINES)
 out vec3 cutPlace;  // Lines are cut where their rectangles are made.
 #elif defined(PLANES)
@@ -86,7 +89,9 @@ void main() {
       stroke[0].y,
       stroke[0].z);
 #endif
-#ifdef FOG
+#ifdef FOG_DEPTH
+  fogPlace = vec3(0.0, 0.0, fogDepth);  // As far away as that.
+#elif defined(FOG)
   fogPlace = seenAt;
 #endif
 #if defined(PLANES) && defined(LINES)

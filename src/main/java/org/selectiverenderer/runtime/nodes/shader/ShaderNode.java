@@ -33,8 +33,18 @@ public final class ShaderNode extends Node {
     return type.field(field).map(FieldDefinition::index).orElse(-1);
   }
 
+  /**
+   * Whether what is drawn need not be made anew when a field changes: its numbers are asked for
+   * whenever it is drawn, and isValid and isSelected only tell.
+   */
+  public boolean onlyNumbers(int field) {
+    return field == isValid
+        || field == isSelected
+        || (own(field) && !type().fields().get(field).type().isNode());
+  }
+
   /** Whether the field is one that the author declared. */
-  public boolean own(int field) {
+  private boolean own(int field) {
     return field >= type().ownFrom();
   }
 

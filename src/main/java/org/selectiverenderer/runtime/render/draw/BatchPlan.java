@@ -69,6 +69,7 @@ final class BatchPlan {
     return !candidate.look().blended()
         && candidate.look().detail() == null
         && candidate.look().author() == null
+        && candidate.mesh().fogDepth() < 0
         && candidate.lighting().settled()
         && indices <= MOST_OF_ONE
         && (indices <= ALWAYS_COPIED || (long) indices * uses <= MOST_COPIED)

@@ -66,7 +66,7 @@ final class EyeScenery {
     }
   }
 
-  private record Key(StrokeForm form, Stroke stroke, Surroundings around) {}
+  private record Key(StrokeForm form, Stroke stroke, Surroundings around, int fogDepth) {}
 
   /**
    * @param fog where no LocalFog reaches
@@ -90,14 +90,21 @@ final class EyeScenery {
       return PLAIN;
     }
     return packed.computeIfAbsent(
-        new Key(item.form(), item.shape().stroke(), item.around()), this::pack);
+        new Key(item.form(), item.shape().stroke(), item.around(), item.source().fogDepth()),
+        this::pack);
   }
 
   private Packed pack(Key key) {
     Fog here = key.around().fog().orElse(fog);
     float[] planes = planes(key.around());
     Environment around = key.around().environment().orElse(null);
-    Scenery scenery = new Scenery(key.form(), mist(here), planes.length / 4, kind(around));
+    Scenery scenery =
+        new Scenery(
+            key.form(),
+            mist(here),
+            here.isClear() ? -1 : key.fogDepth(),
+            planes.length / 4,
+            kind(around));
     return scenery.equals(Scenery.NONE)
         ? PLAIN
         : new Packed(

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 record GlslTokens(List<Token> list) {
   private static final Pattern TOKEN =
       Pattern.compile(
-          "(?<comment>//(?:[^\\n\\\\]|\\\\.)*|/\\*[\\s\\S]*?(?:\\*/|\\z))"
+          "(?<comment>//[^\\n]*+|/\\*[\\s\\S]*?(?:\\*/|\\z))"
               + "|(?<first>(?m:^)[ \\t]*#[ \\t]*(?:version|extension)\\b[^\\n]*)"
               + "|(?<name>[A-Za-z_]\\w*)"
               + "|(?<other>\\d[\\w.]*|[^A-Za-z_/#\\d]+|[\\s\\S])");

@@ -88,8 +88,8 @@ public final class LightPlanner {
     }
     List<LightInstance> reaching = request.steady() ? reach.of(request.scope()) : request.scope();
     float[] normals = mesh.normals();
-    // What its textures do with light is seen between the vertices.
-    boolean detailed = shape.surface().detail() != null;
+    // What its textures do with light is seen between the vertices; depths of fog are not refined.
+    boolean detailed = shape.surface().detail() != null || mesh.fogDepth() >= 0;
     if (!byVertex || detailed || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
       return new Plan(request, plain, null, false, reaching);
     }

@@ -89,6 +89,12 @@ class GlslTranslatorTest {
   }
 
   @Test
+  void longTextsAreNoTrouble() {
+    String text = "// " + "gl_Color ".repeat(100_000) + "\n/*" + "x*".repeat(200_000);
+    assertThat(body(Stage.FRAGMENT, text)).isEqualTo(text + "\n");
+  }
+
+  @Test
   void extensionsStandFirst() {
     String text =
         translated(
