@@ -1,6 +1,5 @@
 package org.selectiverenderer.bench;
 
-import java.io.IOException;
 import java.nio.file.Path;
 
 /**
@@ -13,20 +12,4 @@ import java.nio.file.Path;
  * @param triangles triangles of the inlined objects, all of which are shown at first
  * @param bytes length of all X3D files together
  */
-public record BenchScene(Path scene, Path path, int switches, long triangles, long bytes) {
-
-  /**
-   * The whole {@link HeavyScene}, in a folder {@code heavy}.
-   *
-   * @param folder that this folder is made in
-   * @throws IOException when a file cannot be written
-   */
-  public static BenchScene heavy(Path folder) throws IOException {
-    return HeavyScene.write(folder.resolve("heavy"), 1);
-  }
-
-  /** The sixth of it that selective rendering leaves, in a folder {@code light}. */
-  public static BenchScene light(Path folder) throws IOException {
-    return HeavyScene.write(folder.resolve("light"), 1.0 / 6);
-  }
-}
+public record BenchScene(Path scene, Path path, int switches, long triangles, long bytes) {}

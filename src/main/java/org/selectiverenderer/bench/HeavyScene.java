@@ -37,6 +37,21 @@ public final class HeavyScene {
   private HeavyScene() {}
 
   /**
+   * Writes the whole scene into a folder {@code heavy}.
+   *
+   * @param folder that this folder is made in
+   * @throws IOException when a file cannot be written
+   */
+  public static BenchScene heavy(Path folder) throws IOException {
+    return write(folder.resolve("heavy"), 1);
+  }
+
+  /** Writes the sixth of it that selective rendering leaves into a folder {@code light}. */
+  public static BenchScene light(Path folder) throws IOException {
+    return write(folder.resolve("light"), 1.0 / 6);
+  }
+
+  /**
    * Writes {@code scene.x3d}, {@code objects/object00.x3d} to {@code object69.x3d} and {@code
    * bench-path.csv}. The same share gives the same bytes.
    *

@@ -194,12 +194,12 @@ public final class SaiRunner implements AutoCloseable {
   /** X3D counts seconds from 1970, the time line from the start. */
   private void tell(ControlEvent event) {
     TimelineEvent.Told told = new TimelineEvent.Told(Math.max(0, event.time() - begun), event);
+    if (shown && event instanceof ControlEvent.Start) {
+      started.countDown();
+    }
     out.accept(text.line(told));
     if (shown) {
       timeline.accept(told);
-      if (event instanceof ControlEvent.Start) {
-        started.countDown();
-      }
     }
   }
 

@@ -1,5 +1,7 @@
 package org.selectiverenderer.app.sai;
 
+import java.util.Arrays;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.joml.AxisAngle4d;
@@ -12,7 +14,8 @@ import org.web3d.x3d.sai.navigation.Viewpoint;
 /**
  * Moves the viewer of a browser along a recorded path by the clock on the wall, through the SAI
  * alone: by a Viewpoint of its own that is bound and moved. A NavigationInfo without navigation is
- * bound too, so that no user and no gravity takes the viewer elsewhere.
+ * bound too, so that no user and no gravity takes the viewer elsewhere. Both look as those at the
+ * top of the scene that they stand in for: the first ones, which a browser binds.
  */
 final class SaiWalk {
   /** Milliseconds between moves. */
@@ -31,10 +34,25 @@ final class SaiWalk {
     X3DScene scene = (X3DScene) browser.getExecutionContext();
     navigation = (NavigationInfo) scene.createNode("NavigationInfo");
     navigation.setType(new String[] {"NONE"});
+    first(scene, NavigationInfo.class).ifPresent(this::copyLook);
     viewpoint = (Viewpoint) scene.createNode("Viewpoint");
+    first(scene, Viewpoint.class)
+        .ifPresent(before -> viewpoint.setFieldOfView(before.getFieldOfView()));
     place(path.start());
     scene.addRootNode(navigation);
     scene.addRootNode(viewpoint);
+  }
+
+  private static <T> Optional<T> first(X3DScene scene, Class<T> type) {
+    return Arrays.stream(scene.getRootNodes()).filter(type::isInstance).map(type::cast).findFirst();
+  }
+
+  private void copyLook(NavigationInfo before) {
+    navigation.setHeadlight(before.getHeadlight());
+    navigation.setVisibilityLimit(before.getVisibilityLimit());
+    float[] avatar = new float[before.getNumAvatarSize()];
+    before.getAvatarSize(avatar);
+    navigation.setAvatarSize(avatar);
   }
 
   /**

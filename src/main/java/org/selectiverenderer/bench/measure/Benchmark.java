@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.ManySwitchesScene;
 import org.selectiverenderer.hmd.DisplayProfile;
 
@@ -38,8 +39,8 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     Machine.describe(report.putObject("machine"));
     ObjectNode gl = report.putObject("gl");
     progress.accept("writing scenes");
-    BenchScene heavy = BenchScene.heavy(folder);
-    BenchScene light = BenchScene.light(folder);
+    BenchScene heavy = HeavyScene.heavy(folder);
+    BenchScene light = HeavyScene.light(folder);
     BenchScene many = ManySwitchesScene.write(folder.resolve("many"), SWITCHES, AFFECTED);
     progress.accept("reading");
     ReadingTimes.measure(folder.resolve("heavy"), report.putObject("read"));

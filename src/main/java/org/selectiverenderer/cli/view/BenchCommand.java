@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.GrowthSeries;
+import org.selectiverenderer.bench.HeavyScene;
 import org.selectiverenderer.bench.measure.Benchmark;
 import org.selectiverenderer.bench.measure.BenchmarkText;
 import org.selectiverenderer.bench.measure.GrowthBenchmark;
@@ -125,7 +126,7 @@ public final class BenchCommand extends CliCommand {
     if (growth || output != null) {
       throw CommandFailure.usage("--scenes does not measure; leave out --growth and --output");
     }
-    for (BenchScene written : List.of(BenchScene.heavy(folder), BenchScene.light(folder))) {
+    for (BenchScene written : List.of(HeavyScene.heavy(folder), HeavyScene.light(folder))) {
       console().out().println(written.scene());
     }
   }

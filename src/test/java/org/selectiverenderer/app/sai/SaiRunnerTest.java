@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -22,16 +23,21 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
+import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.web3d.x3d.sai.BrowserFactoryImpl;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.InvalidURLException;
 import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.X3DComponent;
+import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
+import org.web3d.x3d.sai.navigation.NavigationInfo;
 import org.web3d.x3d.sai.navigation.Viewpoint;
 
 /** The controller in a browser of which it knows the SAI only: here the embedded one. */
@@ -109,6 +115,37 @@ class SaiRunnerTest {
             "{\"event\":\"switch\",\"switch\":\"Can\",\"from\":1,\"to\":0,\"schema\":\"Near\"}",
             "{\"event\":\"exit\",\"sensor\":\"Desk\",\"schemas\":[\"Far\"]}",
             "{\"event\":\"switch\",\"switch\":\"Can\",\"from\":0,\"to\":1,\"schema\":\"Far\"}");
+  }
+
+  @Test
+  void theViewerOfAPathSeesWhatTheSceneWantsSeen() throws Exception {
+    Path scene =
+        Files.writeString(
+            scene(),
+            SCENE
+                .replace("position='0 0 6'", "position='0 0 6' fieldOfView='0.5'")
+                .replace(
+                    "<Viewpoint",
+                    "<NavigationInfo headlight='false' visibilityLimit='60' avatarSize='0.1 1 0.2'/>"
+                        + "<Viewpoint"));
+    Path path = Files.writeString(dir.resolve("p.csv"), "t,x,y,z\n0,0,0,6\n1,0,0,0\n");
+    CameraPath read = CameraPathReader.read(path, new Problems()).orElseThrow();
+    try (SaiRunner runner =
+        SaiRunner.open(
+            scene.toUri().toString(), Settings.SELECTIVE, Map.of(), lines::add, events::add)) {
+      assertThat(next()).startsWith("browser: ");
+      assertThat(next()).contains("no Switch");
+      assertThat(next()).contains("Can: choice 1");
+      runner.follow(read, new CountDownLatch(0)); // It ends at once.
+      X3DNode[] roots = ((X3DScene) runner.browser().getExecutionContext()).getRootNodes();
+      NavigationInfo navigation = (NavigationInfo) roots[roots.length - 2];
+      float[] avatar = new float[3];
+      navigation.getAvatarSize(avatar);
+      assertThat(navigation.getHeadlight()).isFalse();
+      assertThat(navigation.getVisibilityLimit()).isEqualTo(60);
+      assertThat(avatar).containsExactly(0.1f, 1, 0.2f);
+      assertThat(((Viewpoint) roots[roots.length - 1]).getFieldOfView()).isEqualTo(0.5f);
+    }
   }
 
   @Test
