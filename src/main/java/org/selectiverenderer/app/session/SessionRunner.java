@@ -76,7 +76,7 @@ public final class SessionRunner {
           controls.abort();
         }
       } else {
-        WindowChain.show(shown, tracker, message);
+        WindowChain.show(shown, tracker, Optional.empty(), message);
         // A window that was closed ends the session, as if the experimenter had.
         if (session.remaining().contains(step) || shown.wanted()) {
           controls.abort();
