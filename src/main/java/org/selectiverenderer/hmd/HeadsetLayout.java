@@ -46,6 +46,11 @@ public final class HeadsetLayout implements ViewLayout {
     eyes = List.copyOf(told);
   }
 
+  /** The eyes as they were told last; none before the first frame. */
+  public List<EyeAt> eyes() {
+    return eyes;
+  }
+
   /** Whether the heights that the runtime tells are above the user's floor. */
   public void floor(boolean known) {
     floor = known;

@@ -50,7 +50,7 @@ final class LwjglInstance implements XrInstance {
       long version = found.runtimeVersion();
       return "%s %d.%d.%d"
           .formatted(
-              found.runtimeNameString(),
+              found.runtimeNameString().split(" by ", 2)[0],
               version >>> 48,
               version >>> 32 & 0xffff,
               version & 0xffffffffL);

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -40,7 +41,7 @@ public final class HeadsetLink implements HeadsetScreen {
   private final PoseSample pose = new PoseSample();
   private final AtomicReference<XrStatus> status = new AtomicReference<>(XrStatus.NONE);
   private final List<HeadsetNews> news = new ArrayList<>();
-  private @Nullable HandedTracker tracker;
+  private Supplier<@Nullable HandedTracker> tracker = () -> null;
   private @Nullable XrHeadset headset;
   private Optional<Vector3d> gaze = Optional.empty();
   private boolean leave;
@@ -73,9 +74,23 @@ public final class HeadsetLink implements HeadsetScreen {
    * @param listener hears of every pose, on the thread that shows frames
    */
   public HandedTracker tracker(TrackerListener listener) {
-    HandedTracker made = new HandedTracker(listener, () -> XrHeadset.describe(status.get()));
-    tracker = made;
+    HandedTracker made = new HandedTracker(listener, this::described);
+    tracker = () -> made;
     return made;
+  }
+
+  /**
+   * Hands poses to a tracker that others have.
+   *
+   * @param to the tracker; none until there is one
+   */
+  public void feed(Supplier<@Nullable HandedTracker> to) {
+    tracker = to;
+  }
+
+  /** How it does, in a line for people; any thread. */
+  public String described() {
+    return XrHeadset.describe(status.get());
   }
 
   /** What the controllers do. */
@@ -86,11 +101,6 @@ public final class HeadsetLink implements HeadsetScreen {
   /** Where the eyes look in the frame that is due, in the frame of the head: a unit vector. */
   public Optional<Vector3d> gaze() {
     return gaze;
-  }
-
-  /** How it does; any thread. */
-  public XrStatus status() {
-    return status.get();
   }
 
   /** What became of it since the last call, in order. */
@@ -135,22 +145,23 @@ public final class HeadsetLink implements HeadsetScreen {
     Optional<XrFrame> frame = open.next();
     long now = System.nanoTime();
     status.set(open.status());
-    if (open.takeRecentred() && tracker != null) {
-      tracker.straighten();
+    HandedTracker fed = tracker.get();
+    if (open.takeRecentred() && fed != null) {
+      fed.straighten();
     }
     if (frame.isEmpty()) {
       hands.rest();
       gaze = Optional.empty();
-      if (tracker != null) {
-        tracker.pause(open.status().lost());
+      if (fed != null) {
+        fed.pause(open.status().lost());
       }
       return Optional.empty();
     }
-    take(frame.get(), now);
+    take(frame.get(), fed, now);
     return open.size().map(size -> new Due(size.width(), size.height(), frame.get().drawn()));
   }
 
-  private void take(XrFrame frame, long now) {
+  private void take(XrFrame frame, @Nullable HandedTracker fed, long now) {
     HeadsetLayout layout = shown.layout();
     layout.floor(frame.floor());
     layout.eyes(frame.eyes().stream().map(HeadsetLink::eye).toList());
@@ -160,8 +171,8 @@ public final class HeadsetLink implements HeadsetScreen {
     Vector3d at = frame.head().position();
     pose.turn(turn.x, turn.y, turn.z, turn.w);
     pose.place(at.x, at.y, at.z);
-    if (tracker != null) {
-      tracker.hand(pose, now);
+    if (fed != null) {
+      fed.hand(pose, now);
     }
   }
 

@@ -65,7 +65,7 @@ public final class WindowChain implements WorldHost {
    * Shows all runs, in windows as the first one's settings want them.
    *
    * @param tracker of all runs; stays open
-   * @param headset where the settings want one; closed when all are shown
+   * @param headset where the settings want one; the caller closes it
    * @param message hears what about the display is not as asked for
    * @throws IOException when a run fails, with a one-line message
    * @throws InterruptedException if the waiting thread is interrupted
