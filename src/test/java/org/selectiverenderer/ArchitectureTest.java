@@ -150,12 +150,18 @@ class ArchitectureTest {
   static final ArchRule modelsAreReadAndReducedInOnePlace =
       onlyIn("polygon", "org.lwjgl.assimp..", "org.lwjgl.util..");
 
-  /** Models are read by LWJGL's libraries; the user's liblsl is called by the libffi in LWJGL. */
   @ArchTest
-  static final ArchRule nativeMemoryIsTouchedBehindTwoDoors =
+  static final ArchRule headsetsAreDrivenBehindOneDoor = onlyIn("openxr", "org.lwjgl.openxr..");
+
+  /**
+   * Models are read by LWJGL's libraries; the user's liblsl is called by the libffi in LWJGL, and
+   * an OpenXR runtime by its loader.
+   */
+  @ArchTest
+  static final ArchRule nativeMemoryIsTouchedBehindThreeDoors =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("polygon"), of("lsl"))
+          .resideOutsideOfPackages(of("polygon"), of("lsl"), of("openxr"))
           .should()
           .dependOnClassesThat()
           .resideInAPackage("org.lwjgl..");

@@ -11,5 +11,7 @@ public enum DisplayMode {
   /** Both eyes through a graphics card with quad-buffered stereo. */
   QUAD,
   /** Both eyes in one picture for red and cyan glasses. */
-  ANAGLYPH
+  ANAGLYPH,
+  /** A headset that an OpenXR runtime drives. */
+  OPENXR
 }

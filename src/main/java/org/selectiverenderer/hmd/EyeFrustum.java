@@ -13,7 +13,7 @@ import org.joml.Vector3dc;
  * @param bottom usually below 0
  * @param top above {@code bottom}
  */
-record EyeFrustum(double left, double right, double bottom, double top) {
+public record EyeFrustum(double left, double right, double bottom, double top) {
 
   /**
    * From the eye's coordinates to clip coordinates, depth -1..1.

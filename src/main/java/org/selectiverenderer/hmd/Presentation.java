@@ -1,6 +1,7 @@
 package org.selectiverenderer.hmd;
 
 import java.util.Locale;
+import java.util.Optional;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
@@ -8,8 +9,24 @@ import org.selectiverenderer.runtime.camera.ViewLayout;
  *
  * @param geometry of the eyes; without meaning for {@link DisplayMode#WINDOW}
  * @param check whether a pattern to check the display by is shown instead of the world
+ * @param headset how it is shown in a headset; empty for all modes but {@link DisplayMode#OPENXR}
  */
-public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check) {
+public record Presentation(
+    DisplayMode mode, EyeGeometry geometry, boolean check, Optional<HeadsetShown> headset) {
+  /** On a screen, or to two eyes by a profile. */
+  public Presentation(DisplayMode mode, EyeGeometry geometry, boolean check) {
+    this(mode, geometry, check, Optional.empty());
+  }
+
+  /** In a headset; the mirror on the desk is as large as the profile's pictures. */
+  public static Presentation in(HeadsetShown headset) {
+    return new Presentation(
+        DisplayMode.OPENXR,
+        new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000),
+        false,
+        Optional.of(headset));
+  }
+
   /** Whether two eyes are shown two views. */
   public boolean stereo() {
     return mode != DisplayMode.WINDOW;
@@ -17,7 +34,7 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
 
   /** The same eyes shown in another way. */
   public Presentation as(DisplayMode other) {
-    return new Presentation(other, geometry, check);
+    return new Presentation(other, geometry, check, headset);
   }
 
   /**
@@ -26,7 +43,7 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
    * @param metres between the pupils
    */
   public Presentation withIpd(double metres) {
-    return new Presentation(mode, new EyeGeometry(geometry.profile(), metres), check);
+    return new Presentation(mode, new EyeGeometry(geometry.profile(), metres), check, headset);
   }
 
   /** Width in pixels of a picture in which nothing is scaled. */
@@ -53,6 +70,9 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
    * @param height of the window's picture
    */
   public FieldOfView seen(double fieldOfView, int width, int height) {
+    if (headset.isPresent()) {
+      return headset.get().layout().bothEyes();
+    }
     if (stereo()) {
       return geometry.bothEyes();
     }
@@ -62,6 +82,9 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
 
   /** How the views are arranged in one target. */
   public ViewLayout layout() {
+    if (headset.isPresent()) {
+      return headset.get().layout();
+    }
     if (!stereo()) {
       return ViewLayout.MONO;
     }
@@ -81,6 +104,9 @@ public record Presentation(DisplayMode mode, EyeGeometry geometry, boolean check
 
   /** What a picture of that size shows, in a sentence; for modes of two views. */
   public String describe(int width, int height) {
+    if (headset.isPresent()) {
+      return "headset by OpenXR: " + headset.get().layout().describe();
+    }
     StereoLayout.Part part = stereoLayout().part(Eye.LEFT, width, height);
     DisplayProfile profile = geometry.profile();
     FieldOfView field = profile.fieldOfView();

@@ -2,6 +2,7 @@ package org.selectiverenderer.hmd;
 
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.viewer.Heading;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
@@ -15,7 +16,8 @@ import org.selectiverenderer.tracker.PoseSample;
  * tracker turns the head, whatever else moves the viewer moves and turns the chair. The head's yaw
  * 0 looks where the chair looks, at first where the viewpoint looks. Walking follows the way the
  * head looks. When another viewpoint is bound, or the bound one turns, the chair turns with it so
- * that the viewer looks its way.
+ * that the viewer looks its way. Where the tracker tells the head's place too, the head is beside
+ * and above its body by that ({@link HeadPlace}).
  *
  * <p>Takes the newest pose when it is asked to move, which is just before the frame is drawn. Makes
  * the same frames of the same poses. Belongs to the thread that steps the world.
@@ -33,6 +35,7 @@ public final class TrackedMotion implements ViewerMotion {
   private final HeadTracker tracker;
   private final ViewerMotion walking;
   private final WhenLost whenLost;
+  private final @Nullable HeadPlace place;
   private final PoseSample sample = new PoseSample();
   private final Quaterniond head = new Quaterniond();
   private double chair;
@@ -44,10 +47,27 @@ public final class TrackedMotion implements ViewerMotion {
    * @param walking moves the viewer, and turns it by mouse and keys
    */
   public TrackedMotion(World world, HeadTracker tracker, ViewerMotion walking, WhenLost whenLost) {
+    this(world, tracker, walking, whenLost, HeadSettings.TURNED, null);
+  }
+
+  /**
+   * With the place of the head.
+   *
+   * @param walking moves the body, and turns it by mouse and keys
+   * @param body that follows the head; null for one that does not
+   */
+  public TrackedMotion(
+      World world,
+      HeadTracker tracker,
+      ViewerMotion walking,
+      WhenLost whenLost,
+      HeadSettings settings,
+      @Nullable Body body) {
     this.world = world;
     this.tracker = tracker;
     this.walking = walking;
     this.whenLost = whenLost;
+    place = settings.placed() ? new HeadPlace(world, settings, body) : null;
   }
 
   /** Whether the tracker turns the view, or kept it where it was, in the frame last moved. */
@@ -72,6 +92,9 @@ public final class TrackedMotion implements ViewerMotion {
     fresh = known && sample.number() != before;
     steering = known && !(whenLost == WhenLost.MOUSE && tracker.health().stale());
     Quaterniondc upright = upright();
+    if (place != null) {
+      place.leave(viewer);
+    }
     double heading = heading(viewer, upright);
     chair += Double.isNaN(lastHeading) ? heading : heading - lastHeading;
     if (steering) {
@@ -83,6 +106,9 @@ public final class TrackedMotion implements ViewerMotion {
     chair += heading(viewer, upright) - heading;
     if (steering) {
       turn(viewer, upright);
+      if (place != null && sample.placed()) {
+        place.enter(viewer, sample, chair, upright);
+      }
     }
     lastHeading = heading(viewer, upright);
   }

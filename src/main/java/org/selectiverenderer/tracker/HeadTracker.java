@@ -1,5 +1,7 @@
 package org.selectiverenderer.tracker;
 
+import java.util.Optional;
+
 /**
  * A device that says where the head looks. Its records arrive on a thread of its own, at a rate of
  * its own; whoever draws reads the newest at the moment of drawing. All methods may be called from
@@ -28,6 +30,11 @@ public interface HeadTracker extends AutoCloseable {
 
   /** How well the records arrive. Allocates; meant to be called once per frame or less. */
   TrackerHealth health();
+
+  /** More about how it does, for people; empty where {@link #health} says it all. */
+  default Optional<String> described() {
+    return Optional.empty();
+  }
 
   /** Lets go of the device and ends the thread; waits until that is done. A second call is none. */
   @Override

@@ -3,12 +3,13 @@ package org.selectiverenderer.tracker;
 import org.joml.Quaterniond;
 
 /**
- * One orientation of the head and when it arrived. Mutable, so that reading one allocates nothing;
- * it belongs to the thread that made it.
+ * One orientation of the head, its place if the device tells it, and when it arrived. Mutable, so
+ * that reading one allocates nothing; it belongs to the thread that made it.
  *
  * <p>Angles are in degrees about the axes of X3D's viewer, who looks along -Z with +Y up: yaw about
  * Y (positive to the left), pitch about X (positive up), roll about Z (positive tilts the head to
  * its left shoulder), composed as yaw, then pitch, then roll (order YXZ). See {@link Orientation}.
+ * The place is in metres along the same axes: right, up and back of where the device counts from.
  */
 public final class PoseSample {
   private long number;
@@ -16,14 +17,24 @@ public final class PoseSample {
   private double yaw;
   private double pitch;
   private double roll;
+  private int straightened;
+  private boolean placed;
+  private double x;
+  private double y;
+  private double z;
 
   /** Copies another sample. */
   public void set(PoseSample other) {
     set(other.number, other.arrival, other.yaw, other.pitch, other.roll);
+    straightened = other.straightened;
+    placed = other.placed;
+    x = other.x;
+    y = other.y;
+    z = other.z;
   }
 
   /**
-   * Sets all of it.
+   * Sets all of it but the place.
    *
    * @param number of the record, counted from 1
    * @param arrival as {@link System#nanoTime} told it
@@ -32,6 +43,43 @@ public final class PoseSample {
     this.number = number;
     this.arrival = arrival;
     turn(yaw, pitch, roll);
+  }
+
+  /** Sets the place only, in metres. */
+  public void place(double right, double up, double back) {
+    placed = true;
+    x = right;
+    y = up;
+    z = back;
+  }
+
+  /** Sets how often straight ahead was set anew. */
+  public void straightened(int times) {
+    straightened = times;
+  }
+
+  /** How often straight ahead, and with it where places count from, was set anew. */
+  public int straightened() {
+    return straightened;
+  }
+
+  /** There is no place. */
+  public void unplace() {
+    placed = false;
+  }
+
+  /**
+   * Turns place and angles about the vertical axis, so that what was at a yaw is at 0.
+   *
+   * @param ahead that yaw in degrees
+   */
+  public void ahead(double ahead) {
+    turn(yaw - ahead, pitch, roll);
+    double sin = Math.sin(Math.toRadians(ahead));
+    double cos = Math.cos(Math.toRadians(ahead));
+    double right = cos * x - sin * z;
+    z = sin * x + cos * z;
+    x = right;
   }
 
   /** Sets the angles only, in degrees; each is brought to -180 to 180. */
@@ -79,6 +127,26 @@ public final class PoseSample {
   /** About Z, -180 to 180 degrees. */
   public double roll() {
     return roll;
+  }
+
+  /** Whether the place is told. */
+  public boolean placed() {
+    return placed;
+  }
+
+  /** To the right, in metres; without meaning unless {@link #placed}. */
+  public double x() {
+    return x;
+  }
+
+  /** Up, in metres. */
+  public double y() {
+    return y;
+  }
+
+  /** Back, in metres. */
+  public double z() {
+    return z;
   }
 
   /** The angles as a value. */

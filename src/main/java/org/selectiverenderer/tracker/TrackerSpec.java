@@ -91,6 +91,14 @@ public sealed interface TrackerSpec {
     }
   }
 
+  /** The headset that shows the pictures, by {@code --display openxr}; nobody types it. */
+  record Headset() implements TrackerSpec {
+    @Override
+    public String toString() {
+      return "openxr";
+    }
+  }
+
   /** {@code replay:FILE.csv}: what {@code track --output} or a head log recorded. */
   record Replay(Path file) implements TrackerSpec {
     @Override

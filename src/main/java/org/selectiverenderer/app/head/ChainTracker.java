@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.head;
 
 import java.io.IOException;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -22,10 +23,33 @@ import org.selectiverenderer.tracker.open.Trackers;
  * Belongs to the thread that opens runs; problems come from the tracker's.
  */
 public final class ChainTracker implements AutoCloseable {
+  private final Opener opener;
   private @Nullable HeadTracker tracker;
   private final CountDownLatch heard = new CountDownLatch(1);
   private volatile Consumer<Problem> listener = problem -> {};
   private volatile Consumer<PoseSample> taker = sample -> {};
+
+  /** Opens the tracker of a chain. */
+  @FunctionalInterface
+  public interface Opener {
+    /**
+     * Opens it.
+     *
+     * @param hears its records and problems
+     * @throws IOException when it cannot be used
+     */
+    HeadTracker open(TrackerSettings settings, TrackerListener hears) throws IOException;
+  }
+
+  /** Of whatever tracker the settings name. */
+  public ChainTracker() {
+    this((settings, hears) -> Trackers.open(settings.spec(), settings.options(), hears));
+  }
+
+  /** Of one that is opened in another way. */
+  public ChainTracker(Opener opener) {
+    this.opener = opener;
+  }
 
   /**
    * The tracker for a run, which may close what it gets: the device stays open.
@@ -42,7 +66,7 @@ public final class ChainTracker implements AutoCloseable {
     taker = takes;
     HeadTracker open = tracker;
     if (open == null) {
-      open = Trackers.open(settings.spec(), settings.options(), new Told());
+      open = opener.open(settings, new Told());
       tracker = open;
     }
     return new Lent(open);
@@ -102,6 +126,11 @@ public final class ChainTracker implements AutoCloseable {
     @Override
     public void resetHeading() {
       open.resetHeading();
+    }
+
+    @Override
+    public Optional<String> described() {
+      return open.described();
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.head;
 
 import java.io.IOException;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +12,8 @@ import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
+import org.selectiverenderer.hmd.Body;
+import org.selectiverenderer.hmd.HeadSettings;
 import org.selectiverenderer.hmd.TrackedMotion;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.tracker.HeadTracker;
@@ -18,7 +21,6 @@ import org.selectiverenderer.tracker.LatencyMeter;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerHealth;
-import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.open.Trackers;
 import org.selectiverenderer.tracker.replay.ReplayLog;
@@ -84,19 +86,8 @@ public final class HeadSession implements AutoCloseable {
     TrackerSettings tracking = settings.tracker();
     if (!(tracking.spec() instanceof TrackerSpec.Replay spec)) {
       TrackerTap tap = new TrackerTap();
-      TrackerListener heard =
-          new TrackerListener() {
-            @Override
-            public void sample(PoseSample sample) {
-              tap.accept(sample);
-            }
-
-            @Override
-            public void problem(Problem told) {
-              problem.accept(told);
-            }
-          };
-      HeadTracker live = Trackers.open(tracking.spec(), tracking.options(), heard);
+      HeadTracker live =
+          Trackers.open(tracking.spec(), tracking.options(), TrackerTap.hearing(tap, problem));
       return new HeadSession(settings, problem, live, null, files, tap);
     }
     // A log is replayed by the frames' clock, so that each run of it shows the same.
@@ -138,10 +129,12 @@ public final class HeadSession implements AutoCloseable {
    * Begins with a scene.
    *
    * @param walking what moves the viewer besides the tracker
+   * @param body follows the head where its place is told; null for none
    * @return what moves the viewer
    * @throws IOException if the log cannot be written
    */
-  public ViewerMotion begin(Walkthrough walk, ViewerMotion walking) throws IOException {
+  public ViewerMotion begin(Walkthrough walk, ViewerMotion walking, @Nullable Body body)
+      throws IOException {
     if (files != null || listener != null) {
       double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);
       recorder = HeadRecorder.open(files, listener, cone, settings, walk, problem);
@@ -153,7 +146,8 @@ public final class HeadSession implements AutoCloseable {
       return walking;
     }
     TrackedMotion tracked =
-        new TrackedMotion(walk.world(), tracker, walking, settings.tracker().whenLost());
+        new TrackedMotion(
+            walk.world(), tracker, walking, settings.tracker().whenLost(), place(), body);
     motion = tracked;
     ReplayLog played = replay;
     if (played == null || !(tracker instanceof SteppedReplay stepped)) {
@@ -163,6 +157,21 @@ public final class HeadSession implements AutoCloseable {
       stepped.advanceTo(played.time(0) + time);
       tracked.move(viewer, time, dt);
     };
+  }
+
+  /** What is made of the head's place. */
+  private HeadSettings place() {
+    return settings
+        .display()
+        .presentation()
+        .headset()
+        .map(shown -> new HeadSettings(true, shown.layout()::floor, shown.size()))
+        .orElse(settings.tracker().placed() ? HeadSettings.SEATED : HeadSettings.TURNED);
+  }
+
+  /** More about how the tracker does, for people. */
+  public Optional<String> described() {
+    return tracker.described();
   }
 
   /** A frame was stepped; it is logged by {@link #log}. */

@@ -9,6 +9,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.experiment.headlog.TrackerLog;
 import org.selectiverenderer.experiment.headlog.TrackerRecord;
 import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerListener;
 
 /**
  * Takes the records of a tracker to their log, from the moment that it is opened to the moment that
@@ -17,6 +18,21 @@ import org.selectiverenderer.tracker.PoseSample;
  */
 public final class TrackerTap implements Consumer<PoseSample>, AutoCloseable {
   private volatile @Nullable TrackerLog log;
+
+  /** What hears a tracker whose records go to a log, and whose problems elsewhere. */
+  public static TrackerListener hearing(TrackerTap tap, Consumer<Problem> problem) {
+    return new TrackerListener() {
+      @Override
+      public void sample(PoseSample sample) {
+        tap.accept(sample);
+      }
+
+      @Override
+      public void problem(Problem told) {
+        problem.accept(told);
+      }
+    };
+  }
 
   /** A record has arrived. */
   @Override

@@ -146,6 +146,9 @@ public final class OperatorConsole {
                 "tracker %s: %s",
                 settings.tracker().spec(), health.state().name().toLowerCase(Locale.ROOT)),
             marks);
+    if (head.described().isPresent()) {
+      y = line(left, y, INK, head.described().get(), marks);
+    }
     y =
         line(
             left,

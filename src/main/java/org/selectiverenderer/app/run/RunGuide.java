@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.run;
 
 import java.util.List;
+import org.selectiverenderer.app.headset.HeadsetAnswer;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
@@ -61,6 +62,14 @@ public interface RunGuide {
   default ViewerMotion motion(ViewerMotion users) {
     return users;
   }
+
+  /** Whether the body goes where the user goes himself, when his head's place is tracked. */
+  default boolean walks() {
+    return true;
+  }
+
+  /** The user of a headset answered something by his controllers. */
+  default void answered(HeadsetAnswer answer) {}
 
   /** Whether time stands still. */
   default boolean paused() {

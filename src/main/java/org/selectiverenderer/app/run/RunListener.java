@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.openxr.HeadsetNews;
 
 /** Hears what a run has to say. Called on the stepping thread, or while loading, in order. */
 public interface RunListener {
@@ -12,6 +13,11 @@ public interface RunListener {
 
   /** The display is not as asked for: what is shown instead, in a sentence. */
   default void displayFallback(String told) {}
+
+  /** Something became of the headset; its text is a sentence. */
+  default void headset(HeadsetNews news) {
+    printed(news.text());
+  }
 
   /** A line of the time line. */
   void happened(TimelineEvent event);

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -14,12 +15,17 @@ import org.selectiverenderer.app.figures.FigureKeeper;
 import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.head.FrameMoment;
 import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.headset.HeadsetLink;
+import org.selectiverenderer.app.headset.RoomTeleport;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.operator.OverlayText;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.walk.Viewpoints;
 import org.selectiverenderer.app.walk.Walking;
 import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.openxr.HeadsetButton;
+import org.selectiverenderer.openxr.HeadsetNews;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.GlInfo;
@@ -27,6 +33,7 @@ import org.selectiverenderer.runtime.render.show.OperatorPage;
 import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
@@ -55,9 +62,13 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final Stopwatch time;
   private final SceneOpening opening;
   private final SceneSound sound;
+  private final RunListener listener;
+  private final Optional<HeadsetLink> headset;
   private RunState state = RunState.LOADING;
   private @Nullable LiveScene scene;
   private @Nullable IOException failure;
+  private boolean unseen;
+  private boolean begun;
 
   /**
    * Begins to read the scene.
@@ -72,7 +83,19 @@ final class SceneRun implements WorldHost, AutoCloseable {
       RunGuide guide,
       Pace pace,
       RunStop stop) {
-    this(settings, listener, head, guide, pace, stop, new Stopwatch());
+    this(settings, listener, head, guide, pace, stop, Optional.empty());
+  }
+
+  /** The same in a headset, where there is one. */
+  SceneRun(
+      RunSettings settings,
+      RunListener listener,
+      HeadSession head,
+      RunGuide guide,
+      Pace pace,
+      RunStop stop,
+      Optional<HeadsetLink> headset) {
+    this(settings, listener, head, guide, pace, stop, headset, new Stopwatch());
   }
 
   /** The same by another clock. */
@@ -83,12 +106,16 @@ final class SceneRun implements WorldHost, AutoCloseable {
       RunGuide guide,
       Pace pace,
       RunStop stop,
+      Optional<HeadsetLink> headset,
       Stopwatch time) {
     this.settings = settings;
     this.head = head;
     this.guide = guide;
     this.pace = pace;
     this.stop = stop;
+    this.listener = listener;
+    this.headset = headset;
+    unseen = headset.isPresent();
     this.time = time;
     controls = new Controls(settings.motion().mouse());
     windowInput = new WindowInput(controls);
@@ -153,15 +180,26 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   @Override
+  public void presented(boolean seen) {
+    unseen = !seen;
+    begun |= seen;
+  }
+
+  /** Whether time stands still: somebody says so, or nobody wears the headset. */
+  private boolean paused() {
+    return guide.paused() || unseen;
+  }
+
+  @Override
   public Optional<World> step() {
     List<NavigationCommand> commands =
         Stream.concat(
                 controls.takeCommands().stream().filter(guide::hears),
-                guide.takeHeadingReset()
-                    ? Stream.of(NavigationCommand.RESET_HEADING)
-                    : Stream.empty())
+                straightened() ? Stream.of(NavigationCommand.RESET_HEADING) : Stream.empty())
             .toList();
-    if (state == RunState.LOADING && opening.done()) {
+    headset.ifPresent(this::tell);
+    // In a headset the scene begins when somebody sees it.
+    if (state == RunState.LOADING && opening.done() && (begun || headset.isEmpty())) {
       open();
     }
     if (stop.asked() || commands.contains(NavigationCommand.LEAVE)) {
@@ -173,11 +211,40 @@ final class SceneRun implements WorldHost, AutoCloseable {
     }
     commands.forEach(command -> obey(command, live.walking()));
     controls.looking(!head.steering());
-    time.tick(guide.paused());
+    headset.ifPresent(worn -> hands(worn, live.walk().world()));
+    time.tick(paused());
     advance(live, time.seconds());
-    sound.hear(live.walk().world(), guide.paused());
+    sound.hear(live.walk().world(), paused());
     drags.decided(live.walk().world(), windowInput::accept);
     return Optional.of(live.walk().world());
+  }
+
+  /** Whether somebody asked for straight ahead to be set anew: who leads, or who wears it. */
+  private boolean straightened() {
+    boolean asked = guide.takeHeadingReset();
+    return headset.map(worn -> worn.hands().take(HeadsetButton.RECENTRE)).orElse(false) || asked;
+  }
+
+  /** Tells what became of the headset. */
+  private void tell(HeadsetLink worn) {
+    for (HeadsetNews news : worn.takeNews()) {
+      listener.headset(news);
+      LiveScene live = scene;
+      if (live != null && live.walk().frames() > 0) {
+        listener.happened(
+            new TimelineEvent.Headset(
+                live.walk().world().time(), news.kind().name().toLowerCase(Locale.ROOT)));
+      }
+    }
+  }
+
+  /** Does what the controllers ask for. */
+  private void hands(HeadsetLink worn, World world) {
+    worn.hands().drive(controls);
+    worn.hands().takeAnswers().forEach(guide::answered);
+    if (worn.hands().take(HeadsetButton.TELEPORT) && guide.walks() && !paused()) {
+      RoomTeleport.go(world);
+    }
   }
 
   /** Takes the scene over. */
@@ -192,10 +259,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
       guide.opened(walk);
       scene =
           new LiveScene(
-              walk,
-              walking,
-              guide.motion(head.begin(walk, pace.motion(settings, walking))),
-              pace.clock(settings, head.replayed()));
+              walk, walking, motion(walk, walking), pace.clock(settings, head.replayed()));
       pace.begin(world, settings);
       keeper.loaded();
       state = state.then(RunState.READY);
@@ -203,6 +267,16 @@ final class SceneRun implements WorldHost, AutoCloseable {
       failure = e;
       state = state.then(RunState.OVER);
     }
+  }
+
+  /** What moves the viewer. A head whose place is tracked is above a body that is led. */
+  private ViewerMotion motion(Walkthrough walk, Walking walking) throws IOException {
+    ViewerMotion moving = pace.motion(settings, walking);
+    if (headset.isEmpty() && !settings.tracker().placed()) {
+      return guide.motion(head.begin(walk, moving, null));
+    }
+    boolean follows = guide.walks() && moving == walking;
+    return head.begin(walk, guide.motion(moving), follows ? walking::push : null);
   }
 
   private void obey(NavigationCommand command, Walking walking) {
@@ -216,7 +290,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   private void advance(LiveScene live, double elapsed) {
     boolean over = guide.over(elapsed);
-    if (!guide.paused() || live.walk().frames() == 0) {
+    if (!paused() || live.walk().frames() == 0) {
       head.log(false); // A frame that was stepped but, in a hidden window, not drawn.
       for (double frame : live.clock().due(elapsed)) {
         head.log(seen()); // One of several that a slow picture stands for.
@@ -260,7 +334,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   /** Whether the participant sees what is drawn. */
   private boolean seen() {
-    return guide.darkness(time.seconds()) <= HALF;
+    return !unseen && guide.darkness(time.seconds()) <= HALF;
   }
 
   @Override
@@ -272,7 +346,9 @@ final class SceneRun implements WorldHost, AutoCloseable {
   public List<String> overlay() {
     List<String> lines = new ArrayList<>();
     // In a display the participant would see it: there the operator's window says so.
-    if (!settings.display().presentation().stereo() && head.health().stale()) {
+    if (headset.isPresent()) {
+      head.described().ifPresent(lines::add);
+    } else if (!settings.display().presentation().stereo() && head.health().stale()) {
       lines.add(OperatorConsole.alarm(settings.tracker(), head.health()));
     }
     boolean walked = settings.motion().path().isEmpty();

@@ -1,10 +1,14 @@
 package org.selectiverenderer.app.run;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.head.TrackerTap;
+import org.selectiverenderer.app.headset.HeadsetLink;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.tracker.HeadTracker;
 
 /** Runs a scene from its beginning to its end. */
 public final class SceneRunner {
@@ -23,8 +27,42 @@ public final class SceneRunner {
       throws IOException, InterruptedException {
     RunSettings fitted = WindowStage.fitted(settings, listener::printed);
     describe(fitted.display(), listener);
-    FrameTarget target = new WindowFrames(WindowStage.of(fitted, listener::printed));
+    FrameTarget target =
+        new WindowFrames(
+            host -> WindowStage.screen(fitted, Optional.empty(), host, listener::printed));
     return run(fitted, listener, stop, Pace.WATCHED, target);
+  }
+
+  /**
+   * In a headset, with a mirror of it in a window; the headset's thread steps the world. Time
+   * begins when somebody sees the first frame, and stands still while nobody does.
+   *
+   * @param headset closed with the run
+   * @param stop by which somebody else ends it
+   * @throws IOException with a one-line message when the scene cannot be read
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static RunResult inHeadset(
+      RunSettings settings, HeadsetLink headset, RunListener listener, RunStop stop)
+      throws IOException, InterruptedException {
+    listener.printed(headset.describe());
+    TrackerTap tap = new TrackerTap();
+    HeadTracker tracker = headset.tracker(TrackerTap.hearing(tap, listener::problem));
+    try (headset) {
+      HeadSession head = HeadSession.with(tracker, tap, settings, listener::problem);
+      listener.samples().ifPresent(head::tell);
+      try (SceneRun run =
+          new SceneRun(
+              settings, listener, head, RunGuide.USER, Pace.WATCHED, stop, Optional.of(headset))) {
+        FrameTarget target =
+            new WindowFrames(
+                host ->
+                    WindowStage.screen(settings, Optional.of(headset), host, listener::printed));
+        return run.end(target.show(run));
+      }
+    } finally {
+      stop.ended();
+    }
   }
 
   /**

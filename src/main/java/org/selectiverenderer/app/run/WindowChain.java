@@ -10,6 +10,7 @@ import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.head.HeadSession;
 import org.selectiverenderer.app.head.TrackerTap;
+import org.selectiverenderer.app.headset.HeadsetLink;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.runtime.World;
@@ -17,7 +18,7 @@ import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
 import org.selectiverenderer.runtime.render.show.WorldHost;
-import org.selectiverenderer.runtime.render.show.WorldWindow;
+import org.selectiverenderer.runtime.render.show.WorldScreen;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 
 /**
@@ -46,35 +47,40 @@ public final class WindowChain implements WorldHost {
 
   private final Runs runs;
   private final ChainTracker tracker;
-  private @Nullable WorldWindow window;
+  private final Optional<HeadsetLink> headset;
+  private @Nullable WorldScreen window;
   private volatile @Nullable GuidedRun guided;
   private @Nullable SceneRun current;
   private @Nullable IOException failure;
   private boolean finished;
+  private boolean seen;
 
-  private WindowChain(Runs runs, ChainTracker tracker) {
+  private WindowChain(Runs runs, ChainTracker tracker, Optional<HeadsetLink> headset) {
     this.runs = runs;
     this.tracker = tracker;
+    this.headset = headset;
   }
 
   /**
    * Shows all runs, in windows as the first one's settings want them.
    *
    * @param tracker of all runs; stays open
+   * @param headset where the settings want one; the caller closes it
    * @param message hears what about the display is not as asked for
    * @throws IOException when a run fails, with a one-line message
    * @throws InterruptedException if the waiting thread is interrupted
    */
-  public static void show(Runs runs, ChainTracker tracker, Consumer<String> message)
+  public static void show(
+      Runs runs, ChainTracker tracker, Optional<HeadsetLink> headset, Consumer<String> message)
       throws IOException, InterruptedException {
-    WindowChain chain = new WindowChain(runs, tracker);
+    WindowChain chain = new WindowChain(runs, tracker, headset);
     Optional<GuidedRun> first = runs.next();
     if (first.isEmpty()) {
       return;
     }
     try {
       chain.begin(first.get());
-      WorldWindow window = new WorldWindow(WindowStage.of(first.get().settings(), message), chain);
+      WorldScreen window = WindowStage.screen(first.get().settings(), headset, chain, message);
       chain.window = window;
       window.run();
     } finally {
@@ -96,7 +102,9 @@ public final class WindowChain implements WorldHost {
         HeadSession.with(
             tracker.lend(fitted.tracker(), listener::problem, tap), tap, fitted, listener::problem);
     listener.samples().ifPresent(head::tell);
-    current = new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop());
+    current =
+        new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop(), headset);
+    current.presented(seen);
   }
 
   private void close() throws IOException {
@@ -142,6 +150,14 @@ public final class WindowChain implements WorldHost {
   @Override
   public boolean readyAtOnce() {
     return true;
+  }
+
+  @Override
+  public void presented(boolean now) {
+    seen = now;
+    if (current != null) {
+      current.presented(now);
+    }
   }
 
   @Override

@@ -4,12 +4,17 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.app.headset.HeadsetLink;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.headset.HeadsetWindow;
 import org.selectiverenderer.runtime.render.show.RunWindows;
+import org.selectiverenderer.runtime.render.show.WorldHost;
+import org.selectiverenderer.runtime.render.show.WorldScreen;
+import org.selectiverenderer.runtime.render.show.WorldWindow;
 import org.selectiverenderer.runtime.render.window.Monitor;
 import org.selectiverenderer.runtime.render.window.Monitors;
 import org.selectiverenderer.runtime.render.window.QuadBuffers;
@@ -49,6 +54,37 @@ final class WindowStage {
       case QUAD -> stage.quad();
       default -> stage.single();
     };
+  }
+
+  /**
+   * What shows a run: its windows, or a headset with a mirror of it.
+   *
+   * @param headset where the settings want one
+   * @param message hears what is not as asked for
+   */
+  static WorldScreen screen(
+      RunSettings settings,
+      Optional<HeadsetLink> headset,
+      WorldHost host,
+      Consumer<String> message) {
+    RunWindows windows = of(settings, message);
+    if (headset.isEmpty()) {
+      return new WorldWindow(windows, host);
+    }
+    WindowOptions main = windows.main();
+    RunWindows mirror =
+        new RunWindows(
+            new WindowOptions(main.title(), main.width(), main.height(), 0, false),
+            windows.layout(),
+            windows.style(),
+            Optional.empty(),
+            windows.operator());
+    return new HeadsetWindow(
+        mirror,
+        host,
+        headset.get(),
+        settings.display().presentation().headset().orElseThrow().mirror(),
+        main.samples());
   }
 
   /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.app.head.ChainTracker;
+import org.selectiverenderer.app.headset.HeadsetLink;
 import org.selectiverenderer.app.run.WindowChain;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
@@ -26,10 +27,22 @@ public final class SessionRunner {
   private final OperatorControls controls;
   private final ChainTracker tracker;
   private final Consumer<String> message;
+  private final Optional<SessionHeadset> headset;
+
+  /** The same without a headset. */
+  public SessionRunner(
+      Session session,
+      SessionDialogue dialogue,
+      SessionShow settings,
+      ChainTracker tracker,
+      Consumer<String> message) {
+    this(session, dialogue, settings, tracker, Optional.empty(), message);
+  }
 
   /**
    * @param settings how scenes are shown
    * @param tracker opened when a scene is first shown, unless it is open; stays open
+   * @param headset that they are shown in; empty for other displays
    * @param message hears what is not as asked for, a line at a time
    */
   public SessionRunner(
@@ -37,7 +50,9 @@ public final class SessionRunner {
       SessionDialogue dialogue,
       SessionShow settings,
       ChainTracker tracker,
+      Optional<SessionHeadset> headset,
       Consumer<String> message) {
+    this.headset = headset;
     this.session = session;
     this.dialogue = dialogue;
     this.tracker = tracker;
@@ -76,7 +91,7 @@ public final class SessionRunner {
           controls.abort();
         }
       } else {
-        WindowChain.show(shown, tracker, message);
+        show();
         // A window that was closed ends the session, as if the experimenter had.
         if (session.remaining().contains(step) || shown.wanted()) {
           controls.abort();
@@ -86,6 +101,16 @@ public final class SessionRunner {
         session.abort(step.id());
         return Outcome.ABORTED;
       }
+    }
+  }
+
+  private void show() throws IOException, InterruptedException {
+    if (headset.isEmpty()) {
+      WindowChain.show(shown, tracker, Optional.empty(), message);
+      return;
+    }
+    try (HeadsetLink worn = headset.get().connect()) {
+      WindowChain.show(shown, tracker, Optional.of(worn), message);
     }
   }
 

@@ -27,8 +27,11 @@ public record SessionShow(
     return new SessionShow(presentation, tracking, operator, stage, other);
   }
 
-  /** How a tracker is taken: while it is silent the picture stays as it is. */
+  /** How a tracker is taken: while it is silent the picture stays as it is. A headset is one. */
   public TrackerSettings tracker(TrackerSpec spec) {
-    return new TrackerSettings(spec, tracking, WhenLost.FREEZE);
+    return new TrackerSettings(
+        presentation.headset().isPresent() ? new TrackerSpec.Headset() : spec,
+        tracking,
+        WhenLost.FREEZE);
   }
 }

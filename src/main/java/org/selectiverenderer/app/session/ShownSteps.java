@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -21,6 +22,7 @@ import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineJson;
+import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.Condition;
@@ -31,6 +33,7 @@ import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.openxr.HeadsetNews;
 
 /** The steps of a session that show a scene, as runs of one chain of windows. */
 final class ShownSteps implements WindowChain.Runs {
@@ -141,6 +144,24 @@ final class ShownSteps implements WindowChain.Runs {
       @Override
       public void displayFallback(String told) {
         quality.flag(SessionFlag.DISPLAY_FALLBACK, step, Map.of(), told);
+      }
+
+      @Override
+      public void headset(HeadsetNews news) {
+        session
+            .journal()
+            .tell(
+                "headset",
+                Map.of(
+                    "step",
+                    step.id(),
+                    "what",
+                    news.kind().name().toLowerCase(Locale.ROOT),
+                    "text",
+                    news.text(),
+                    "mono",
+                    Rounded.to(6, System.nanoTime() * 1e-9)));
+        show.listener().headset(news);
       }
 
       @Override

@@ -132,6 +132,14 @@ final class StepGuide implements RunGuide {
   }
 
   @Override
+  public boolean walks() {
+    boolean turns =
+        step instanceof SessionStep.Exposure exposure
+            && session.material().study().stay(exposure.area()) == Stay.TURN;
+    return !turns && !session.options().unattended();
+  }
+
+  @Override
   public boolean takeHeadingReset() {
     return controls.takeResetHeading();
   }

@@ -15,6 +15,13 @@ public sealed interface TimelineEvent {
   record Told(double t, ControlEvent event) implements TimelineEvent {}
 
   /**
+   * Something became of the headset.
+   *
+   * @param what in one word, such as {@code away}
+   */
+  record Headset(double t, String what) implements TimelineEvent {}
+
+  /**
    * The walk is over.
    *
    * @param frames stepped

@@ -27,6 +27,8 @@ public final class TimelineJson {
     node.put("t", Rounded.to(6, event.t()));
     if (event instanceof TimelineEvent.Told told) {
       put(node, told.event());
+    } else if (event instanceof TimelineEvent.Headset headset) {
+      node.put("event", "headset").put("what", headset.what());
     } else if (event instanceof TimelineEvent.End end) {
       node.put("event", "end")
           .put("frames", end.frames())

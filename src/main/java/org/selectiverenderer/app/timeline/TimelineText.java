@@ -16,6 +16,9 @@ public final class TimelineText {
     if (event instanceof TimelineEvent.Told told) {
       return line(told.t(), told.event());
     }
+    if (event instanceof TimelineEvent.Headset headset) {
+      return row(headset.t(), "headset", headset.what());
+    }
     TimelineEvent.End end = (TimelineEvent.End) event;
     return row(
         end.t(),

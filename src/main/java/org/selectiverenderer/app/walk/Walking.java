@@ -46,6 +46,7 @@ public final class Walking implements ViewerMotion {
   private @Nullable Pose last;
   private int jumps;
   private Set<CollisionNode> bumped = Set.of();
+  private Set<CollisionNode> pushed = Set.of();
 
   /** Held up by walls. */
   public Walking(World world, Controls controls) {
@@ -189,9 +190,28 @@ public final class Walking implements ViewerMotion {
       pass(transition, viewer, time, dt);
     } else {
       walker.move(viewer, time, dt);
-      tellCollisions(walker.bumped());
+      Set<CollisionNode> met = walker.bumped();
+      met.addAll(pushed);
+      pushed = Set.of();
+      tellCollisions(met);
     }
     last = Pose.of(viewer);
+  }
+
+  /**
+   * The user went himself: the viewer follows as far as walls let it.
+   *
+   * @param viewer stands where the walker's eyes are, and is moved
+   * @param way in the world
+   * @return whether it walks or flies now; else it stays
+   */
+  public boolean push(Viewer viewer, Vector3dc way) {
+    if (transition != null || !walker.push(viewer, way)) {
+      return false;
+    }
+    pushed = walker.bumped();
+    last = Pose.of(viewer);
+    return true;
   }
 
   private void pass(ViewpointTransition way, Viewer viewer, double time, double dt) {

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.ChainTracker;
 import org.selectiverenderer.app.session.SessionDialogue;
+import org.selectiverenderer.app.session.SessionHeadset;
 import org.selectiverenderer.app.session.SessionRunner;
 import org.selectiverenderer.app.session.SessionShow;
 import org.selectiverenderer.app.session.SessionStage;
@@ -35,16 +36,21 @@ import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyStreams;
+import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
+import org.selectiverenderer.hmd.HeadsetLayout;
+import org.selectiverenderer.hmd.HeadsetShown;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
+import org.selectiverenderer.runtime.camera.MirrorSide;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.window.Monitor;
 import org.selectiverenderer.runtime.render.window.Monitors;
+import org.selectiverenderer.tracker.TrackerSpec;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -160,7 +166,11 @@ final class ExperimentRunCommand extends CliCommand {
         lsl.asked() ? material.study().streams().sending() : material.study().streams();
     Optional<LslLibrary> library = lsl.library(wanted.wanted()); // before anything has begun
     requireGl(material);
-    try (ChainTracker tracker = new ChainTracker();
+    Optional<SessionHeadset> headset = headset(presentation.get(), material);
+    try (ChainTracker tracker =
+            headset
+                .map(worn -> new ChainTracker((settings, hears) -> worn.tracker(hears)))
+                .orElseGet(ChainTracker::new);
         Session session = open(material, plain, tracker, problems);
         LabStreams streams = streams(wanted, library, session);
         SessionDialogue dialogue =
@@ -169,13 +179,32 @@ final class ExperimentRunCommand extends CliCommand {
       session.journal().listen(streams::event);
       console().message("session: " + session.folder().path());
       return ended(
-          new SessionRunner(session, dialogue, show, tracker, console()::message).run(), session);
+          new SessionRunner(session, dialogue, show, tracker, headset, console()::message).run(),
+          session);
     } catch (GlUnavailableException e) {
       throw CommandFailure.environment(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted; --resume continues the session");
     }
+  }
+
+  /** The study's headset, which is there before anything has begun; empty for other displays. */
+  private Optional<SessionHeadset> headset(Presentation presentation, StudyMaterial material)
+      throws IOException {
+    if (presentation.headset().isEmpty()) {
+      return Optional.empty();
+    }
+    if (!(material.study().tracker() instanceof TrackerSpec.None)) {
+      throw CommandFailure.usage(
+          "the study's display is a headset, which is a tracker itself; leave \"tracker\" out of"
+              + " the study");
+    }
+    SessionHeadset worn = new SessionHeadset(presentation.headset().get());
+    if (material.steps().stream().anyMatch(SessionStep::shows)) {
+      console().message(worn.require());
+    }
+    return Optional.of(worn);
   }
 
   private LabStreams streams(StudyStreams wanted, Optional<LslLibrary> library, Session session)
@@ -314,6 +343,17 @@ final class ExperimentRunCommand extends CliCommand {
   private static Optional<Presentation> presentation(Study study, Problems problems)
       throws IOException {
     Study.Display display = study.display();
+    if (display.mode() == DisplayMode.OPENXR) {
+      Study.Worn worn = display.worn();
+      return Optional.of(
+          Presentation.in(
+              new HeadsetShown(
+                  worn.seated(),
+                  worn.scale(),
+                  Math.toRadians(worn.turn()),
+                  MirrorSide.BOTH,
+                  new HeadsetLayout(worn.scale()))));
+    }
     Optional<DisplayProfile> profile = DisplayProfiles.builtIn(display.hmd());
     if (profile.isEmpty()) {
       profile = DisplayProfiles.read(Path.of(display.hmd()), problems);

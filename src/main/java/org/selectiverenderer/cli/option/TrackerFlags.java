@@ -48,8 +48,11 @@ public final class TrackerFlags {
 
   /** Refuses options that would do nothing. */
   public void check(TrackerSpec spec) {
-    if (spec instanceof TrackerSpec.None && options().change()) {
-      throw CommandFailure.usage("--invert, --swap, --smooth and --predict need --tracker");
+    boolean none = spec instanceof TrackerSpec.None || spec instanceof TrackerSpec.Headset;
+    if (none && options().change()) {
+      throw CommandFailure.usage(
+          "--invert, --swap, --smooth and --predict need --tracker"
+              + (spec instanceof TrackerSpec.Headset ? "; a headset does all that itself" : ""));
     }
   }
 

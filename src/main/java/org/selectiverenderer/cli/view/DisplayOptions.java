@@ -13,6 +13,7 @@ import org.selectiverenderer.hmd.DisplayProfiles;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.Presentation;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 
@@ -25,8 +26,8 @@ final class DisplayOptions {
       paramLabel = "MODE",
       description =
           "way of showing the scene: window, side-by-side, dual (a full-screen "
-              + "window per eye on two monitors), quad (quad-buffered stereo) or anaglyph "
-              + "(red-cyan) (default: ${DEFAULT-VALUE})")
+              + "window per eye on two monitors), quad (quad-buffered stereo), anaglyph "
+              + "(red-cyan) or openxr (a headset) (default: ${DEFAULT-VALUE})")
   private DisplayMode mode = DisplayMode.WINDOW;
 
   @Option(
@@ -59,6 +60,13 @@ final class DisplayOptions {
               + "(default: only with dual and quad)")
   private @Nullable Boolean operator;
 
+  @Mixin private HeadsetOptions headset = new HeadsetOptions();
+
+  /** Whether the scene is shown in a headset. */
+  boolean worn() {
+    return mode == DisplayMode.OPENXR;
+  }
+
   /** The display's file, if it is named by one; else null. */
   @Nullable Path file() {
     return hmd == null || DisplayProfiles.builtIn(hmd).isPresent() ? null : Path.of(hmd);
@@ -70,6 +78,17 @@ final class DisplayOptions {
    * @param picture of the operator's window; null for none
    */
   void check(boolean offscreen, @Nullable Path picture) {
+    headset.check(worn());
+    if (worn() && offscreen) {
+      throw CommandFailure.usage(
+          "--display openxr shows the scene in a headset, so it cannot be combined with "
+              + "--offscreen; leave one of them out");
+    }
+    if (worn() && (hmd != null || ipd != null || check)) {
+      throw CommandFailure.usage(
+          "--hmd, --ipd and --hmd-check are for other displays: a headset tells by itself what "
+              + "its eyes see; leave them out");
+    }
     if (offscreen && operator != null && operator) {
       throw CommandFailure.usage(
           "--operator opens a window, so it cannot be combined with --offscreen; leave "
@@ -96,6 +115,9 @@ final class DisplayOptions {
    * @throws IOException if that file cannot be read
    */
   Optional<Presentation> presentation(Problems problems) throws IOException {
+    if (worn()) {
+      return Optional.of(Presentation.in(headset.shown()));
+    }
     double millimetres = ipd == null ? EyeGeometry.MEAN_IPD : ipd;
     if (!(millimetres >= 0 && millimetres <= EyeGeometry.LARGEST_IPD)) {
       throw CommandFailure.usage(
@@ -141,7 +163,9 @@ final class DisplayOptions {
         }
       }
       throw new TypeConversionException(
-          "'" + value + "' is unknown; choose window, side-by-side, dual, quad or anaglyph");
+          "'"
+              + value
+              + "' is unknown; choose window, side-by-side, dual, quad, anaglyph or openxr");
     }
   }
 }

@@ -43,6 +43,18 @@ final class HeadOptions {
               + "or mouse (default: freeze)")
   private @Nullable Lost lost;
 
+  private enum Placed {
+    on,
+    off
+  }
+
+  @Option(
+      names = "--tracker-position",
+      description =
+          "use of the head's place, where the tracker tells it (opentrack, vrpn, fastrak): on or "
+              + "off (default: off; a headset's is always used)")
+  private @Nullable Placed placed;
+
   @Option(
       names = "--head-log",
       paramLabel = "F.csv",
@@ -76,6 +88,9 @@ final class HeadOptions {
     if (lost != null && spec instanceof TrackerSpec.None) {
       throw CommandFailure.usage("--tracker-lost needs --tracker");
     }
+    if (placed != null) {
+      checkPlaced(spec);
+    }
     if (log == null) {
       if (cone != null || force) {
         throw CommandFailure.usage((force ? "--force" : "--cone") + " needs --head-log");
@@ -90,6 +105,22 @@ final class HeadOptions {
     HeadLogFiles.of(log).forEach(file -> files.writes("--head-log", file));
   }
 
+  private void checkPlaced(TrackerSpec spec) {
+    if (spec instanceof TrackerSpec.Headset) {
+      throw CommandFailure.usage(
+          "--tracker-position is for other trackers: a headset's place is always used; leave it "
+              + "out");
+    }
+    if (placed == Placed.on
+        && !(spec instanceof TrackerSpec.OpenTrack
+            || spec instanceof TrackerSpec.Vrpn
+            || spec instanceof TrackerSpec.Fastrak)) {
+      throw CommandFailure.usage(
+          "--tracker-position on needs a tracker that tells the head's place: opentrack, vrpn or "
+              + "fastrak");
+    }
+  }
+
   /** Refuses to replace a log unless asked to. */
   void checkNew() {
     for (Path file : log == null || force ? List.<Path>of() : HeadLogFiles.of(log)) {
@@ -100,10 +131,19 @@ final class HeadOptions {
     }
   }
 
-  /** The tracker that was asked for. */
-  TrackerSpec tracker() {
+  /**
+   * The tracker that was asked for.
+   *
+   * @param worn whether the scene is shown in a headset, which is a tracker itself
+   */
+  TrackerSpec tracker(boolean worn) {
     try {
-      return TrackerSpec.parse(tracker);
+      TrackerSpec spec = TrackerSpec.parse(tracker);
+      if (worn && !(spec instanceof TrackerSpec.None)) {
+        throw CommandFailure.usage(
+            "--display openxr has the headset's own tracker; leave --tracker out");
+      }
+      return worn ? new TrackerSpec.Headset() : spec;
     } catch (IllegalArgumentException e) {
       throw CommandFailure.usage(e.getMessage());
     }
@@ -118,7 +158,8 @@ final class HeadOptions {
     return new TrackerSettings(
         spec,
         options,
-        lost == null ? WhenLost.FREEZE : WhenLost.valueOf(lost.name().toUpperCase(Locale.ROOT)));
+        lost == null ? WhenLost.FREEZE : WhenLost.valueOf(lost.name().toUpperCase(Locale.ROOT)),
+        placed == Placed.on);
   }
 
   /** What is recorded of the head. */

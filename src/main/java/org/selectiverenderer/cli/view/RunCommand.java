@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.Replays;
+import org.selectiverenderer.app.headset.HeadsetLink;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.RunStop;
 import org.selectiverenderer.app.run.SceneRunner;
@@ -38,6 +39,7 @@ import org.selectiverenderer.experiment.headlog.HeadLogFiles;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
+import org.selectiverenderer.openxr.HeadsetUnavailableException;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -139,7 +141,7 @@ public final class RunCommand extends CliCommand {
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
-    TrackerSpec tracker = head.tracker();
+    TrackerSpec tracker = head.tracker(display.worn());
     check(tracker);
     Problems pathProblems = new Problems(console()::problem);
     boolean session =
@@ -207,8 +209,8 @@ public final class RunCommand extends CliCommand {
     boolean turned = walked.at(walked.start()).orientation().isPresent();
     if (!session && turned && !(tracker instanceof TrackerSpec.None)) {
       throw CommandFailure.usage(
-          "--tracker cannot be combined with a path that turns the view; leave yaw, "
-              + "pitch and roll out of the path");
+          "--tracker and --display openxr cannot be combined with a path that turns the view; "
+              + "leave yaw, pitch and roll out of the path");
     }
   }
 
@@ -253,6 +255,9 @@ public final class RunCommand extends CliCommand {
       Consumer<TimelineEvent> written = file == null ? event -> {} : file;
       RunOutput output =
           new RunOutput(console(), written.andThen(streams::happened), streams.samples());
+      if (display.worn()) {
+        return SceneRunner.inHeadset(settings, headset(settings), output, stop);
+      }
       return offscreen
           ? SceneRunner.offscreen(settings, output, stop)
           : SceneRunner.inWindow(settings, output, stop);
@@ -263,6 +268,10 @@ public final class RunCommand extends CliCommand {
       Thread.currentThread().interrupt();
       throw CommandFailure.environment("interrupted");
     }
+  }
+
+  private static HeadsetLink headset(RunSettings settings) throws HeadsetUnavailableException {
+    return HeadsetLink.find(settings.display().presentation().headset().orElseThrow());
   }
 
   private LabStreams streams() throws IOException {

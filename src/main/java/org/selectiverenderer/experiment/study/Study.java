@@ -88,6 +88,7 @@ public record Study(
    * @param height likewise
    * @param operator number or name of the operator's monitor; empty for one that no eye uses
    * @param pointer where the mouse pointer is meanwhile
+   * @param worn how it is shown in a headset, where the mode is that
    */
   public record Display(
       DisplayMode mode,
@@ -96,7 +97,20 @@ public record Study(
       int width,
       int height,
       Optional<String> operator,
-      PointerPlace pointer) {}
+      PointerPlace pointer,
+      Worn worn) {}
+
+  /**
+   * How a scene is shown in a headset.
+   *
+   * @param seated whether the participant sits, so that the eyes are at the scene's height
+   * @param scale how large the participant is in the scene: 1 for as large as people are
+   * @param turn degrees by which a controller's stick turns at once; 0 to turn smoothly
+   */
+  public record Worn(boolean seated, double scale, double turn) {
+    /** Standing, as large as people are. */
+    public static final Worn STANDING = new Worn(false, 1, 30);
+  }
 
   /** The folder that the study file lies in; sessions go there. */
   public Path folder() {

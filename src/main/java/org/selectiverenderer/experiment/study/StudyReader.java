@@ -243,7 +243,8 @@ public final class StudyReader {
                 0,
                 0,
                 Optional.empty(),
-                PointerPlace.AUTO));
+                PointerPlace.AUTO,
+                Study.Worn.STANDING));
   }
 
   private Study.Display shown(JsonMembers display) {
@@ -272,7 +273,23 @@ public final class StudyReader {
         width,
         height,
         CourseReader.operator(display),
-        CourseReader.pointer(display));
+        CourseReader.pointer(display),
+        worn(display, mode));
+  }
+
+  private static Study.Worn worn(JsonMembers display, DisplayMode mode) {
+    for (String key : List.of("posture", "user_scale", "turn")) {
+      if (display.has(key) && mode != DisplayMode.OPENXR) {
+        display.fault(key, "\"%s\" needs \"mode\": \"openxr\"".formatted(key));
+      }
+    }
+    boolean seated =
+        display.choice(
+            "posture", List.of(false, true), each -> each ? "seated" : "standing", false);
+    return new Study.Worn(
+        seated,
+        display.number("user_scale", 0.01, 100, Study.Worn.STANDING.scale()),
+        display.number("turn", 0, 180, Study.Worn.STANDING.turn()));
   }
 
   private TrackerSpec tracker(JsonMembers keys) {

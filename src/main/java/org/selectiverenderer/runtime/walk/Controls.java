@@ -67,6 +67,9 @@ public final class Controls implements MotionSource {
   private double lookPitch;
   private double speedFactor = 1;
   private boolean looking = true;
+  private double stickForward;
+  private double stickRight;
+  private double stickTurn;
 
   public Controls(MouseMapping mapping) {
     this.mapping = mapping;
@@ -154,6 +157,28 @@ public final class Controls implements MotionSource {
     }
   }
 
+  /**
+   * What the sticks of controllers ask for, until the next call.
+   *
+   * @param forward -1 backward to 1 forward
+   * @param right -1 left to 1 right
+   * @param turn -1 right to 1 left
+   */
+  public void stick(double forward, double right, double turn) {
+    stickForward = clamp(forward);
+    stickRight = clamp(right);
+    stickTurn = clamp(turn);
+  }
+
+  /**
+   * Turns at once.
+   *
+   * @param radians to the left
+   */
+  public void turnBy(double radians) {
+    lookYaw += radians;
+  }
+
   /** Lets go of everything, as when the window loses the keyboard. */
   public void releaseAll() {
     keys.clear();
@@ -178,13 +203,14 @@ public final class Controls implements MotionSource {
         buttons += mapping.forward(entry.getKey());
       }
     }
-    double forward = clamp(axis(WalkKey.UP, WalkKey.DOWN) + axis(WalkKey.W, WalkKey.S) + buttons);
+    int keyed = axis(WalkKey.UP, WalkKey.DOWN) + axis(WalkKey.W, WalkKey.S) + buttons;
+    double forward = clamp(keyed + stickForward);
     Motion motion =
         new Motion(
             forward,
-            axis(WalkKey.D, WalkKey.A),
+            clamp(axis(WalkKey.D, WalkKey.A) + stickRight),
             axis(WalkKey.E, WalkKey.Q),
-            axis(WalkKey.LEFT, WalkKey.RIGHT) * TURN,
+            clamp(axis(WalkKey.LEFT, WalkKey.RIGHT) + stickTurn) * TURN,
             lookYaw,
             lookPitch,
             speedFactor * (keys.contains(WalkKey.SHIFT) ? FASTER : 1));

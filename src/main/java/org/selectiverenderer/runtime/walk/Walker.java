@@ -129,6 +129,46 @@ public final class Walker implements ViewerMotion {
     lastEye.set(viewer.position());
   }
 
+  /**
+   * Moves the viewer by what its user went himself, as far as walls let it; the time does not go
+   * on.
+   *
+   * @param way in the world
+   * @return whether the mode lets it: one that walks or flies
+   */
+  public boolean push(Viewer viewer, Vector3dc way) {
+    bumped.clear();
+    boolean walks = mode == NavigationMode.WALK;
+    if (!walks && mode != NavigationMode.FLY && mode != NavigationMode.EXPLORE) {
+      return false;
+    }
+    Quaterniond toFrame = frame.upright().conjugate(new Quaterniond());
+    Vector3d eye = toFrame.transform(viewer.position(), new Vector3d());
+    Vector3d level = toFrame.transform(way, new Vector3d());
+    int parts = parts(level.length(), 0);
+    Vector3d part = limited(level.div(parts, new Vector3d()));
+    for (int i = 0; i < parts; i++) {
+      if (walks) {
+        walking.step(body(), eye, part, 0, collisions, bumped);
+      } else {
+        eye.set(flyStep(eye, part));
+      }
+    }
+    viewer.moveTo(frame.upright().transform(eye));
+    lastEye.set(viewer.position());
+    return true;
+  }
+
+  private WalkStep.Body body() {
+    double scale = frame.scale();
+    return new WalkStep.Body(
+        frame.upright(),
+        radius(),
+        navigation.height() * scale,
+        navigation.step() * scale,
+        WalkStep.GRAVITY * scale);
+  }
+
   private double radius() {
     return navigation.radius() * frame.scale();
   }
@@ -152,14 +192,7 @@ public final class Walker implements ViewerMotion {
   }
 
   private Heading walk(Vector3d eye, Heading start, Motion motion, double dt) {
-    double scale = frame.scale();
-    WalkStep.Body body =
-        new WalkStep.Body(
-            frame.upright(),
-            radius(),
-            navigation.height() * scale,
-            navigation.step() * scale,
-            WalkStep.GRAVITY * scale);
+    WalkStep.Body body = body();
     Heading heading = start.turned(motion.lookYaw(), motion.lookPitch());
     double speed =
         speed(new Motion(motion.forward(), motion.strafe(), 0, 0, 0, 0, motion.speedFactor()));

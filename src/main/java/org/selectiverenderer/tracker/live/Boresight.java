@@ -7,8 +7,15 @@ import org.selectiverenderer.tracker.PoseSample;
  * YXZ), so that taking a number from it turns the world about its vertical axis and nothing else.
  */
 final class Boresight {
+  /** A heading in degrees, and which one it is. */
+  private record Ahead(double yaw, int times) {
+    Ahead next(double other) {
+      return new Ahead(other, times + 1);
+    }
+  }
+
   private final NewestPose newest;
-  private volatile double ahead;
+  private volatile Ahead ahead = new Ahead(0, 0);
   private volatile boolean wanted;
 
   public Boresight(NewestPose newest) {
@@ -19,16 +26,21 @@ final class Boresight {
   public void reset() {
     PoseSample now = new PoseSample();
     if (newest.read(now)) {
-      ahead = now.yaw();
+      ahead = ahead.next(now.yaw());
     } else {
       wanted = true;
     }
   }
 
+  /** Makes the next pose's heading yaw 0. */
+  public void resetAtNext() {
+    wanted = true;
+  }
+
   /** Called with each pose before it is published. */
   public void arriving(PoseSample sample) {
     if (wanted) {
-      ahead = sample.yaw();
+      ahead = ahead.next(sample.yaw());
       wanted = false;
     }
   }
@@ -38,7 +50,9 @@ final class Boresight {
     if (!newest.read(into)) {
       return false;
     }
-    into.turn(into.yaw() - ahead, into.pitch(), into.roll());
+    Ahead now = ahead;
+    into.ahead(now.yaw());
+    into.straightened(now.times());
     return true;
   }
 }

@@ -165,6 +165,16 @@ public final class LiveTracker extends PublishingTracker {
       }
     }
 
+    @Override
+    public void place(double x, double y, double z) {
+      // A distance that is not a number is not below the limit either.
+      if (x * x + y * y + z * z <= FARTHEST * FARTHEST) {
+        sample.place(x, y, z);
+      } else {
+        sample.unplace();
+      }
+    }
+
     /** False for not-a-number, too. */
     private boolean sane(double angle) {
       return Math.abs(angle) <= LARGEST_ANGLE;

@@ -20,6 +20,10 @@ final class NewestPose {
   private double yaw;
   private double pitch;
   private double roll;
+  private boolean placed;
+  private double x;
+  private double y;
+  private double z;
 
   private static VarHandle stamp() {
     try {
@@ -39,6 +43,10 @@ final class NewestPose {
     yaw = sample.yaw();
     pitch = sample.pitch();
     roll = sample.roll();
+    placed = sample.placed();
+    x = sample.x();
+    y = sample.y();
+    z = sample.z();
     STAMP.setRelease(this, writing + 1);
   }
 
@@ -55,9 +63,17 @@ final class NewestPose {
         double readYaw = yaw;
         double readPitch = pitch;
         double readRoll = roll;
+        boolean readPlaced = placed;
+        double readX = x;
+        double readY = y;
+        double readZ = z;
         VarHandle.loadLoadFence();
         if ((long) STAMP.getOpaque(this) == before) {
           into.set(readNumber, readArrival, readYaw, readPitch, readRoll);
+          into.unplace();
+          if (readPlaced) {
+            into.place(readX, readY, readZ);
+          }
           return true;
         }
       }

@@ -8,6 +8,9 @@ public interface PoseSink {
   /** A larger angle is no angle of a head but a broken record, in degrees. */
   double LARGEST_ANGLE = 360;
 
+  /** A farther place is no head's but a broken record, in metres. */
+  double FARTHEST = 1000;
+
   /** Whether the tracker is being closed: {@link PoseSource#read} is to return. */
   boolean closed();
 
@@ -27,6 +30,13 @@ public interface PoseSink {
    * not about 1 counts as bad.
    */
   void quaternion(long arrival, double x, double y, double z, double w);
+
+  /**
+   * The place of the head in the record that follows, in metres: right, up and back of where the
+   * device counts from, along the axes of {@link org.selectiverenderer.tracker.PoseSample}. Not
+   * numbers and places farther than {@link #FARTHEST} are left out.
+   */
+  default void place(double x, double y, double z) {}
 
   /** A record that had to be thrown away. */
   void bad();

@@ -22,6 +22,11 @@ public abstract class PublishingTracker implements HeadTracker {
     newest.publish(sample);
   }
 
+  /** Makes the heading of the next pose that is published yaw 0. */
+  protected final void straightenNext() {
+    boresight.resetAtNext();
+  }
+
   @Override
   public final TrackerSpec spec() {
     return spec;

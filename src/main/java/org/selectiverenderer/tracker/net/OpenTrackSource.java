@@ -14,11 +14,12 @@ import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
  * opentrack's "UDP over network" output: datagrams of six little-endian doubles, x, y, z in
- * centimetres (not used: the head's place comes from the mouse), then yaw, pitch, roll in degrees.
- * A datagram of another length is a bad record.
+ * centimetres (to the right, up, away from the screen), then yaw, pitch, roll in degrees. A
+ * datagram of another length is a bad record.
  */
 public final class OpenTrackSource implements PoseSource {
   private static final int LENGTH = 6 * Double.BYTES;
+  private static final double CENTIMETRES = 100;
   private static final int YAW = 3 * Double.BYTES;
   private static final int PITCH = 4 * Double.BYTES;
   private static final int ROLL = 5 * Double.BYTES;
@@ -78,6 +79,10 @@ public final class OpenTrackSource implements PoseSource {
 
   private static void record(ByteBuffer numbers, int length, PoseSink intake) {
     if (length == LENGTH) {
+      intake.place(
+          numbers.getDouble(0) / CENTIMETRES,
+          numbers.getDouble(Double.BYTES) / CENTIMETRES,
+          numbers.getDouble(2 * Double.BYTES) / CENTIMETRES);
       intake.angles(
           System.nanoTime(),
           numbers.getDouble(YAW),

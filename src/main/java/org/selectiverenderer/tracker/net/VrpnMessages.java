@@ -103,6 +103,7 @@ final class VrpnMessages {
     if (payload != POSE_LENGTH) {
       intake.bad();
     } else if (stream.int32(0) == 0) {
+      intake.place(stream.float64(8), stream.float64(16), stream.float64(24));
       intake.quaternion(
           arrival,
           stream.float64(QUATERNION),

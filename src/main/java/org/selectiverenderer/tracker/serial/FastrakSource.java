@@ -67,7 +67,9 @@ public final class FastrakSource implements PoseSource {
     }
   }
 
-  /** Stops what it may be sending; ASCII, centimetres, station 1: angles and line end; go on. */
+  /**
+   * Stops what it may be sending; ASCII, centimetres, station 1: place, angles and line end; go on.
+   */
   private void setUp(byte[] bytes, PoseSink intake) throws TrackerException {
     send("c");
     long begin = System.nanoTime();
@@ -76,7 +78,7 @@ public final class FastrakSource implements PoseSource {
     }
     send("F");
     send("u");
-    send("O1,4,1\r\n");
+    send("O1,2,4,1\r\n");
     send("C");
   }
 

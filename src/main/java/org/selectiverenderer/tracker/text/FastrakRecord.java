@@ -4,30 +4,40 @@ import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
  * An ASCII record of a Polhemus Fastrak or a compatible tracker of InterSense that was asked for
- * {@code O1,4,1}: {@code 0}, the station's character, a status character, then azimuth, elevation
- * and roll in degrees, seven characters each ({@code 012 12.50 -3.00 0.25}). There is no checksum;
- * so a line that is not of exactly that form is bad.
+ * {@code O1,2,4,1}: {@code 0}, the station's character, a status character, then X, Y and Z in
+ * centimetres, azimuth, elevation and roll in degrees, seven characters each. One that was asked
+ * for {@code O1,4,1} leaves out the first three ({@code 012 12.50 -3.00 0.25}). There is no
+ * checksum; so a line that is not of exactly one of these forms is bad.
+ *
+ * <p>The transmitter's X points to the front of the user, Y to his right and Z down, as Polhemus
+ * delivers it.
  */
 public final class FastrakRecord implements LineSplitter.Records {
   private static final int HEADER = 3;
   private static final int WIDTH = 7;
   private static final int LENGTH = HEADER + 3 * WIDTH;
+  private static final int LONG = HEADER + 6 * WIDTH;
+  private static final double CENTIMETRES = 100;
   private static final char STATION = '1';
 
-  private final double[] angles = new double[3];
+  private final double[] numbers = new double[6];
 
   @Override
   public boolean read(byte[] line, int length, long arrival, PoseSink intake) {
-    if (length != LENGTH || line[0] != '0' || line[1] != STATION) {
+    if (length != LENGTH && length != LONG || line[0] != '0' || line[1] != STATION) {
       return false;
     }
-    for (int i = 0; i < angles.length; i++) {
-      angles[i] = number(line, HEADER + i * WIDTH);
-      if (Double.isNaN(angles[i])) {
+    int count = (length - HEADER) / WIDTH;
+    for (int i = 0; i < count; i++) {
+      numbers[i] = number(line, HEADER + i * WIDTH);
+      if (Double.isNaN(numbers[i])) {
         return false;
       }
     }
-    intake.angles(arrival, angles[0], angles[1], angles[2]);
+    if (length == LONG) {
+      intake.place(numbers[1] / CENTIMETRES, -numbers[2] / CENTIMETRES, -numbers[0] / CENTIMETRES);
+    }
+    intake.angles(arrival, numbers[count - 3], numbers[count - 2], numbers[count - 1]);
     return true;
   }
 

@@ -67,6 +67,7 @@ class SceneInputTest {
             RunGuide.USER,
             Pace.WATCHED,
             new RunStop(),
+            Optional.empty(),
             new Stopwatch(nanos::get));
     run.awaitScene();
     step(run);

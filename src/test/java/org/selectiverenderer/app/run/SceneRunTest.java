@@ -161,6 +161,7 @@ class SceneRunTest {
             guide,
             pace,
             new RunStop(),
+            Optional.empty(),
             new Stopwatch(nanos::get));
     run.awaitScene();
     return run;

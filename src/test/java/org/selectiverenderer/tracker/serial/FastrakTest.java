@@ -26,7 +26,7 @@ class FastrakTest {
     try (FarEnd device = sending(RECORD.repeat(3));
         HeadTracker tracker = open()) {
       watching.more(3);
-      assertThat(device.heard()).isEqualTo("cFuO1,4,1\r\nC");
+      assertThat(device.heard()).isEqualTo("cFuO1,2,4,1\r\nC");
       PoseSample pose = new PoseSample();
       assertThat(tracker.read(pose)).isTrue();
       assertThat(pose.orientation()).isEqualTo(new Orientation(12.5, -45.25, 3));

@@ -73,6 +73,11 @@ public final class OffscreenTarget {
     gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, drawn.frame);
   }
 
+  /** Makes it the frame buffer that is drawn to, and leaves what is read from. */
+  public void bindToDraw(GL3 gl) {
+    gl.glBindFramebuffer(GL2ES3.GL_DRAW_FRAMEBUFFER, drawn.frame);
+  }
+
   /** Makes what was drawn, one sample per pixel, the frame buffer that is read from. */
   public void resolve(GL3 gl) {
     gl.glBindFramebuffer(GL.GL_READ_FRAMEBUFFER, drawn.frame);

@@ -46,6 +46,18 @@ public final class PictureCopy {
   }
 
   /**
+   * Takes a picture that is in memory already.
+   *
+   * @param of four bytes for each pixel, from the lowest row up; direct, and not written to before
+   *     the next one is taken
+   */
+  public void hold(ByteBuffer of, int ofWidth, int ofHeight) {
+    pixels = of;
+    width = ofWidth;
+    height = ofHeight;
+  }
+
+  /**
    * Draws it into a part of the frame buffer that is bound for drawing, in the second context,
    * stretched to fill it.
    */

@@ -19,7 +19,7 @@ import org.selectiverenderer.runtime.render.mesh.MeshPacker;
  * Lines of text on a translucent dark panel in the upper left corner. The letters are triangles, so
  * that it needs no fonts of the machine. Belongs to the thread that owns the context.
  */
-final class Overlay {
+public final class Overlay {
   private static final float TEXT_SIZE = 15;
   private static final float LINE_HEIGHT = 20;
   private static final float MARGIN = 10;

@@ -25,6 +25,12 @@ public interface WorldHost {
     return false;
   }
 
+  /**
+   * Whether the user sees frames now; before each {@link #step()} where that may change by itself,
+   * as with a headset that is put on and taken off.
+   */
+  default void presented(boolean seen) {}
+
   /** Steps the world for the next frame; empty while there is nothing to show yet. */
   Optional<World> step();
 

@@ -20,7 +20,7 @@ import org.selectiverenderer.runtime.render.sketch.SketchPainter;
  * Draws a world as its viewer sees it: the bound NavigationInfo decides about headlight and depth
  * range, the bound Background about what is behind. Belongs to the thread that owns the context.
  */
-final class WorldPainter {
+public final class WorldPainter {
   /** Side of a point of a PointSet in pixels. */
   private static final float POINT_SIZE = 2;
 
@@ -30,7 +30,8 @@ final class WorldPainter {
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
-  WorldPainter(ViewLayout layout, DrawStyle style) {
+  /** Draws all frames in that layout. */
+  public WorldPainter(ViewLayout layout, DrawStyle style) {
     this.layout = layout;
     Supplier<SceneRenderer> renderers =
         () -> {
@@ -43,7 +44,7 @@ final class WorldPainter {
   }
 
   /** Sends all meshes and textures of the world to the graphics card. */
-  void prepare(GL3 gl, World world) {
+  public void prepare(GL3 gl, World world) {
     world.hold(() -> renderer.prepare(gl, world.instances()));
   }
 
@@ -58,7 +59,7 @@ final class WorldPainter {
    *
    * @param scale pixels per pixel of the desktop
    */
-  Drawn paint(GL3 gl, World world, int width, int height, double scale) {
+  public Drawn paint(GL3 gl, World world, int width, int height, double scale) {
     world.hold(() -> drawn = paintHeld(gl, world, width, height, scale));
     return drawn;
   }
@@ -113,7 +114,7 @@ final class WorldPainter {
     }
   }
 
-  void dispose(GL3 gl) {
+  public void dispose(GL3 gl) {
     layers.dispose(gl);
     renderer.dispose(gl);
     sketch.dispose(gl);

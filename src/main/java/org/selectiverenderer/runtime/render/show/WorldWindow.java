@@ -8,13 +8,11 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.PictureCopy;
 import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.FrameSource;
 import org.selectiverenderer.runtime.render.window.InputEvent;
@@ -22,7 +20,7 @@ import org.selectiverenderer.runtime.render.window.RenderWindow;
 import org.selectiverenderer.runtime.render.window.SideWindow;
 
 /** The windows onto a world. Their render thread is the one that steps the world. */
-public final class WorldWindow {
+public final class WorldWindow implements WorldScreen {
   private final WorldHost host;
   private final RunWindows stage;
   private final RenderWindow window;
@@ -48,31 +46,22 @@ public final class WorldWindow {
     window = new RenderWindow(stage.main(), frames, frames::input, sides);
   }
 
-  /**
-   * Shows the world until the user closes the window or the host is finished.
-   *
-   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
-   *     display or no OpenGL 3.3
-   * @throws InterruptedException if the waiting thread is interrupted; the window is closed
-   */
+  @Override
   public void run() throws InterruptedException {
     window.run();
   }
 
-  /** What draws; empty before the window opened. */
+  @Override
   public Optional<GlInfo> info() {
     return Optional.ofNullable(info);
   }
 
-  /**
-   * The last picture of the world, without the overlay, both eyes' where there are two; empty when
-   * it was never drawn.
-   */
+  @Override
   public Optional<Screenshot> lastPicture() {
     return Optional.ofNullable(last);
   }
 
-  /** The last picture of the operator's window. */
+  @Override
   public Optional<Screenshot> lastOperatorPicture() {
     return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
   }
@@ -87,7 +76,7 @@ public final class WorldWindow {
     private final EyeTarget eyes = new EyeTarget(stage.main().samples());
     private final boolean split = stage.rightEye().isPresent();
     private final Overlay overlay = new Overlay(new TextMesher());
-    private final SketchPainter veil = new SketchPainter(new TextMesher());
+    private final Veil veil = new Veil();
     private final PointerTracker pointer = new PointerTracker();
     private final PictureCopy right;
     private Optional<World> world = Optional.empty();
@@ -184,11 +173,7 @@ public final class WorldWindow {
     }
 
     private void darken(GL3 gl, int width, int height) {
-      int alpha = (int) Math.round(255 * Math.max(0, Math.min(1, host.darkness())));
-      if (alpha > 0) {
-        veil.draw(
-            gl, List.of(Mark.rectangle(0, 0, width, height, alpha << 24)), 0, 0, width, height);
-      }
+      veil.draw(gl, host.darkness(), width, height);
     }
 
     private void mirror(GL3 gl, FrameSize frame) {

@@ -1,0 +1,97 @@
+package org.selectiverenderer.app.headset;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.selectiverenderer.openxr.HeadsetButton;
+import org.selectiverenderer.openxr.XrInput;
+import org.selectiverenderer.runtime.walk.Controls;
+
+/** What the controllers of a headset do, as walking, commands and answers. */
+public final class HeadsetHands {
+  /** How far a stick is pushed to count as pressed, and how far it must come back. */
+  private static final double PRESSED = 0.7;
+
+  private static final double RELEASED = 0.4;
+
+  private final double step;
+  private final List<HeadsetAnswer> answers = new ArrayList<>();
+  private final Set<HeadsetButton> pressed = EnumSet.noneOf(HeadsetButton.class);
+  private XrInput now = XrInput.NONE;
+  private int turned;
+  private int told;
+  private double steps;
+
+  /**
+   * @param step radians that the stick turns by at once; 0 to turn as long as it is pushed
+   */
+  HeadsetHands(double step) {
+    this.step = step;
+  }
+
+  /** The input of the frame that is due. */
+  void frame(XrInput input) {
+    for (HeadsetButton button : input.held()) {
+      if (!now.held().contains(button)) {
+        pressed.add(button);
+        switch (button) {
+          case YES -> answers.add(HeadsetAnswer.YES);
+          case NO -> answers.add(HeadsetAnswer.NO);
+          default -> {
+            // No answer.
+          }
+        }
+      }
+    }
+    int side = pushed(input.turn(), turned);
+    if (side != turned) {
+      steps -= side * step;
+    }
+    turned = side;
+    int way = pushed(input.more(), told);
+    if (way != told && way != 0) {
+      answers.add(way > 0 ? HeadsetAnswer.MORE : HeadsetAnswer.LESS);
+    }
+    told = way;
+    now = input;
+  }
+
+  private static int pushed(double value, int before) {
+    if (Math.abs(value) >= PRESSED) {
+      return value > 0 ? 1 : -1;
+    }
+    return Math.abs(value) > RELEASED && value * before > 0 ? before : 0;
+  }
+
+  /** Nobody holds anything. */
+  void rest() {
+    now = XrInput.NONE;
+    turned = 0;
+    told = 0;
+  }
+
+  /** Walks and turns. */
+  public void drive(Controls controls) {
+    double buttons =
+        (now.held().contains(HeadsetButton.FORWARD) ? 1 : 0)
+            - (now.held().contains(HeadsetButton.BACKWARD) ? 1 : 0);
+    controls.stick(now.forward() + buttons, now.right(), step > 0 ? 0 : -now.turn());
+    if (steps != 0) {
+      controls.turnBy(steps);
+      steps = 0;
+    }
+  }
+
+  /** Whether a button went down since the last call. */
+  public boolean take(HeadsetButton button) {
+    return pressed.remove(button);
+  }
+
+  /** The answers since the last call, in order. */
+  public List<HeadsetAnswer> takeAnswers() {
+    List<HeadsetAnswer> taken = List.copyOf(answers);
+    answers.clear();
+    return taken;
+  }
+}

@@ -1,0 +1,225 @@
+package org.selectiverenderer.app.headset;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.hmd.EyeFrustum;
+import org.selectiverenderer.hmd.HeadsetLayout;
+import org.selectiverenderer.hmd.HeadsetShown;
+import org.selectiverenderer.openxr.EyeSight;
+import org.selectiverenderer.openxr.GraphicsBinding;
+import org.selectiverenderer.openxr.HeadsetNews;
+import org.selectiverenderer.openxr.HeadsetUnavailableException;
+import org.selectiverenderer.openxr.PictureSize;
+import org.selectiverenderer.openxr.Posture;
+import org.selectiverenderer.openxr.XrFrame;
+import org.selectiverenderer.openxr.XrHeadset;
+import org.selectiverenderer.openxr.XrSearch;
+import org.selectiverenderer.openxr.XrStatus;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+import org.selectiverenderer.runtime.render.headset.ContextHandles;
+import org.selectiverenderer.runtime.render.headset.HeadsetScreen;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.TrackerListener;
+import org.selectiverenderer.tracker.live.HandedTracker;
+
+/**
+ * The headset of a run, or of all runs of a session. Found by the thread that begins the run; then
+ * it belongs to the thread that shows its frames, but for {@link #tracker}.
+ */
+public final class HeadsetLink implements HeadsetScreen {
+  private final XrSearch search;
+  private final HeadsetShown shown;
+  private final HeadsetHands hands;
+  private final PoseSample pose = new PoseSample();
+  private final AtomicReference<XrStatus> status = new AtomicReference<>(XrStatus.NONE);
+  private final List<HeadsetNews> news = new ArrayList<>();
+  private Supplier<@Nullable HandedTracker> tracker = () -> null;
+  private @Nullable XrHeadset headset;
+  private Optional<Vector3d> gaze = Optional.empty();
+  private boolean leave;
+
+  private HeadsetLink(XrSearch search, HeadsetShown shown) {
+    this.search = search;
+    this.shown = shown;
+    hands = new HeadsetHands(shown.turnStep());
+  }
+
+  /**
+   * Finds the headset of this computer.
+   *
+   * @throws HeadsetUnavailableException with a sentence that says what is missing and what to do
+   */
+  public static HeadsetLink find(HeadsetShown shown) throws HeadsetUnavailableException {
+    return new HeadsetLink(XrSearch.begin(), shown);
+  }
+
+  /** What it shows, in a sentence. */
+  public String describe() {
+    PictureSize size = search.size();
+    return "headset %s by %s, pictures of %dx%d for each eye"
+        .formatted(search.headset(), search.runtime(), size.width(), size.height());
+  }
+
+  /**
+   * The tracker of the head; once, before it is opened.
+   *
+   * @param listener hears of every pose, on the thread that shows frames
+   */
+  public HandedTracker tracker(TrackerListener listener) {
+    HandedTracker made = new HandedTracker(listener, this::described);
+    tracker = () -> made;
+    return made;
+  }
+
+  /**
+   * Hands poses to a tracker that others have.
+   *
+   * @param to the tracker; none until there is one
+   */
+  public void feed(Supplier<@Nullable HandedTracker> to) {
+    tracker = to;
+  }
+
+  /** How it does, in a line for people; any thread. */
+  public String described() {
+    return XrHeadset.describe(status.get());
+  }
+
+  /** What the controllers do. */
+  public HeadsetHands hands() {
+    return hands;
+  }
+
+  /** Where the eyes look in the frame that is due, in the frame of the head: a unit vector. */
+  public Optional<Vector3d> gaze() {
+    return gaze;
+  }
+
+  /** What became of it since the last call, in order. */
+  public List<HeadsetNews> takeNews() {
+    List<HeadsetNews> taken = List.copyOf(news);
+    news.clear();
+    return taken;
+  }
+
+  @Override
+  public void open(ContextHandles handles) {
+    Consumer<HeadsetNews> hear = this::heard;
+    headset =
+        search.show(binding(handles), shown.seated() ? Posture.SEATED : Posture.STANDING, hear);
+  }
+
+  private static GraphicsBinding binding(ContextHandles handles) {
+    if (handles instanceof ContextHandles.Glx x) {
+      return new GraphicsBinding.Xlib(
+          x.display(), x.visual(), x.fbConfig(), x.drawable(), x.context());
+    }
+    ContextHandles.Wgl windows = (ContextHandles.Wgl) handles;
+    return new GraphicsBinding.Windows(windows.device(), windows.context());
+  }
+
+  private void heard(HeadsetNews told) {
+    news.add(told);
+    leave |= told.kind() == HeadsetNews.Kind.LEAVE;
+  }
+
+  private XrHeadset opened() {
+    XrHeadset known = headset;
+    if (known == null) {
+      throw new IllegalStateException("the headset is not open yet");
+    }
+    return known;
+  }
+
+  @Override
+  public Optional<Due> next() {
+    XrHeadset open = opened();
+    Optional<XrFrame> frame = open.next();
+    long now = System.nanoTime();
+    status.set(open.status());
+    HandedTracker fed = tracker.get();
+    if (open.takeRecentred() && fed != null) {
+      fed.straighten();
+    }
+    if (frame.isEmpty()) {
+      hands.rest();
+      gaze = Optional.empty();
+      if (fed != null) {
+        fed.pause(open.status().lost());
+      }
+      return Optional.empty();
+    }
+    take(frame.get(), fed, now);
+    return open.size().map(size -> new Due(size.width(), size.height(), frame.get().drawn()));
+  }
+
+  private void take(XrFrame frame, @Nullable HandedTracker fed, long now) {
+    HeadsetLayout layout = shown.layout();
+    layout.floor(frame.floor());
+    layout.eyes(frame.eyes().stream().map(HeadsetLink::eye).toList());
+    hands.frame(frame.input());
+    gaze = frame.input().gaze();
+    Quaterniond turn = frame.head().orientation();
+    Vector3d at = frame.head().position();
+    pose.turn(turn.x, turn.y, turn.z, turn.w);
+    pose.place(at.x, at.y, at.z);
+    if (fed != null) {
+      fed.hand(pose, now);
+    }
+  }
+
+  private static HeadsetLayout.EyeAt eye(EyeSight sight) {
+    return new HeadsetLayout.EyeAt(
+        sight.pose().position(),
+        sight.pose().orientation(),
+        new EyeFrustum(sight.left(), sight.right(), sight.bottom(), sight.top()));
+  }
+
+  @Override
+  public boolean visible() {
+    return opened().visible();
+  }
+
+  @Override
+  public ViewLayout layout() {
+    return shown.layout();
+  }
+
+  @Override
+  public void begin() {
+    opened().begin();
+  }
+
+  @Override
+  public OptionalInt texture(int eye) {
+    return opened().acquire(eye).map(OptionalInt::of).orElseGet(OptionalInt::empty);
+  }
+
+  @Override
+  public void end(boolean drawn) {
+    opened().end(drawn);
+  }
+
+  @Override
+  public boolean takeLeave() {
+    boolean was = leave;
+    leave = false;
+    return was;
+  }
+
+  @Override
+  public void close() {
+    if (headset != null) {
+      headset.close();
+    }
+    search.close();
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.headset.HeadsetLink;
+import org.selectiverenderer.hmd.HeadsetShown;
+import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.TrackerListener;
+import org.selectiverenderer.tracker.live.HandedTracker;
+
+/**
+ * The headset of a session: connected anew for each series of scenes, so that the participant may
+ * take it off in between, with one tracker for all of them. Belongs to the thread that runs the
+ * session.
+ */
+public final class SessionHeadset {
+  private final HeadsetShown shown;
+  private @Nullable HandedTracker tracker;
+  private volatile @Nullable HeadsetLink link;
+
+  /** Shown so in all scenes. */
+  public SessionHeadset(HeadsetShown shown) {
+    this.shown = shown;
+  }
+
+  /**
+   * Sees to it that there is a headset, before anything begins.
+   *
+   * @return what was found, in a sentence
+   * @throws IOException with a sentence that says what is missing and what to do
+   */
+  public String require() throws IOException {
+    try (HeadsetLink found = HeadsetLink.find(shown)) {
+      return found.describe();
+    }
+  }
+
+  /** Its tracker: the same for all scenes, opened once. */
+  public HeadTracker tracker(TrackerListener hears) {
+    HandedTracker made =
+        new HandedTracker(
+            hears,
+            () -> {
+              HeadsetLink now = link;
+              return now == null ? "headset: not in use" : now.described();
+            });
+    tracker = made;
+    return made;
+  }
+
+  /**
+   * Connects for the next series of scenes.
+   *
+   * @throws IOException with a sentence when it is not there any more
+   */
+  HeadsetLink connect() throws IOException {
+    HeadsetLink found = HeadsetLink.find(shown);
+    link = found;
+    found.feed(() -> tracker);
+    return found;
+  }
+}

@@ -1,0 +1,127 @@
+package org.selectiverenderer.hmd;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.joml.Matrix4d;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.camera.EyeView;
+import org.selectiverenderer.runtime.camera.ViewLayout;
+
+/**
+ * Both eyes' views as a headset's runtime tells them anew in each frame: where each eye is, how it
+ * is turned, and how far it sees to each side. Their pictures lie side by side, the left eye's on
+ * the left. Belongs to the thread that steps the world.
+ */
+public final class HeadsetLayout implements ViewLayout {
+  /** Until the runtime says more: a right angle for both eyes. */
+  private static final FieldOfView UNKNOWN = new FieldOfView(1, 1);
+
+  /**
+   * An eye in the frame of the head.
+   *
+   * @param position metres
+   * @param orientation takes the eye's frame to the head's
+   */
+  public record EyeAt(Vector3dc position, Quaterniondc orientation, EyeFrustum frustum) {}
+
+  private List<EyeAt> eyes = List.of();
+  private final double size;
+  private boolean floor;
+
+  /**
+   * @param size how large the user is in the scene: 2 for one who finds everything half as large
+   */
+  public HeadsetLayout(double size) {
+    this.size = size;
+  }
+
+  /** The eyes of the frame that is due, the left one first. */
+  public void eyes(List<EyeAt> told) {
+    eyes = List.copyOf(told);
+  }
+
+  /** The eyes as they were told last; none before the first frame. */
+  public List<EyeAt> eyes() {
+    return eyes;
+  }
+
+  /** Whether the heights that the runtime tells are above the user's floor. */
+  public void floor(boolean known) {
+    floor = known;
+  }
+
+  /** Whether heights are above the user's floor, as of the last frame. */
+  public boolean floor() {
+    return floor;
+  }
+
+  @Override
+  public List<EyeView> views(World world, int width, int height, DepthRange range) {
+    double scale = size * StereoLayout.unitsPerMetre(world);
+    int half = width / 2;
+    List<EyeView> views = new ArrayList<>();
+    for (int eye = 0; eye < eyes.size(); eye++) {
+      EyeAt at = eyes.get(eye);
+      Vector3d place = at.position().mul(scale, new Vector3d());
+      double far = range.far() + 2 * place.length();
+      Matrix4d beside = new Matrix4d().translationRotate(place, at.orientation()).invertAffine();
+      views.add(
+          new EyeView(
+              new Camera(
+                  beside.mul(world.viewer().view()),
+                  at.frustum().projection(range.near(), far),
+                  eye * half,
+                  0,
+                  half,
+                  height),
+              EyeView.Channel.ALL));
+    }
+    return views;
+  }
+
+  /** What both eyes see together, to the side on which it reaches farther. */
+  public FieldOfView bothEyes() {
+    if (eyes.isEmpty()) {
+      return UNKNOWN;
+    }
+    double x = 0;
+    double y = 0;
+    for (EyeAt eye : eyes) {
+      EyeFrustum sees = eye.frustum();
+      x = Math.max(x, Math.max(-sees.left(), sees.right()));
+      y = Math.max(y, Math.max(-sees.bottom(), sees.top()));
+    }
+    return new FieldOfView(x, y);
+  }
+
+  /** What the eyes see, in a part of a sentence; empty before the first frame. */
+  public String describe() {
+    if (eyes.isEmpty()) {
+      return "";
+    }
+    EyeFrustum left = eyes.get(0).frustum();
+    EyeFrustum right = eyes.get(1).frustum();
+    return String.format(
+        Locale.ROOT,
+        "left eye %s, right eye %s, eyes %.1f mm apart",
+        sides(left),
+        sides(right),
+        1000 * eyes.get(0).position().distance(eyes.get(1).position()));
+  }
+
+  private static String sides(EyeFrustum frustum) {
+    return String.format(
+        Locale.ROOT,
+        "%.1f to %.1f by %.1f to %.1f degrees",
+        Math.toDegrees(Math.atan(frustum.left())),
+        Math.toDegrees(Math.atan(frustum.right())),
+        Math.toDegrees(Math.atan(frustum.bottom())),
+        Math.toDegrees(Math.atan(frustum.top())));
+  }
+}

@@ -1,0 +1,15 @@
+package org.selectiverenderer.openxr;
+
+/** The OpenGL context that a runtime shares its pictures with: handles of the window system. */
+public sealed interface GraphicsBinding {
+  /**
+   * X11 with GLX ({@code XrGraphicsBindingOpenGLXlibKHR}).
+   *
+   * @param visual id of the X visual; runtimes refuse 0
+   */
+  record Xlib(long display, int visual, long fbConfig, long drawable, long context)
+      implements GraphicsBinding {}
+
+  /** Windows ({@code XrGraphicsBindingOpenGLWin32KHR}): HDC and HGLRC. */
+  record Windows(long device, long context) implements GraphicsBinding {}
+}

@@ -1,0 +1,123 @@
+package org.selectiverenderer.openxr;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+
+/** The program's actions on all controllers and eyes, of one connection to a runtime. */
+final class XrActions {
+  static final String GAZE = "XR_EXT_eye_gaze_interaction";
+  private static final String GAZE_PROFILE = "/interaction_profiles/ext/eye_gaze_interaction";
+  private static final String GAZE_POSE = "/user/eyes_ext/input/gaze_ext/pose";
+  private static final List<String> HANDS = List.of("/user/hand/left", "/user/hand/right");
+
+  /** How far a stick that rests may be off its middle. */
+  private static final double REST = 0.15;
+
+  private final XrInputs inputs;
+  private final long walk;
+  private final long turn;
+  private final Map<HeadsetButton, Long> buttons = new EnumMap<>(HeadsetButton.class);
+  private final Optional<Long> gaze;
+  private Optional<Long> gazeSpace = Optional.empty();
+
+  /**
+   * @param enabled extensions of the connection
+   * @param eyeGaze whether the headset tells where the eyes look
+   */
+  XrActions(XrInputs inputs, Set<String> enabled, boolean eyeGaze) {
+    this.inputs = inputs;
+    walk = inputs.action("walk", "Walk", XrInputs.Kind.STICK);
+    turn = inputs.action("turn", "Turn, or more and less", XrInputs.Kind.STICK);
+    for (HeadsetButton button : HeadsetButton.values()) {
+      String name = button.name().toLowerCase(Locale.ROOT);
+      buttons.put(button, inputs.action(name, button.shown(), XrInputs.Kind.BUTTON));
+    }
+    gaze =
+        eyeGaze
+            ? Optional.of(inputs.action("gaze", "Where the eyes look", XrInputs.Kind.POSE))
+            : Optional.empty();
+    InteractionProfiles.ALL.stream()
+        .filter(profile -> profile.extension().map(enabled::contains).orElse(true))
+        .forEach(this::suggest);
+    gaze.ifPresent(action -> suggest(GAZE_PROFILE, List.of(Map.entry(action, GAZE_POSE))));
+  }
+
+  private void suggest(InteractionProfiles profile) {
+    List<Map.Entry<Long, String>> bindings = new ArrayList<>();
+    profile.walk().ifPresent(input -> bindings.add(Map.entry(walk, input)));
+    profile.turn().ifPresent(input -> bindings.add(Map.entry(turn, input)));
+    profile
+        .buttons()
+        .forEach(
+            (button, all) ->
+                all.forEach(input -> bindings.add(Map.entry(buttons.get(button), input))));
+    suggest(profile.path(), bindings);
+  }
+
+  private void suggest(String profile, List<Map.Entry<Long, String>> bindings) {
+    try {
+      inputs.suggest(profile, bindings);
+    } catch (XrFailure e) {
+      if (e.code() == XrFailure.INSTANCE_LOST || e.code() == XrFailure.RUNTIME_FAILURE) {
+        throw e;
+      }
+      // A runtime need not know every controller; it knows its own.
+    }
+  }
+
+  void attach(XrSession session) {
+    inputs.attach(session);
+    gazeSpace = gaze.map(inputs::space);
+  }
+
+  /** What is done at a time, as the head in its own space tells directions. */
+  XrInput read(XrSession session, long head, long time) {
+    if (!inputs.sync()) {
+      return XrInput.NONE;
+    }
+    Vector2d walked = rested(inputs.stick(walk));
+    Vector2d turned = rested(inputs.stick(turn));
+    Set<HeadsetButton> held = EnumSet.noneOf(HeadsetButton.class);
+    buttons.forEach(
+        (button, action) -> {
+          if (inputs.button(action)) {
+            held.add(button);
+          }
+        });
+    Optional<Vector3d> looked =
+        gaze.filter(inputs::active)
+            .flatMap(action -> session.locate(gazeSpace.orElseThrow(), head, time))
+            .map(pose -> pose.orientation().transform(new Vector3d(0, 0, -1)));
+    return new XrInput(walked.y, walked.x, turned.x, turned.y, held, looked);
+  }
+
+  private static Vector2d rested(Vector2d stick) {
+    return new Vector2d(rested(stick.x), rested(stick.y));
+  }
+
+  private static double rested(double value) {
+    double beyond = Math.max(0, Math.abs(value) - REST) / (1 - REST);
+    return Math.copySign(Math.min(1, beyond), value);
+  }
+
+  /** What the hands hold, in a sentence. */
+  String held() {
+    List<String> names =
+        HANDS.stream()
+            .flatMap(hand -> inputs.profile(hand).stream())
+            .map(InteractionProfiles::name)
+            .distinct()
+            .toList();
+    return names.isEmpty()
+        ? "the hands hold no controllers"
+        : "the headset's controls are " + String.join(" and ", names);
+  }
+}

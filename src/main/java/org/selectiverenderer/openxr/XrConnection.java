@@ -1,0 +1,131 @@
+package org.selectiverenderer.openxr;
+
+import java.util.LinkedHashSet;
+import java.util.Locale;
+import java.util.Set;
+
+/** A connection to a runtime that has a headset. */
+final class XrConnection implements AutoCloseable {
+  static final String OPENGL = "XR_KHR_opengl_enable";
+  static final String MASK = "XR_KHR_visibility_mask";
+  static final String PRESENCE = "XR_EXT_user_presence";
+  static final String CLOCK = "XR_KHR_convert_timespec_time";
+
+  /** Asked for where the runtime has them. */
+  private static final Set<String> WANTED =
+      Set.of(OPENGL, MASK, PRESENCE, CLOCK, XrActions.GAZE, InteractionProfiles.HANDS);
+
+  private final XrInstance instance;
+  private final Set<String> enabled;
+  private final long system;
+  private final XrInstance.SystemFacts facts;
+  private final String runtime;
+
+  private XrConnection(XrInstance instance, Set<String> enabled, String runtime, long system) {
+    this.instance = instance;
+    this.enabled = enabled;
+    this.runtime = runtime;
+    this.system = system;
+    facts = instance.facts(system);
+  }
+
+  /**
+   * Connects.
+   *
+   * @throws HeadsetUnavailableException with a sentence that says what is missing and what to do
+   */
+  static XrConnection open(XrLoader loader) throws HeadsetUnavailableException {
+    try {
+      Set<String> offered = loader.extensions();
+      if (!offered.contains(OPENGL)) {
+        throw new HeadsetUnavailableException(
+            "the OpenXR runtime of this computer takes no pictures of OpenGL (it lacks "
+                + OPENGL
+                + "): make another one the active runtime, such as SteamVR or Monado");
+      }
+      Set<String> enabled = new LinkedHashSet<>(WANTED);
+      enabled.retainAll(offered);
+      return open(loader.create(enabled), enabled);
+    } catch (XrFailure e) {
+      throw new HeadsetUnavailableException(missing(e), e);
+    } catch (LinkageError e) {
+      throw new HeadsetUnavailableException(
+          "there is no OpenXR for this computer (%s, %s): --display openxr needs Linux or Windows"
+              .formatted(
+                  System.getProperty("os.name"),
+                  System.getProperty("os.arch").toLowerCase(Locale.ROOT)),
+          e);
+    }
+  }
+
+  private static XrConnection open(XrInstance instance, Set<String> enabled)
+      throws HeadsetUnavailableException {
+    try {
+      String runtime = instance.runtime();
+      return new XrConnection(instance, enabled, runtime, system(instance, runtime));
+    } catch (HeadsetUnavailableException | XrFailure e) {
+      instance.close();
+      throw e;
+    }
+  }
+
+  private static long system(XrInstance instance, String runtime)
+      throws HeadsetUnavailableException {
+    try {
+      return instance.system();
+    } catch (XrFailure e) {
+      if (e.code() == XrFailure.INSTANCE_LOST || e.code() == XrFailure.RUNTIME_FAILURE) {
+        throw e;
+      }
+      throw new HeadsetUnavailableException(
+          "the OpenXR runtime %s finds no headset: connect it, switch it on and try again"
+              .formatted(runtime),
+          e);
+    }
+  }
+
+  private static String missing(XrFailure failure) {
+    return switch (failure.code()) {
+      case XrFailure.RUNTIME_UNAVAILABLE, -32 ->
+          "no OpenXR runtime is set up on this computer: install the headset's, SteamVR or Monado and"
+              + " make it the active one (XR_RUNTIME_JSON names the file of another)";
+      default ->
+          "the OpenXR runtime of this computer does not answer (%s): start it, and see that its headset is connected"
+              .formatted(failure.getMessage());
+    };
+  }
+
+  XrInstance instance() {
+    return instance;
+  }
+
+  long system() {
+    return system;
+  }
+
+  String runtime() {
+    return runtime;
+  }
+
+  String headset() {
+    return facts.name();
+  }
+
+  /** Whether the headset tells where it is, not only how it is turned. */
+  boolean position() {
+    return facts.position();
+  }
+
+  boolean has(String extension) {
+    return enabled.contains(extension);
+  }
+
+  XrActions actions() {
+    return new XrActions(instance.inputs(), enabled, facts.eyeGaze() && has(XrActions.GAZE));
+  }
+
+  @Override
+  public void close() {
+    instance.close();
+  }
+}

@@ -1,0 +1,123 @@
+package org.selectiverenderer.openxr;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** A session with its spaces, pictures and actions, from its creation to its end. */
+final class XrSitting implements AutoCloseable {
+  private final XrConnection connection;
+  private final XrSession session;
+  private final XrActions actions;
+  private final EyeImages images;
+  private final int blendMode;
+  private final long head;
+  private final long room;
+  private final boolean floor;
+  private final List<HiddenArea> hidden = new ArrayList<>();
+  private List<EyeSight> sights = List.of();
+
+  /**
+   * Begins.
+   *
+   * @param binding of the context, which is current
+   */
+  XrSitting(XrConnection connection, GraphicsBinding binding, Posture posture) {
+    this.connection = connection;
+    XrInstance instance = connection.instance();
+    PictureSize size = instance.pictures(connection.system()).get(0);
+    blendMode = instance.blendMode(connection.system());
+    actions = connection.actions();
+    session = instance.session(connection.system(), binding);
+    try {
+      Set<XrSession.SpaceKind> kinds = session.spaceKinds();
+      floor = posture == Posture.STANDING && kinds.contains(XrSession.SpaceKind.STAGE);
+      head = session.space(XrSession.SpaceKind.VIEW);
+      room = session.space(floor ? XrSession.SpaceKind.STAGE : XrSession.SpaceKind.LOCAL);
+      images = new EyeImages(session, size);
+      actions.attach(session);
+      for (int eye = 0; eye < 2; eye++) {
+        hidden.add(connection.has(XrConnection.MASK) ? session.hidden(eye) : HiddenArea.NONE);
+      }
+    } catch (XrFailure e) {
+      session.close();
+      throw e;
+    }
+  }
+
+  /** Whether heights are above the real floor. */
+  boolean floor() {
+    return floor;
+  }
+
+  XrSession session() {
+    return session;
+  }
+
+  EyeImages images() {
+    return images;
+  }
+
+  List<HiddenArea> hidden() {
+    return List.copyOf(hidden);
+  }
+
+  String controllers() {
+    return actions.held();
+  }
+
+  /** Where everything will be when a frame is seen; empty while nobody knows. */
+  Optional<XrFrame> frame(XrSession.FrameTime time) {
+    Optional<SpacePose> at = session.locate(head, room, time.display());
+    Optional<List<EyeSight>> eyes = session.eyes(room, time.display());
+    if (at.isEmpty() || eyes.isEmpty()) {
+      sights = List.of();
+      return Optional.empty();
+    }
+    sights = eyes.get();
+    long lead =
+        connection.has(XrConnection.CLOCK)
+            ? connection.instance().now().stream()
+                .map(now -> time.display() - now)
+                .findAny()
+                .orElse(-1)
+            : -1;
+    List<EyeSight> relative =
+        eyes.get().stream()
+            .map(
+                eye ->
+                    new EyeSight(
+                        eye.pose().seenFrom(at.get()),
+                        eye.left(),
+                        eye.right(),
+                        eye.bottom(),
+                        eye.top()))
+            .toList();
+    return Optional.of(
+        new XrFrame(
+            time.display(),
+            time.drawn(),
+            at.get(),
+            relative,
+            floor,
+            lead,
+            actions.read(session, head, time.display())));
+  }
+
+  /**
+   * Ends a frame.
+   *
+   * @param shown whether both eyes' pictures were drawn: as seen from where the frame said
+   */
+  void end(long display, boolean shown) {
+    images.release();
+    boolean pictures = shown && !sights.isEmpty();
+    session.endFrame(display, blendMode, room, pictures ? images.pictures(sights) : List.of());
+  }
+
+  @Override
+  public void close() {
+    session.close();
+  }
+}

@@ -1,0 +1,82 @@
+package org.selectiverenderer.runtime.render.headset;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+
+/**
+ * Both eyes' pictures side by side in a frame buffer of several samples, copied from there to the
+ * textures of a runtime. Belongs to the headset's thread.
+ */
+final class EyePictures {
+  private final int samples;
+  private @Nullable OffscreenTarget target;
+  private int frame;
+
+  EyePictures(int samples) {
+    this.samples = samples;
+  }
+
+  /** Makes it what is drawn to. */
+  OffscreenTarget bind(GL3 gl, int width, int height) {
+    OffscreenTarget known = target;
+    if (known == null || known.width() != 2 * width || known.height() != height) {
+      dispose(gl);
+      known = new OffscreenTarget(gl, 2 * width, height, samples);
+      target = known;
+      int[] id = new int[1];
+      gl.glGenFramebuffers(1, id, 0);
+      frame = id[0];
+    }
+    known.bind(gl);
+    return known;
+  }
+
+  /** The drawing is done: makes the pictures what is copied from. */
+  void resolve(GL3 gl) {
+    OffscreenTarget drawn = target;
+    if (drawn != null) {
+      drawn.resolve(gl);
+    }
+  }
+
+  /**
+   * Copies an eye's half of what was resolved to a texture. Values are copied as they are, also to
+   * one of sRGB: they are sRGB values.
+   *
+   * @param eye 0 for the left one, 1 for the right one
+   */
+  void copy(GL3 gl, int eye, int texture) {
+    OffscreenTarget from = target;
+    if (from == null) {
+      return;
+    }
+    int half = from.width() / 2;
+    gl.glBindFramebuffer(GL3.GL_DRAW_FRAMEBUFFER, frame);
+    gl.glFramebufferTexture2D(
+        GL3.GL_DRAW_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_TEXTURE_2D, texture, 0);
+    gl.glBlitFramebuffer(
+        eye * half,
+        0,
+        eye * half + half,
+        from.height(),
+        0,
+        0,
+        half,
+        from.height(),
+        GL.GL_COLOR_BUFFER_BIT,
+        GL.GL_NEAREST);
+    gl.glFramebufferTexture2D(
+        GL3.GL_DRAW_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_TEXTURE_2D, 0, 0);
+  }
+
+  void dispose(GL3 gl) {
+    OffscreenTarget known = target;
+    if (known != null) {
+      known.dispose(gl);
+      gl.glDeleteFramebuffers(1, new int[] {frame}, 0);
+      target = null;
+    }
+  }
+}

@@ -1,0 +1,231 @@
+package org.selectiverenderer.runtime.render.headset;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.MirrorSide;
+import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.show.RunWindows;
+import org.selectiverenderer.runtime.render.show.Veil;
+import org.selectiverenderer.runtime.render.show.WorldHost;
+import org.selectiverenderer.runtime.render.show.WorldPainter;
+import org.selectiverenderer.runtime.render.show.WorldScreen;
+import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.render.window.RenderWindow;
+import org.selectiverenderer.runtime.render.window.SideWindow;
+
+/** A world in a headset, and on the desk what the headset shows. */
+public final class HeadsetWindow implements WorldScreen {
+  /** From one look to the next while nobody sees the headset. */
+  private static final long IDLE_NANOS = 20_000_000;
+
+  private final WorldHost host;
+  private final HeadsetScreen screen;
+  private final RunWindows stage;
+  private final int samples;
+  private final Mirror mirror;
+  private final @Nullable MirrorOperator operator;
+  private final ConcurrentLinkedQueue<InputEvent> input = new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<InputEvent> operatorInput = new ConcurrentLinkedQueue<>();
+  private final CountDownLatch begun = new CountDownLatch(1);
+  private volatile boolean over;
+  private volatile boolean windowsClosed;
+  private volatile List<String> lines = List.of();
+  private volatile @Nullable Throwable failure;
+  private volatile @Nullable GlInfo info;
+  private volatile @Nullable Screenshot last;
+
+  /**
+   * @param stage the windows on the desk; their layout is the headset's own
+   * @param screen opened and closed by the headset's thread
+   * @param side what the main window shows
+   * @param samples per pixel of the eyes' pictures; 0 for no anti-aliasing
+   */
+  public HeadsetWindow(
+      RunWindows stage, WorldHost host, HeadsetScreen screen, MirrorSide side, int samples) {
+    this.stage = stage;
+    this.samples = samples;
+    this.host = host;
+    this.screen = screen;
+    mirror = new Mirror(side);
+    operator = stage.operator().isPresent() ? new MirrorOperator(mirror) : null;
+  }
+
+  @Override
+  public void run() throws InterruptedException {
+    Thread thread = new Thread(this::show, "headset");
+    thread.start();
+    begun.await();
+    try {
+      if (!over) {
+        windows().run();
+      }
+    } finally {
+      windowsClosed = true;
+      thread.join();
+    }
+    Throwable broken = failure;
+    if (broken instanceof RuntimeException exception) {
+      throw exception;
+    }
+    if (broken != null) {
+      throw new IllegalStateException("drawing failed: " + broken, broken);
+    }
+  }
+
+  private RenderWindow windows() {
+    List<SideWindow> sides = new ArrayList<>();
+    if (operator != null) {
+      sides.add(
+          new SideWindow(
+              stage.operator().orElseThrow(), operator, Optional.of(operatorInput::add)));
+    }
+    MirrorWindow main = new MirrorWindow(mirror, () -> lines, () -> over, host::closing);
+    return new RenderWindow(stage.main(), main, input::add, sides);
+  }
+
+  @Override
+  public Optional<GlInfo> info() {
+    return Optional.ofNullable(info);
+  }
+
+  @Override
+  public Optional<Screenshot> lastPicture() {
+    return Optional.ofNullable(last);
+  }
+
+  @Override
+  public Optional<Screenshot> lastOperatorPicture() {
+    return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
+  }
+
+  /** All of the thread {@code headset}. */
+  private void show() {
+    try (HeadsetContext context = HeadsetContext.open()) {
+      GL3 gl = context.gl();
+      info = GlInfo.of(gl);
+      screen.open(context.handles());
+      Frames frames = new Frames(gl);
+      try {
+        host.started();
+        begun.countDown();
+        frames.run();
+      } finally {
+        screen.close();
+        frames.dispose();
+      }
+    } catch (RuntimeException | Error e) {
+      failure = e;
+    } finally {
+      over = true;
+      begun.countDown();
+    }
+  }
+
+  private final class Frames {
+    private final GL3 gl;
+    private final WorldPainter painter;
+    private final EyePictures eyes = new EyePictures(samples);
+    private final Veil veil = new Veil();
+    private Optional<World> world = Optional.empty();
+    private HeadsetScreen.@Nullable Due size;
+    private @Nullable World ready;
+
+    Frames(GL3 gl) {
+      this.gl = gl;
+      painter = new WorldPainter(screen.layout(), stage.style());
+    }
+
+    void run() {
+      while (!windowsClosed) {
+        drain();
+        Optional<HeadsetScreen.Due> due = screen.next();
+        host.presented(screen.visible());
+        world = host.step();
+        if (host.finished() || screen.takeLeave() && host.closing()) {
+          due.ifPresent(frame -> empty());
+          return;
+        }
+        if (due.isEmpty()) {
+          mirror.blacken();
+          LockSupport.parkNanos(IDLE_NANOS);
+        } else if (due.get().drawn() && world.isPresent()) {
+          frame(due.get(), world.get());
+        } else {
+          empty();
+        }
+        lines = world.isPresent() ? host.overlay() : host.waiting();
+        if (operator != null) {
+          operator.update(host);
+        }
+      }
+    }
+
+    private void drain() {
+      for (InputEvent event = input.poll(); event != null; event = input.poll()) {
+        host.input(event);
+      }
+      for (InputEvent event = operatorInput.poll(); event != null; event = operatorInput.poll()) {
+        host.operatorInput(event);
+      }
+    }
+
+    /** A frame without a picture: the runtime counts on each that was waited for. */
+    private void empty() {
+      screen.begin();
+      screen.end(false);
+    }
+
+    private void frame(HeadsetScreen.Due due, World shown) {
+      size = due;
+      screen.begin();
+      if (shown != ready && host.readyAtOnce()) {
+        painter.prepare(gl, shown);
+        ready = shown;
+      }
+      OffscreenTarget target = eyes.bind(gl, due.width(), due.height());
+      Drawn drawn = painter.paint(gl, shown, target.width(), target.height(), 1);
+      veil.draw(gl, host.darkness(), target.width(), target.height());
+      eyes.resolve(gl);
+      boolean both = true;
+      for (int eye = 0; eye < 2; eye++) {
+        OptionalInt texture = screen.texture(eye);
+        both &= texture.isPresent();
+        if (texture.isPresent()) {
+          eyes.copy(gl, eye, texture.getAsInt());
+        }
+      }
+      gl.glFlush();
+      host.drawn(drawn);
+      screen.end(both);
+      host.submitted();
+      mirror.frame(gl, target);
+    }
+
+    /** Frees everything, with a last picture of what was seen. */
+    void dispose() {
+      HeadsetScreen.Due known = size;
+      if (known != null && world.isPresent()) {
+        OffscreenTarget target = eyes.bind(gl, known.width(), known.height());
+        painter.paint(gl, world.get(), target.width(), target.height(), 1);
+        last = target.read(gl);
+      }
+      gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, 0);
+      mirror.dispose(gl);
+      veil.dispose(gl);
+      eyes.dispose(gl);
+      painter.dispose(gl);
+    }
+  }
+}

@@ -1,0 +1,79 @@
+package org.selectiverenderer.runtime.render.headset;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.render.context.PictureCopy;
+import org.selectiverenderer.runtime.render.show.Overlay;
+import org.selectiverenderer.runtime.render.window.FrameSize;
+import org.selectiverenderer.runtime.render.window.FrameSource;
+
+/** The window on the desk that shows what the headset shows, at the desktop's own pace. */
+final class MirrorWindow implements FrameSource {
+  private final Mirror mirror;
+  private final Supplier<List<String>> lines;
+  private final BooleanSupplier over;
+  private final BooleanSupplier closing;
+  private final PictureCopy picture = new PictureCopy();
+  private final Overlay overlay = new Overlay(new TextMesher());
+  private long shown;
+
+  /**
+   * @param lines what is written over the picture
+   * @param over whether nothing will be shown any more
+   * @param closing asked when the user closes a window; called by the window system's thread
+   */
+  MirrorWindow(
+      Mirror mirror, Supplier<List<String>> lines, BooleanSupplier over, BooleanSupplier closing) {
+    this.mirror = mirror;
+    this.lines = lines;
+    this.over = over;
+    this.closing = closing;
+  }
+
+  @Override
+  public void start(GL3 gl) {
+    // The headset's thread says when there is something to draw with.
+  }
+
+  @Override
+  public boolean step() {
+    return !over.getAsBoolean();
+  }
+
+  @Override
+  public boolean closing() {
+    return closing.getAsBoolean();
+  }
+
+  @Override
+  public void draw(GL3 gl, FrameSize size) {
+    gl.glClearColor(0, 0, 0, 1);
+    gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+    Mirror.Copy copy = mirror.newest();
+    if (copy != null) {
+      if (copy.number() != shown) {
+        shown = copy.number();
+        picture.hold(copy.pixels(), copy.width(), copy.height());
+      }
+      double scale =
+          Math.min(size.width() / (double) copy.width(), size.height() / (double) copy.height());
+      int width = (int) Math.round(copy.width() * scale);
+      int height = (int) Math.round(copy.height() * scale);
+      picture.show(gl, (size.width() - width) / 2, (size.height() - height) / 2, width, height);
+    }
+    List<String> text = lines.get();
+    if (!text.isEmpty()) {
+      overlay.draw(gl, text, size.width(), size.height(), size.scale());
+    }
+  }
+
+  @Override
+  public void stop(GL3 gl) {
+    overlay.dispose(gl);
+    picture.dispose(gl);
+  }
+}

@@ -1,0 +1,29 @@
+package org.selectiverenderer.runtime.render.show;
+
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
+
+/** Darkens a picture. Belongs to the thread that owns the context. */
+public final class Veil {
+  private final SketchPainter sketch = new SketchPainter(new TextMesher());
+
+  /**
+   * Draws over the whole of what is drawn to.
+   *
+   * @param darkness 0 for none, 1 for black
+   */
+  public void draw(GL3 gl, double darkness, int width, int height) {
+    int alpha = (int) Math.round(255 * Math.max(0, Math.min(1, darkness)));
+    if (alpha > 0) {
+      sketch.draw(
+          gl, List.of(Mark.rectangle(0, 0, width, height, alpha << 24)), 0, 0, width, height);
+    }
+  }
+
+  public void dispose(GL3 gl) {
+    sketch.dispose(gl);
+  }
+}
