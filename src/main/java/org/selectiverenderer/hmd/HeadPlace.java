@@ -28,7 +28,7 @@ final class HeadPlace {
 
   private final World world;
   private final HeadSettings settings;
-  private final @Nullable Body body;
+  private final @Nullable FollowingBody body;
 
   /** The place of the tracker's room above which the body stands: right, back. */
   private double footX;
@@ -46,7 +46,7 @@ final class HeadPlace {
   /**
    * @param body that follows; null for one that something else moves, such as a path
    */
-  HeadPlace(World world, HeadSettings settings, @Nullable Body body) {
+  HeadPlace(World world, HeadSettings settings, @Nullable FollowingBody body) {
     this.world = world;
     this.settings = settings;
     this.body = body;
@@ -97,7 +97,7 @@ final class HeadPlace {
   }
 
   private void follow(Viewer viewer, PoseSample sample, Quaterniondc room, double scale) {
-    Body walking = body;
+    FollowingBody walking = body;
     if (walking == null) {
       return;
     }

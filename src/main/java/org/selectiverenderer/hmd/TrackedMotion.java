@@ -62,7 +62,7 @@ public final class TrackedMotion implements ViewerMotion {
       ViewerMotion walking,
       WhenLost whenLost,
       HeadSettings settings,
-      @Nullable Body body) {
+      @Nullable FollowingBody body) {
     this.world = world;
     this.tracker = tracker;
     this.walking = walking;

@@ -15,7 +15,6 @@ import java.util.Set;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.lwjgl.PointerBuffer;
-import org.lwjgl.openxr.KHRVisibilityMask;
 import org.lwjgl.openxr.XR10;
 import org.lwjgl.openxr.XrCompositionLayerProjection;
 import org.lwjgl.openxr.XrCompositionLayerProjectionView;
@@ -36,13 +35,10 @@ import org.lwjgl.openxr.XrSwapchainImageBaseHeader;
 import org.lwjgl.openxr.XrSwapchainImageOpenGLKHR;
 import org.lwjgl.openxr.XrSwapchainImageReleaseInfo;
 import org.lwjgl.openxr.XrSwapchainImageWaitInfo;
-import org.lwjgl.openxr.XrVector2f;
 import org.lwjgl.openxr.XrView;
 import org.lwjgl.openxr.XrViewLocateInfo;
 import org.lwjgl.openxr.XrViewState;
-import org.lwjgl.openxr.XrVisibilityMaskKHR;
 import org.lwjgl.system.MemoryStack;
-import org.lwjgl.system.MemoryUtil;
 
 /** A real session. Handles are told as numbers, as those who use them know them. */
 final class LwjglSession implements XrSession {
@@ -320,40 +316,6 @@ final class LwjglSession implements XrSession {
         .angleUp((float) Math.atan(sight.top()));
     view.subImage().swapchain(swapchains.get(picture.swapchain()));
     view.subImage().imageRect().extent().set(picture.width(), picture.height());
-  }
-
-  @Override
-  public HiddenArea hidden(int eye) {
-    String function = "GetVisibilityMaskKHR";
-    int hidden = KHRVisibilityMask.XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR;
-    try (MemoryStack stack = MemoryStack.stackPush()) {
-      XrVisibilityMaskKHR mask = XrVisibilityMaskKHR.calloc(stack).type$Default();
-      check(function, KHRVisibilityMask.xrGetVisibilityMaskKHR(session, STEREO, eye, hidden, mask));
-      int corners = mask.vertexCountOutput();
-      int indices = mask.indexCountOutput();
-      if (corners == 0 || indices == 0) {
-        return HiddenArea.NONE;
-      }
-      XrVector2f.Buffer points = XrVector2f.calloc(corners);
-      IntBuffer numbers = MemoryUtil.memAllocInt(indices);
-      try {
-        mask.vertices(points).vertexCapacityInput(corners);
-        mask.indices(numbers).indexCapacityInput(indices);
-        check(
-            function, KHRVisibilityMask.xrGetVisibilityMaskKHR(session, STEREO, eye, hidden, mask));
-        float[] flat = new float[2 * corners];
-        for (int i = 0; i < corners; i++) {
-          flat[2 * i] = points.get(i).x();
-          flat[2 * i + 1] = points.get(i).y();
-        }
-        int[] triangles = new int[indices];
-        numbers.get(0, triangles);
-        return new HiddenArea(flat, triangles);
-      } finally {
-        points.free();
-        MemoryUtil.memFree(numbers);
-      }
-    }
   }
 
   @Override

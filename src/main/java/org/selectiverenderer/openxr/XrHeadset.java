@@ -1,6 +1,5 @@
 package org.selectiverenderer.openxr;
 
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -84,11 +83,6 @@ public final class XrHeadset implements AutoCloseable {
   /** The size of an eye's picture; empty while the runtime is gone. */
   public Optional<PictureSize> size() {
     return Optional.ofNullable(sitting).map(known -> known.images().size());
-  }
-
-  /** What the lens of each eye hides, the left one's first; empty while the runtime is gone. */
-  public List<HiddenArea> hidden() {
-    return sitting == null ? List.of() : sitting.hidden();
   }
 
   /** How it does; any thread. */

@@ -1,6 +1,5 @@
 package org.selectiverenderer.openxr;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,7 +14,6 @@ final class XrSitting implements AutoCloseable {
   private final long head;
   private final long room;
   private final boolean floor;
-  private final List<HiddenArea> hidden = new ArrayList<>();
   private List<EyeSight> sights = List.of();
 
   /**
@@ -37,9 +35,6 @@ final class XrSitting implements AutoCloseable {
       room = session.space(floor ? XrSession.SpaceKind.STAGE : XrSession.SpaceKind.LOCAL);
       images = new EyeImages(session, size);
       actions.attach(session);
-      for (int eye = 0; eye < 2; eye++) {
-        hidden.add(connection.has(XrConnection.MASK) ? session.hidden(eye) : HiddenArea.NONE);
-      }
     } catch (XrFailure e) {
       session.close();
       throw e;
@@ -57,10 +52,6 @@ final class XrSitting implements AutoCloseable {
 
   EyeImages images() {
     return images;
-  }
-
-  List<HiddenArea> hidden() {
-    return List.copyOf(hidden);
   }
 
   String controllers() {

@@ -299,12 +299,6 @@ final class FakeRuntime implements XrLoader {
     }
 
     @Override
-    public HiddenArea hidden(int eye) {
-      call("GetVisibilityMaskKHR");
-      return new HiddenArea(new float[] {-1, -1, -1, 0, 0, -1}, new int[] {0, 1, 2});
-    }
-
-    @Override
     public void close() {
       call("DestroySession");
     }

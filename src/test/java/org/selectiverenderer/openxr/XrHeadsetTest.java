@@ -313,13 +313,6 @@ class XrHeadsetTest {
   }
 
   @Test
-  void readsWhatTheLensHides() throws Exception {
-    assertTrue(worn().hidden().get(0).isEmpty());
-    runtime.extensions.add(XrConnection.MASK);
-    assertEquals(3, worn().hidden().get(1).triangles().length);
-  }
-
-  @Test
   void letsGoOfTheRuntimeInTheEnd() throws Exception {
     XrHeadset headset = worn();
     headset.close();

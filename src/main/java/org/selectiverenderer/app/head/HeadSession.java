@@ -12,7 +12,7 @@ import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
-import org.selectiverenderer.hmd.Body;
+import org.selectiverenderer.hmd.FollowingBody;
 import org.selectiverenderer.hmd.HeadSettings;
 import org.selectiverenderer.hmd.TrackedMotion;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
@@ -133,7 +133,7 @@ public final class HeadSession implements AutoCloseable {
    * @return what moves the viewer
    * @throws IOException if the log cannot be written
    */
-  public ViewerMotion begin(Walkthrough walk, ViewerMotion walking, @Nullable Body body)
+  public ViewerMotion begin(Walkthrough walk, ViewerMotion walking, @Nullable FollowingBody body)
       throws IOException {
     if (files != null || listener != null) {
       double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);

@@ -104,7 +104,9 @@ public final class WindowChain implements WorldHost {
     listener.samples().ifPresent(head::tell);
     current =
         new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop(), headset);
-    current.presented(seen);
+    if (headset.isPresent()) {
+      current.presented(seen);
+    }
   }
 
   private void close() throws IOException {

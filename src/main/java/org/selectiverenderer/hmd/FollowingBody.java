@@ -5,7 +5,7 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 
 /** The body under a tracked head, which stands in the scene: walls hold it up. */
 @FunctionalInterface
-public interface Body {
+public interface FollowingBody {
   /**
    * Moves the body after its head, as far as walls let it.
    *
