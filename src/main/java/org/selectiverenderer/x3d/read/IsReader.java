@@ -41,7 +41,7 @@ final class IsReader {
                 .orElse(null);
         if (field != null && field.type() == connection.field().type()) {
           instance.connect(connection.field().name(), new ProtoInstance.Connection(named, name));
-          give(node, field, instance.value(connection.field()), children, in.location());
+          give(instance, node, field, instance.value(connection.field()), children, in.location());
         } else {
           mismatch(in.location(), node.type().name(), connection);
         }
@@ -51,6 +51,7 @@ final class IsReader {
   }
 
   private void give(
+      ProtoInstance instance,
       ParsedNode node,
       FieldDefinition field,
       @Nullable Object value,
@@ -66,7 +67,13 @@ final class IsReader {
     List<?> given = value instanceof List<?> list ? list : List.of(value);
     for (Object child : given) {
       ParsedNode childNode = (ParsedNode) child;
-      if (field.nodeTypes().isEmpty() || Containment.accepts(field, childNode.type())) {
+      if (instance.isTurningBack(childNode) && !node.type().is("X3DScriptNode")) {
+        // A script may know what it stands in; what is part of the scene may not hold itself.
+        reading.error(
+            location,
+            "the %s that %s is given would contain the instance itself; it is left out"
+                .formatted(childNode.type().name(), field.name()));
+      } else if (field.nodeTypes().isEmpty() || Containment.accepts(field, childNode.type())) {
         children.put(field, childNode, location);
       } else {
         reading.error(
@@ -103,6 +110,7 @@ final class IsReader {
           Object value = enclosing.value(connection.field());
           if (value != null) {
             inner.give(field.name(), value);
+            inner.turnsBack(enclosing);
           }
         }
       }

@@ -22,6 +22,7 @@ final class NameScope {
   private final @Nullable NameScope enclosing;
   private final @Nullable ProtoInstance instance;
   private final Map<String, Named> names = new LinkedHashMap<>();
+  private boolean valued;
   private Set<ParsedNode> open = Collections.newSetFromMap(new IdentityHashMap<>());
   private final Map<String, DeclaredPrototype> prototypes = new HashMap<>();
   private final Set<String> lost = new HashSet<>();
@@ -78,6 +79,22 @@ final class NameScope {
 
   boolean isOpen(ParsedNode node) {
     return open.contains(node);
+  }
+
+  /**
+   * Whether a value of an instance is read: what that holds may be for a Script, so it may name a
+   * node that is open.
+   *
+   * @return what it was before
+   */
+  boolean valued(boolean now) {
+    boolean before = valued;
+    valued = now;
+    return before;
+  }
+
+  boolean valued() {
+    return valued;
   }
 
   /** Forgets all but the prototypes, when nothing more is read in the scope. */

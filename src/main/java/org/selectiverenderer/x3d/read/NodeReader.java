@@ -165,7 +165,9 @@ final class NodeReader {
               + "; the USE is left out");
       return null;
     }
-    if (scope.isOpen(found.node())) {
+    if (scope.isOpen(found.node()) && scope.valued()) {
+      reading.turnBack();
+    } else if (scope.isOpen(found.node())) {
       reading.error(
           reading.at(place, attribute), name + " would contain itself here; the USE is left out");
       return null;

@@ -1,6 +1,8 @@
 package org.selectiverenderer.x3d.read;
 
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
@@ -16,6 +18,7 @@ final class ProtoInstance {
   private final int within;
   private final Map<String, Object> values = new HashMap<>();
   private final Map<String, Set<Connection>> connections = new HashMap<>();
+  private final Set<ParsedNode> turning = Collections.newSetFromMap(new IdentityHashMap<>());
 
   /**
    * @param number among the instances of the file
@@ -48,6 +51,20 @@ final class ProtoInstance {
   @Nullable Object value(ProtoDeclaration.Field field) {
     Object value = values.get(field.name());
     return value != null ? value : field.value();
+  }
+
+  /** A node that it is given leads back to one that the instance stands in. */
+  void turnsBack(ParsedNode given) {
+    turning.add(given);
+  }
+
+  /** The same for all that another instance hands on. */
+  void turnsBack(ProtoInstance from) {
+    turning.addAll(from.turning);
+  }
+
+  boolean isTurningBack(ParsedNode given) {
+    return turning.contains(given);
   }
 
   boolean given(String field) {

@@ -164,12 +164,18 @@ final class ProtoInstanceReader {
             ? reading.angles().radians(field.type(), in.attributeValue(attribute, field.type()))
             : null;
     List<ParsedNode> given = new ArrayList<>();
+    boolean outer = scope.valued(true);
     while (in.next()) {
+      long turned = reading.turns();
       NodeReader.Child child = nodes.read(in, scope);
       if (child != null) {
         given.add(child.node());
+        if (reading.turns() > turned) {
+          instance.turnsBack(child.node());
+        }
       }
     }
+    scope.valued(outer);
     if (field.type().isNode()) {
       value = nodeValue(field.type(), given);
     }

@@ -31,6 +31,7 @@ final class ReadState {
   private final boolean parts;
   private final Set<Problem> replayed = new HashSet<>();
   private int reported;
+  private long turns;
   private int spent;
   private int replays;
   private int depth;
@@ -59,6 +60,16 @@ final class ReadState {
     this.catalogue = catalogue;
     this.limits = limits;
     this.problems = problems;
+  }
+
+  /** A value of an instance names a node that the instance stands in. */
+  void turnBack() {
+    turns++;
+  }
+
+  /** How often that was. */
+  long turns() {
+    return turns;
   }
 
   /** Whether any node may stand at the top: it is to become part of another. */

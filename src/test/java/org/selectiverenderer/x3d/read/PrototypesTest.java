@@ -203,4 +203,38 @@ class PrototypesTest {
         .containsExactly(23, 24, 25, 26, 27, 29);
     assertThat(fixture.problems.list().get(1).message()).contains("did you mean colour?");
   }
+
+  private static final String KNOWS =
+      """
+      <ProtoDeclare name='Knows'>
+        <ProtoInterface><field name='other' type='SFNode' accessType='initializeOnly'/></ProtoInterface>
+        <ProtoBody><Group/>%s</ProtoBody>
+      </ProtoDeclare>
+      <Group DEF='G'><ProtoInstance name='Knows'>
+        <fieldValue name='other'><Group USE='G'/></fieldValue></ProtoInstance></Group>
+      """;
+
+  @Test
+  void aScriptOfAnInstanceMayKnowWhatTheInstanceStandsIn() {
+    X3dFile file =
+        fixture.scene(
+            KNOWS.formatted(
+                "<Script DEF='S'><field name='node' type='SFNode' accessType='initializeOnly'/>"
+                    + "<IS><connect nodeField='node' protoField='other'/></IS></Script>"));
+    fixture.assertClean();
+    assertThat(file.loose().get(0).node("node")).isSameAs(file.named().get("G"));
+  }
+
+  @Test
+  void noPartOfAnInstanceMayHoldWhatTheInstanceStandsIn() {
+    fixture.scene(
+        KNOWS.formatted(
+            "<Shape><IS><connect nodeField='metadata' protoField='other'/></IS></Shape>"
+                + "<Collision><IS><connect nodeField='proxy' protoField='other'/></IS></Collision>"));
+    assertThat(fixture.problems.list())
+        .extracting(problem -> problem.message())
+        .containsExactly(
+            "the Group that metadata is given would contain the instance itself; it is left out",
+            "the Group that proxy is given would contain the instance itself; it is left out");
+  }
 }
