@@ -41,13 +41,10 @@ class NodeFactoryTest {
             Core: ProtoInstance
             CubeMapTexturing: GeneratedCubeMapTexture
             DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
-            EnvironmentalEffects: FogCoordinate
             NURBS: NurbsSet
-            Rendering: Tangent
             RigidBodyPhysics: BallJoint CollisionCollection CollisionSensor CollisionSpace Contact \
             DoubleAxisHingeJoint MotorJoint RigidBody RigidBodyCollection SingleAxisHingeJoint SliderJoint \
             UniversalJoint
-            Shaders: all
             Shape: AcousticProperties
             Sound: Analyser AudioDestination BiquadFilter BufferAudioSource ChannelMerger ChannelSelector \
             ChannelSplitter Convolver Delay DynamicsCompressor Gain ListenerPointSource MicrophoneSource \

@@ -118,7 +118,8 @@ final class DrawLooks {
             surface,
             null,
             blended,
-            DetailDefines.of(detail, surface.tints(), coordinates(drawn), cutOut));
+            DetailDefines.of(
+                detail, surface.tints(), coordinates(drawn), drawn.tangents(), cutOut));
     Surface back = detail.back();
     DetailTextures textured =
         new DetailTextures(
@@ -150,22 +151,15 @@ final class DrawLooks {
 
   /** A shape that the program of an author draws: of its surface only the opacity counts here. */
   private DrawLook authored(
-      GL3 gl,
-      ShapeInstance shape,
-      Mesh drawn,
-      List<LightInstance> reaching,
-      AuthorLook author) {
+      GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching, AuthorLook author) {
     Surface surface = shape.surface();
     SurfaceDetail detail = surface.detail();
     boolean blended =
         detail == null || detail.alphaMode() == SurfaceDetail.AlphaMode.AUTO
             ? blended(
-                surface,
-                drawn,
-                surface.texture() == null ? null : texture(gl, surface.texture()))
+                surface, drawn, surface.texture() == null ? null : texture(gl, surface.texture()))
             : detail.alphaMode() == SurfaceDetail.AlphaMode.BLEND;
-    ShapePrograms.Family family =
-        programs.get(variant(drawn, surface, null, blended, List.of()));
+    ShapePrograms.Family family = programs.get(variant(drawn, surface, null, blended, List.of()));
     DrawLook look =
         new DrawLook(
             family,

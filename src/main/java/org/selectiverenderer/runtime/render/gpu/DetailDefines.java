@@ -42,10 +42,11 @@ public final class DetailDefines {
   /**
    * @param tints whether the Appearance's image multiplies the colour, else replaces it
    * @param sizes floats in each of the mesh's further texture coordinates
+   * @param tangents where the mesh's tangents are among its further coordinates; -1 without any
    * @param cutOut whether pixels of its images are there or not
    */
   public static List<String> of(
-      SurfaceDetail detail, boolean tints, List<Integer> sizes, boolean cutOut) {
+      SurfaceDetail detail, boolean tints, List<Integer> sizes, int tangents, boolean cutOut) {
     List<String> defines = new ArrayList<>();
     defines.add("DETAIL");
     defines.add("UNITS " + detail.units().size());
@@ -84,6 +85,9 @@ public final class DetailDefines {
         defines.add(name + "_TEXEL " + texel);
         if (unit.role() == TextureUnit.Role.NORMAL) {
           defines.add("NORMAL_PLACE " + place);
+          if (tangents >= 0) {
+            defines.add("TANGENTS " + (4 + tangents));
+          }
         }
       }
     }
