@@ -39,7 +39,6 @@ class NodeFactoryTest {
         .isEqualTo(
             """
             Core: ProtoInstance
-            CubeMapTexturing: GeneratedCubeMapTexture
             DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
             NURBS: NurbsSet
             RigidBodyPhysics: BallJoint CollisionCollection CollisionSensor CollisionSpace Contact \

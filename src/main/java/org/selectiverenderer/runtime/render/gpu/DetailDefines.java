@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
 import org.selectiverenderer.runtime.instance.TextureStage;
 import org.selectiverenderer.runtime.instance.TextureUnit;
@@ -75,7 +74,7 @@ public final class DetailDefines {
       samplers.append("uniform ").append(sampler(unit)).append(" image").append(i).append("; ");
       String place = "(unit[%d] * %s)".formatted(i, coordinates(unit));
       String texel =
-          unit.source() instanceof CubeTexture
+          unit.source().cube()
               ? "texture(image%d, %s.xyz)".formatted(i, place)
               : "textureProj(image%d, %s)".formatted(i, place);
       if (unit.role() == TextureUnit.Role.STAGE) {
@@ -129,14 +128,14 @@ public final class DetailDefines {
   }
 
   private static String sampler(TextureUnit unit) {
-    return unit.source() instanceof CubeTexture
+    return unit.source().cube()
         ? "samplerCube"
         : unit.source() instanceof VolumeTexture ? "sampler3D" : "sampler2D";
   }
 
   private static boolean turned(TextureUnit unit) {
     return unit.mode().startsWith("WORLDSPACE")
-        || (unit.source() instanceof CubeTexture && unit.mode().startsWith("CAMERASPACE"));
+        || (unit.source().cube() && unit.mode().startsWith("CAMERASPACE"));
   }
 
   private static String coordinates(TextureUnit unit) {
