@@ -108,10 +108,11 @@ record FrameNodes(
     return formed;
   }
 
-  /** What plays on shapes and in backgrounds, each once. */
+  /** What plays on shapes and in backgrounds, and what is drawn on shapes, each once. */
   private static Set<Node> films(InstanceTree instances, List<Node> placed) {
     Set<Node> films = new LinkedHashSet<>();
     instances.shapes().forEach(shape -> films.addAll(shape.films()));
+    instances.shapes().forEach(shape -> films.addAll(shape.cubes()));
     for (Node node : placed) {
       if (node.type().name().equals("TextureBackground")) {
         for (Backdrop.Side side : Backdrop.Side.values()) {

@@ -56,8 +56,23 @@ public record Mesh(
    * without any.
    */
   public int fogDepth() {
+    return place(FOG_DEPTH);
+  }
+
+  /**
+   * The name of the attribute that has the tangents (draft of X3D 4.1, Tangent), x, y, z and the
+   * side of the third axis, 1 or -1, for each vertex. X_ITE's programs know them by it too.
+   */
+  public static final String TANGENTS = "x3d_Tangent";
+
+  /** Where the tangents are, likewise. */
+  public int tangents() {
+    return place(TANGENTS);
+  }
+
+  private int place(String name) {
     for (int i = moreTexCoords.size() - 1; i >= 0; i--) {
-      if (moreTexCoords.get(i).name().equals(FOG_DEPTH)) {
+      if (moreTexCoords.get(i).name().equals(name)) {
         return i;
       }
     }

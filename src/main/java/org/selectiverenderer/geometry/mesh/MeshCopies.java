@@ -51,7 +51,11 @@ public final class MeshCopies {
         repeated(mesh.colors(), copies),
         repeated(mesh.texCoords(), copies),
         mesh.moreTexCoords().stream()
-            .map(more -> new Mesh.TexCoords(more.components(), repeatedAll(more.values(), copies)))
+            .map(
+                more ->
+                    more.name().equals(Mesh.TANGENTS)
+                        ? turned(more, places, copies)
+                        : repeated(more, copies))
             .toList(),
         indices,
         mesh.solid(),
@@ -72,6 +76,29 @@ public final class MeshCopies {
         put(v.isFinite() ? v : v.set(0, 0, 1), normals, at + i);
       }
     }
+  }
+
+  private static Mesh.TexCoords repeated(Mesh.TexCoords more, int copies) {
+    return new Mesh.TexCoords(more.components(), repeatedAll(more.values(), copies), more.name());
+  }
+
+  /** Tangents go with the surface; in a mirrored copy the third axis is on the other side. */
+  private static Mesh.TexCoords turned(
+      Mesh.TexCoords tangents, List<? extends Matrix4dc> places, int copies) {
+    Mesh.TexCoords all = repeated(tangents, copies);
+    Vector3d v = new Vector3d();
+    for (int copy = 0; copy < copies; copy++) {
+      Matrix4dc place = places.get(copy);
+      boolean mirrored = place.determinant3x3() < 0;
+      int from = tangents.values().length * copy;
+      for (int i = from; i < from + tangents.values().length; i += 4) {
+        float[] values = all.values();
+        place.transformDirection(v.set(values[i], values[i + 1], values[i + 2])).normalize();
+        put(v, values, i);
+        values[i + 3] = mirrored ? -values[i + 3] : values[i + 3];
+      }
+    }
+    return all;
   }
 
   /** A number beyond a float's range stays in it. */

@@ -74,7 +74,7 @@ final class LineSets {
     }
     VertexAttribute colors = colors(corners, colorPerVertex, colorIndex);
     return new Welder(
-            points.xyz(), corners, null, colors, null, ProgramAttributes.of(job, corners))
+            points.xyz(), corners, null, colors, null, ProgramAttributes.of(job, corners, 0))
         .mesh(primitive, false, false);
   }
 

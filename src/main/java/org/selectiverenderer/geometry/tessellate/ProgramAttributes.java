@@ -12,29 +12,35 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * for each column.
  */
 final class ProgramAttributes {
-  /** Columns of all attributes of a geometry: what every graphics card takes beside the others. */
-  private static final int MOST = 12;
+  /**
+   * Columns of all attributes of a geometry, with its further texture coordinates: what every
+   * graphics card takes beside the others.
+   */
+  static final int MOST = 12;
 
   private final TessellationJob job;
   private final int points;
+  private final int room;
   private final List<VertexAttribute> found = new ArrayList<>();
 
-  private ProgramAttributes(TessellationJob job, int points) {
+  private ProgramAttributes(TessellationJob job, int points, int room) {
     this.job = job;
     this.points = points;
+    this.room = room;
   }
 
   /**
    * @param corners the point of each corner
+   * @param before how many columns of other kinds there are
    */
-  static List<VertexAttribute> of(TessellationJob job, int[] corners) {
+  static List<VertexAttribute> of(TessellationJob job, int[] corners, int before) {
     NodeView node = job.node();
     if (node.type().field("attrib").isEmpty()
         || (node.nodes("attrib").isEmpty() && node.node("fogCoord") == null)) {
       return List.of();
     }
     int points = Arrays.stream(corners).max().orElse(-1) + 1;
-    ProgramAttributes all = new ProgramAttributes(job, points);
+    ProgramAttributes all = new ProgramAttributes(job, points, MOST - before);
     NodeView fog = node.node("fogCoord");
     if (fog != null && fog.type().name().equals("FogCoordinate")) {
       all.add("fogCoord", Mesh.FOG_DEPTH, toTheLast(fog.floats("depth"), points), 1, 1);
@@ -82,8 +88,8 @@ final class ProgramAttributes {
         return;
       }
     }
-    if (found.size() + columns > MOST) {
-      job.problem("has more attributes than %s columns; its %s is left out".formatted(MOST, what));
+    if (found.size() + columns > room) {
+      job.problem("has more attributes than %s columns; its %s is left out".formatted(room, what));
       return;
     }
     int count = values.length / size;

@@ -81,6 +81,26 @@ final class PropertyValues {
   }
 
   /**
+   * The vectors of {@code tangent} (draft of X3D 4.1), x, y, z and the side of the third axis each;
+   * null when there are none, or only where they cannot be used.
+   */
+  static float @Nullable [] tangents(TessellationJob job) {
+    NodeView node = job.node();
+    NodeView tangent = node.type().field("tangent").isEmpty() ? null : node.node("tangent");
+    // Without the normals that they are perpendicular to they have no use.
+    if (tangent == null
+        || !tangent.type().name().equals("Tangent")
+        || node.node("normal") == null) {
+      return null;
+    }
+    float[] given = tangent.floats("vector");
+    return given.length > 0
+            && allFinite(given, job, "tangents", "they follow from texture coordinates")
+        ? given
+        : null;
+  }
+
+  /**
    * The points of the first TextureCoordinate of {@code texCoord}; null when there is none, so that
    * the geometry's own coordinates are used.
    */
@@ -115,9 +135,14 @@ final class PropertyValues {
   }
 
   private static boolean finite(float[] given, TessellationJob job, String otherwise) {
+    return allFinite(given, job, "texture coordinates", otherwise);
+  }
+
+  private static boolean allFinite(
+      float[] given, TessellationJob job, String what, String otherwise) {
     for (float value : given) {
       if (!(Math.abs(value) < Float.POSITIVE_INFINITY)) {
-        job.problem("has texture coordinates that are not finite; " + otherwise);
+        job.problem("has " + what + " that are not finite; " + otherwise);
         return false;
       }
     }

@@ -70,14 +70,19 @@ final class SurfaceMesher {
         colors,
         normals,
         texCoords == null ? ownTexCoords : texCoords,
-        more(indices.texCoord()),
+        more(indices, normalPerVertex),
         creaseAngle);
   }
 
   /** Texture coordinates beside the first; their places in the list stay, whatever they hold. */
-  private List<VertexAttribute> more(int[] index) {
+  private List<VertexAttribute> more(Indices indices, boolean normalPerVertex) {
     List<VertexAttribute> more = new ArrayList<>();
+    int[] index = indices.texCoord();
     for (VertexAttribute given : PropertyValues.moreTexCoords(job)) {
+      if (more.size() == ProgramAttributes.MOST) {
+        job.problem("has more texture coordinates than graphics cards take; the last are all 0");
+        break;
+      }
       int size = given.components();
       // One without any points is there to keep a place.
       VertexAttribute usable =
@@ -89,8 +94,25 @@ final class SurfaceMesher {
               ? usable
               : new VertexAttribute(new float[size], size, new int[corners.length]));
     }
-    more.addAll(ProgramAttributes.of(job, corners));
+    tangents(indices, normalPerVertex, more);
+    more.addAll(ProgramAttributes.of(job, corners, more.size()));
     return more;
+  }
+
+  /** Tangents stand beside normals and are chosen as these are. */
+  private void tangents(Indices indices, boolean normalPerVertex, List<VertexAttribute> more) {
+    float[] given = more.size() < ProgramAttributes.MOST ? PropertyValues.tangents(job) : null;
+    VertexAttribute tangents =
+        attribute(
+            "tangents",
+            given,
+            4,
+            indices.normal(),
+            normalPerVertex,
+            "left out; they follow from texture coordinates");
+    if (tangents != null) {
+      more.add(new VertexAttribute(tangents.values(), 4, tangents.ids(), Mesh.TANGENTS));
+    }
   }
 
   /** The mesh with given properties; normals that are null are generated. */

@@ -21,6 +21,11 @@ public record CubeTexture(List<Face> faces, @Nullable Sampling sampling) impleme
   public record Face(Texture.Image image, int layer) {}
 
   @Override
+  public boolean cube() {
+    return true;
+  }
+
+  @Override
   public int components() {
     return faces.get(0).image().components();
   }

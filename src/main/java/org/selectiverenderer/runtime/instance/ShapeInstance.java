@@ -12,6 +12,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.nodes.layout.Sight;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
 import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Node;
 
@@ -62,6 +63,11 @@ public final class ShapeInstance extends Instance {
   /** The films that lie on it. */
   public List<PlayedNode> films() {
     return look.films();
+  }
+
+  /** The cubes on it that are drawn while the scene runs. */
+  public List<GeneratedCubeNode> cubes() {
+    return look.cubes();
   }
 
   /** How its lines, points and areas are drawn; the same object until that changes. */

@@ -12,6 +12,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.GeoAnchor;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
 import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
@@ -39,6 +40,7 @@ final class ShapeLook implements NodeObserver {
   private boolean onScreen;
   private @Nullable Node geometry;
   private List<PlayedNode> films = List.of();
+  private List<GeneratedCubeNode> cubes = List.of();
 
   ShapeLook(Node shape, Assets assets, InstanceTree tree) {
     this.shape = shape;
@@ -105,6 +107,7 @@ final class ShapeLook implements NodeObserver {
     onScreen = isOnScreen(geometry);
     surface = SurfaceReader.read(shape.node("appearance"), geometry, assets);
     programs = ProgramReader.read(shape.node("appearance"), geometry, assets);
+    cubes = GeneratedCube.in(surface, programs);
   }
 
   private static boolean isOnScreen(@Nullable Node geometry) {
@@ -118,6 +121,11 @@ final class ShapeLook implements NodeObserver {
   /** The films in its appearance. */
   List<PlayedNode> films() {
     return films;
+  }
+
+  /** The cubes on it that are drawn while the scene runs. */
+  List<GeneratedCubeNode> cubes() {
+    return cubes;
   }
 
   private void observe() {
@@ -153,6 +161,9 @@ final class ShapeLook implements NodeObserver {
     if (node instanceof ShaderNode shader && shader.onlyNumbers(field)) {
       return;
     }
+    if (node instanceof GeneratedCubeNode cube && field == cube.updateField()) {
+      return;
+    }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
     } else if (node.type().is("X3DTextureNode")
@@ -173,6 +184,7 @@ final class ShapeLook implements NodeObserver {
       return; // Its last instance left the scene between the change and this update.
     }
     List<PlayedNode> filmsBefore = films;
+    List<GeneratedCubeNode> cubesBefore = cubes;
     boolean onScreenBefore = onScreen;
     forget();
     observe();
@@ -182,7 +194,7 @@ final class ShapeLook implements NodeObserver {
       instance.wanted = wanted;
     }
     read();
-    if (onScreen != onScreenBefore || !films.equals(filmsBefore)) {
+    if (onScreen != onScreenBefore || !films.equals(filmsBefore) || !cubes.equals(cubesBefore)) {
       tree.structureChanged();
     }
     for (ShapeInstance instance : instances) {

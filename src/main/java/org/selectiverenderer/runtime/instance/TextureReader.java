@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** Reads texture nodes that are not MultiTextures (X3D 4.0, 18.4, 33.4, 34.4). */
@@ -42,6 +43,10 @@ final class TextureReader {
               .image(node)
               .filter(image -> image.layers() == CubeTexture.FACES)
               .map(image -> cube(image, SamplingReader.of(node)));
+      case "GeneratedCubeMapTexture" ->
+          node instanceof GeneratedCubeNode cube
+              ? Optional.of(GeneratedCube.of(cube))
+              : Optional.empty();
       case "PixelTexture3D", "ImageTexture3D" ->
           assets.image(node).map(image -> volume(image, node));
       case "ComposedTexture3D" -> composedVolume(node, assets);

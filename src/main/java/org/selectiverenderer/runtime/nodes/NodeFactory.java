@@ -38,6 +38,7 @@ import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
 import org.selectiverenderer.runtime.nodes.shader.Shaders;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
 import org.selectiverenderer.runtime.nodes.shape.InstancedShapeNode;
 import org.selectiverenderer.runtime.nodes.sound.Sounds;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
@@ -62,13 +63,15 @@ public final class NodeFactory {
           "Viewport",
           "ViewpointGroup" ->
           GroupingNode::new;
-      case "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite" -> TransformNode::new;
+      case "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite" ->
+          TransformNode::new;
       case "HAnimHumanoid" -> HumanoidNode::new;
       case "HAnimMotion" -> MotionNode::new;
       case "HAnimSegment" -> SegmentNode::new;
       case "ParticleSystem" -> ParticleSystemNode::new;
       case "CollidableShape", "CollidableOffset" -> CollidableNode::new;
       case "InstancedShape" -> InstancedShapeNode::new;
+      case "GeneratedCubeMapTexture" -> GeneratedCubeNode::new;
       case "CADFace" -> CadFaceNode::new;
       case "Switch" -> SwitchNode::new;
       case "LOD" -> LodNode::new;

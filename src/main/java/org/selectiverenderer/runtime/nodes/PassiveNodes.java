@@ -90,6 +90,7 @@ final class PassiveNodes {
           "NurbsCurve2D",
           "NurbsTextureCoordinate",
           "ScreenFontStyle",
+          "Tangent",
           "TextureCoordinate",
           "TextureCoordinate3D",
           "TextureCoordinate4D",

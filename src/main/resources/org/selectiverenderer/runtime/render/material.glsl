@@ -36,7 +36,18 @@ vec3 encoded(vec3 light) {
 #include light.glsl
 #endif
 
-#ifdef NORMAL_TEXEL
+#if defined(NORMAL_TEXEL) && defined(TANGENTS)
+in vec3 firstAxis;
+in vec3 secondAxis;
+
+// Turns a unit normal as a texture says whose axes are given.
+vec3 bumped(vec3 n, vec3 texel, vec2 st) {
+  vec3 local = (texel * 2.0 - 1.0) * vec3(detail[0].z, detail[0].z, 1.0);
+  vec3 s = firstAxis * inversesqrt(max(dot(firstAxis, firstAxis), 1e-30));
+  vec3 t = secondAxis * inversesqrt(max(dot(secondAxis, secondAxis), 1e-30));
+  return normalize(s * local.x + t * local.y + n * local.z);
+}
+#elif defined(NORMAL_TEXEL)
 // Turns a unit normal as a texture says whose s and t grow along the surface; the directions in
 // which they do come from how both change from pixel to pixel (C. Schueler, Normal Mapping Without
 // Precomputed Tangents, ShaderX 5, 2006).

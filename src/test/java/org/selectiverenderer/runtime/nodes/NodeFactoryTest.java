@@ -39,10 +39,8 @@ class NodeFactoryTest {
         .isEqualTo(
             """
             Core: ProtoInstance
-            CubeMapTexturing: GeneratedCubeMapTexture
             DIS: DISEntityManager DISEntityTypeMapping ReceiverPdu SignalPdu TransmitterPdu
             NURBS: NurbsSet
-            Rendering: Tangent
             RigidBodyPhysics: BallJoint CollisionCollection CollisionSensor CollisionSpace Contact \
             DoubleAxisHingeJoint MotorJoint RigidBody RigidBodyCollection SingleAxisHingeJoint SliderJoint \
             UniversalJoint

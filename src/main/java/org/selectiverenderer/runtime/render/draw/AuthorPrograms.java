@@ -258,7 +258,11 @@ final class AuthorPrograms {
     if (none == null) {
       return Optional.empty();
     }
-    return Optional.of(found != null && found.getClass() == none.getClass() ? found : none);
+    return Optional.of(found != null && sameKind(found, none) ? found : none);
+  }
+
+  private static boolean sameKind(TextureSource one, TextureSource other) {
+    return one.cube() ? other.cube() : one.getClass() == other.getClass();
   }
 
   /** Frees programs that none of the items could use. */

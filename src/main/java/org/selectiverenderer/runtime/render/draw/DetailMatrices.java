@@ -2,7 +2,6 @@ package org.selectiverenderer.runtime.render.draw;
 
 import java.util.List;
 import org.joml.Matrix4f;
-import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.TextureUnit;
 
 /** The matrices by which a shader multiplies texture coordinates. */
@@ -19,7 +18,7 @@ final class DetailMatrices {
       TextureUnit unit = units.get(i);
       Matrix4f matrix = new Matrix4f().set(unit.matrix());
       if (unit.set() == TextureUnit.BOUNDS) {
-        boolean cube = unit.source() instanceof CubeTexture;
+        boolean cube = unit.source().cube();
         matrix.mul(cube ? aroundMiddle(bounds) : through(bounds));
       }
       matrix.get(all, 16 * i);

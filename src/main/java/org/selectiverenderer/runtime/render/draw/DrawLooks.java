@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.GeneratedCube;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
@@ -27,6 +28,11 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 /** How shapes look: programs, textures and lights, each once however many shapes have it. */
 final class DrawLooks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+  /** Pixels of all generated cubes together: 200 MB. Sides of those beyond that are small. */
+  private static final long MOST_CUBE_PIXELS = 50_000_000;
+
+  private static final int SMALL_CUBE = 16;
 
   private final Map<TextureSource, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
@@ -101,8 +107,19 @@ final class DrawLooks {
         source,
         image -> {
           uploads++;
-          return new GpuTexture(gl, image);
+          return new GpuTexture(gl, image instanceof GeneratedCube cube ? fitting(cube) : image);
         });
+  }
+
+  /** The cube, or a small one where there are many large ones already. */
+  private GeneratedCube fitting(GeneratedCube cube) {
+    long pixels = 6L * cube.size() * cube.size();
+    for (GpuTexture texture : textures.values()) {
+      pixels += texture.generated().isPresent() ? 6L * texture.side() * texture.side() : 0;
+    }
+    return pixels <= MOST_CUBE_PIXELS
+        ? cube
+        : new GeneratedCube(cube.node(), Math.min(cube.size(), SMALL_CUBE), cube.sampling());
   }
 
   private DrawLook detailed(
@@ -118,7 +135,8 @@ final class DrawLooks {
             surface,
             null,
             blended,
-            DetailDefines.of(detail, surface.tints(), coordinates(drawn), cutOut));
+            DetailDefines.of(
+                detail, surface.tints(), coordinates(drawn), drawn.tangents(), cutOut));
     Surface back = detail.back();
     DetailTextures textured =
         new DetailTextures(
@@ -150,22 +168,15 @@ final class DrawLooks {
 
   /** A shape that the program of an author draws: of its surface only the opacity counts here. */
   private DrawLook authored(
-      GL3 gl,
-      ShapeInstance shape,
-      Mesh drawn,
-      List<LightInstance> reaching,
-      AuthorLook author) {
+      GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching, AuthorLook author) {
     Surface surface = shape.surface();
     SurfaceDetail detail = surface.detail();
     boolean blended =
         detail == null || detail.alphaMode() == SurfaceDetail.AlphaMode.AUTO
             ? blended(
-                surface,
-                drawn,
-                surface.texture() == null ? null : texture(gl, surface.texture()))
+                surface, drawn, surface.texture() == null ? null : texture(gl, surface.texture()))
             : detail.alphaMode() == SurfaceDetail.AlphaMode.BLEND;
-    ShapePrograms.Family family =
-        programs.get(variant(drawn, surface, null, blended, List.of()));
+    ShapePrograms.Family family = programs.get(variant(drawn, surface, null, blended, List.of()));
     DrawLook look =
         new DrawLook(
             family,

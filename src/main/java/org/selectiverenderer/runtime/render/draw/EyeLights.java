@@ -5,7 +5,9 @@ import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
@@ -26,12 +28,15 @@ final class EyeLights {
   private record One(Light.Kind kind, float[] numbers) {}
 
   private final Camera camera;
-  private final boolean headlight;
+  private final @Nullable Camera bearer;
   private final Map<List<LightInstance>, Packed> packed = new IdentityHashMap<>();
 
-  EyeLights(Camera camera, boolean headlight) {
+  /**
+   * @param bearer of a headlight, mostly the camera itself; null for none
+   */
+  EyeLights(Camera camera, @Nullable Camera bearer) {
     this.camera = camera;
-    this.headlight = headlight;
+    this.bearer = bearer;
   }
 
   /**
@@ -45,12 +50,17 @@ final class EyeLights {
 
   private Packed pack(List<LightInstance> reaching) {
     List<One> lights = new ArrayList<>();
-    if (headlight) {
-      // X3D 4.0, 23.4.4: a white directional light along the line of sight.
+    if (bearer != null) {
+      // X3D 4.0, 23.4.4: a white directional light along the bearer's line of sight.
+      Vector3d from = new Vector3d(0, 0, 1);
+      if (bearer != camera) {
+        bearer.view().invertAffine(new Matrix4d()).transformDirection(from);
+        camera.view().transformDirection(from).normalize();
+      }
       float[] out = new float[PER_LIGHT];
-      put(out, 0, 0, 0, 1, 0);
+      put(out, 0, from.x, from.y, from.z, 0);
       put(out, 4, 1, 1, 1, 0);
-      put(out, 12, 0, 0, -1, 1);
+      put(out, 12, -from.x, -from.y, -from.z, 1);
       lights.add(new One(Light.Kind.DIRECTIONAL, out));
     }
     for (LightInstance light : reaching) {

@@ -32,6 +32,7 @@ public final class SceneRenderer {
   private final Culler culler = new Culler(visible);
   private final Occlusion occlusion = new Occlusion();
   private final MirroredImages mirrored = new MirroredImages();
+  private final GeneratedCubes cubes = new GeneratedCubes();
   private final float pointSize;
   private boolean wireframe;
 
@@ -97,6 +98,35 @@ public final class SceneRenderer {
     return visible;
   }
 
+  /**
+   * Draws the generated cubes of the tree last prepared that are due (X3D 4.0, 34.4.2). To be
+   * called before the frame is culled.
+   *
+   * @param eyes that will see the frame; the first carries the headlight
+   * @param near distance from which on things are seen
+   */
+  public void reflect(GL3 gl, InstanceTree tree, List<Camera> eyes, Setting setting, double near) {
+    cubes.follow(items());
+    if (cubes.isEmpty()) {
+      return;
+    }
+    Setting around =
+        new Setting(
+            Optional.of(setting.backdrop().orElse(Backdrop.BLACK)),
+            setting.headlight(),
+            setting.fog(),
+            false);
+    cubes.paint(
+        gl,
+        tree,
+        eyes,
+        near,
+        (items, camera) -> {
+          culler.cull(items, List.of(camera), null);
+          draw(gl, visible, camera, eyes.get(0), around);
+        });
+  }
+
   /** Clears the camera's viewport and draws into it. */
   public void draw(GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
     draw(gl, seen, camera, new Setting(Optional.of(backdrop), headlight, Fog.NONE, false));
@@ -112,6 +142,10 @@ public final class SceneRenderer {
 
   /** Draws into the camera's viewport, over what is there if the setting says so. */
   public void draw(GL3 gl, Visible seen, Camera camera, Setting setting) {
+    draw(gl, seen, camera, camera, setting);
+  }
+
+  private void draw(GL3 gl, Visible seen, Camera camera, Camera bearer, Setting setting) {
     boolean opaque =
         !setting.over() || setting.backdrop().map(b -> b.transparency() == 0).orElse(false);
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
@@ -131,7 +165,7 @@ public final class SceneRenderer {
             gl,
             seen,
             camera,
-            new EyeLights(camera, setting.headlight()),
+            new EyeLights(camera, setting.headlight() ? bearer : null),
             new EyeScenery(camera, setting.fog(), pointSize, image -> mirrored.of(gl, image)),
             pointSize,
             portions);
@@ -177,6 +211,7 @@ public final class SceneRenderer {
   public void dispose(GL3 gl) {
     mirrored.forgetOthers(gl);
     mirrored.forgetOthers(gl); // Also what the last picture had.
+    cubes.dispose(gl);
     if (assets != null) {
       assets.dispose(gl);
     }

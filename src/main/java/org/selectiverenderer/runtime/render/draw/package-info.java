@@ -27,6 +27,10 @@
  * compiles and chooses, {@code AuthorValues} knows the numbers that browsers give by name, {@code
  * AuthorLook} sends them. What is bound for it, the next shape binds anew.
  *
+ * <p>What shapes mirror of the scene is drawn before the frame is culled, by the same renderer:
+ * {@code GeneratedCubes} says which, from where and into what. Scenes without any do nothing for
+ * it.
+ *
  * <p>What is new and not shown may wait ({@link
  * org.selectiverenderer.runtime.render.draw.SceneRenderer#follow}): it is made ready a few shapes
  * with each frame, in batches of its own, and in the very frame in which it is shown. How shapes

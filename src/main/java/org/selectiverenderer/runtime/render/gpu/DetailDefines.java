@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
 import org.selectiverenderer.runtime.instance.TextureStage;
 import org.selectiverenderer.runtime.instance.TextureUnit;
@@ -42,10 +41,11 @@ public final class DetailDefines {
   /**
    * @param tints whether the Appearance's image multiplies the colour, else replaces it
    * @param sizes floats in each of the mesh's further texture coordinates
+   * @param tangents where the mesh's tangents are among its further coordinates; -1 without any
    * @param cutOut whether pixels of its images are there or not
    */
   public static List<String> of(
-      SurfaceDetail detail, boolean tints, List<Integer> sizes, boolean cutOut) {
+      SurfaceDetail detail, boolean tints, List<Integer> sizes, int tangents, boolean cutOut) {
     List<String> defines = new ArrayList<>();
     defines.add("DETAIL");
     defines.add("UNITS " + detail.units().size());
@@ -74,7 +74,7 @@ public final class DetailDefines {
       samplers.append("uniform ").append(sampler(unit)).append(" image").append(i).append("; ");
       String place = "(unit[%d] * %s)".formatted(i, coordinates(unit));
       String texel =
-          unit.source() instanceof CubeTexture
+          unit.source().cube()
               ? "texture(image%d, %s.xyz)".formatted(i, place)
               : "textureProj(image%d, %s)".formatted(i, place);
       if (unit.role() == TextureUnit.Role.STAGE) {
@@ -84,6 +84,9 @@ public final class DetailDefines {
         defines.add(name + "_TEXEL " + texel);
         if (unit.role() == TextureUnit.Role.NORMAL) {
           defines.add("NORMAL_PLACE " + place);
+          if (tangents >= 0) {
+            defines.add("TANGENTS " + (4 + tangents));
+          }
         }
       }
     }
@@ -125,14 +128,14 @@ public final class DetailDefines {
   }
 
   private static String sampler(TextureUnit unit) {
-    return unit.source() instanceof CubeTexture
+    return unit.source().cube()
         ? "samplerCube"
         : unit.source() instanceof VolumeTexture ? "sampler3D" : "sampler2D";
   }
 
   private static boolean turned(TextureUnit unit) {
     return unit.mode().startsWith("WORLDSPACE")
-        || (unit.source() instanceof CubeTexture && unit.mode().startsWith("CAMERASPACE"));
+        || (unit.source().cube() && unit.mode().startsWith("CAMERASPACE"));
   }
 
   private static String coordinates(TextureUnit unit) {

@@ -3,8 +3,10 @@ package org.selectiverenderer.runtime.render.gpu;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.Objects;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.CubeTexture;
+import org.selectiverenderer.runtime.instance.GeneratedCube;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
@@ -21,6 +23,12 @@ public final class GpuTexture {
 
   private Film.@Nullable Picture seen;
 
+  /** What is drawn into it; null for what comes from elsewhere. */
+  private final @Nullable GeneratedCube generated;
+
+  /** The side of a generated cube in pixels. */
+  private int side;
+
   /** What the alpha channel of an image is for. */
   public enum Alpha {
     /** Every pixel is opaque. */
@@ -35,6 +43,7 @@ public final class GpuTexture {
     int[] name = new int[1];
     gl.glGenTextures(1, name, 0);
     id = name[0];
+    generated = source instanceof GeneratedCube cube ? cube : null;
     if (source instanceof Texture texture) {
       target = GL.GL_TEXTURE_2D;
       alpha = alphaOf(texture.image());
@@ -47,6 +56,12 @@ public final class GpuTexture {
       moving = null;
       use(gl, 0);
       TextureUpload.volume(gl, volume.image());
+    } else if (source instanceof GeneratedCube cube) {
+      target = GL.GL_TEXTURE_CUBE_MAP;
+      alpha = Alpha.NONE;
+      moving = null;
+      use(gl, 0);
+      side = TextureUpload.emptyCube(gl, cube.size());
     } else {
       CubeTexture cube = (CubeTexture) source;
       target = GL.GL_TEXTURE_CUBE_MAP;
@@ -106,6 +121,38 @@ public final class GpuTexture {
       TextureUpload.plane(
           gl, new Texture.Image(now.width(), now.height(), image.components(), now.rgba()));
       TextureFilters.set(gl, target, texture);
+    }
+  }
+
+  /** The cube that is drawn into it while the scene runs; empty for all others. */
+  public Optional<GeneratedCube> generated() {
+    return Optional.ofNullable(generated);
+  }
+
+  /** The side of a cube that is drawn, in pixels. */
+  public int side() {
+    return side;
+  }
+
+  /**
+   * Makes a side of a generated cube what the current frame buffer draws on.
+   *
+   * @param face in the card's order +X, -X, +Y, -Y, +Z, -Z
+   */
+  public void drawOn(GL3 gl, int face) {
+    gl.glFramebufferTexture2D(
+        GL.GL_FRAMEBUFFER,
+        GL.GL_COLOR_ATTACHMENT0,
+        GL.GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
+        id,
+        0);
+  }
+
+  /** All sides of a generated cube have been drawn on. */
+  public void drawn(GL3 gl) {
+    if (generated != null) {
+      use(gl, 0);
+      TextureFilters.halve(gl, target, generated);
     }
   }
 

@@ -4,7 +4,6 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
-import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Sampling;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureSource;
@@ -23,14 +22,13 @@ final class TextureFilters {
    */
   private static final int ANISOTROPIC_FROM = 32;
 
+  // Cubes are not filtered so either, unless their author says so: the same renderer draws dots
+  // where faces meet.
   private TextureFilters() {}
 
   static void set(GL3 gl, int target, TextureSource source) {
     Sampling sampling = source.sampling();
-    boolean mipmaps = sampling == null || sampling.minify().mipmaps();
-    if (mipmaps) {
-      gl.glGenerateMipmap(target);
-    }
+    halve(gl, target, source);
     gl.glTexParameteri(
         target,
         GL.GL_TEXTURE_MIN_FILTER,
@@ -46,11 +44,19 @@ final class TextureFilters {
     }
   }
 
+  /** Makes the smaller versions anew, where there are any. */
+  static void halve(GL3 gl, int target, TextureSource source) {
+    Sampling sampling = source.sampling();
+    if (sampling == null || sampling.minify().mipmaps()) {
+      gl.glGenerateMipmap(target);
+    }
+  }
+
   private static float anisotropy(TextureSource source) {
     boolean tiny =
         source instanceof Texture texture
             && Math.max(texture.image().width(), texture.image().height()) < ANISOTROPIC_FROM;
-    return tiny ? 1 : ANISOTROPY;
+    return tiny || source.cube() ? 1 : ANISOTROPY;
   }
 
   private static int minify(Sampling.Minify filter) {
@@ -66,7 +72,7 @@ final class TextureFilters {
 
   private static void boundaries(GL3 gl, int target, TextureSource source) {
     Sampling sampling = source.sampling();
-    if (source instanceof CubeTexture) {
+    if (source.cube()) {
       wrap(gl, target, Sampling.Boundary.EDGE, Sampling.Boundary.EDGE, Sampling.Boundary.EDGE);
     } else if (sampling != null) {
       wrap(gl, target, sampling.s(), sampling.t(), sampling.r());

@@ -71,6 +71,20 @@ final class TextureUpload {
     }
   }
 
+  /** A cube whose faces are black; its side in pixels. */
+  static int emptyCube(GL3 gl, int wanted) {
+    gl.glEnable(GL3.GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    int size = Math.min(wanted, limit(gl, GL.GL_MAX_CUBE_MAP_TEXTURE_SIZE));
+    byte[] black = new byte[4 * size * size];
+    for (int i = 3; i < black.length; i += 4) {
+      black[i] = -1;
+    }
+    for (int i = 0; i < FACES.length; i++) {
+      send(gl, GL.GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, size, size, black);
+    }
+    return size;
+  }
+
   private static void send(GL3 gl, int target, int width, int height, byte[] rgba) {
     gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
     gl.glTexImage2D(

@@ -90,19 +90,18 @@ public final class MarkedView implements AutoCloseable {
         Camera.of(
             world.viewer(), on.width(), on.height(), sight.range().near(), sight.range().far());
     List<Camera> eyes = List.of(camera);
-    Visible seen = marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
-    if (marking.wireframe()) {
-      gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
-    }
-    renderer.draw(
-        gl,
-        seen,
-        camera,
+    Setting setting =
         new Setting(
             Optional.of(marking.backdrop().orElseGet(world::backdrop)),
             sight.headlight(),
             world.fog(),
-            false));
+            false);
+    renderer.reflect(gl, world.instances(), eyes, setting, sight.range().near());
+    Visible seen = marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
+    if (marking.wireframe()) {
+      gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
+    }
+    renderer.draw(gl, seen, camera, setting);
     gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
     marks.boxes(gl, marking.boxes(), camera);
     marks.mask(gl, renderer.items(), marking.masked(), camera);

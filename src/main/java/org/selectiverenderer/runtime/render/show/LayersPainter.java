@@ -69,11 +69,13 @@ final class LayersPainter {
       boolean lowest = drawings.isEmpty();
       Optional<Backdrop> backdrop =
           lowest ? layer.backdrop().or(() -> Optional.of(Backdrop.BLACK)) : layer.backdrop();
+      Setting setting =
+          new Setting(backdrop, style.headlight().orElse(sight.headlight()), layer.fog(), !lowest);
+      renderer.reflect(gl, layer.instances(), cameras, setting, sight.range().near());
       drawings.add(
           new Drawing(
               renderer,
-              new Setting(
-                  backdrop, style.headlight().orElse(sight.headlight()), layer.fog(), !lowest),
+              setting,
               cameras,
               style.wireframe() ? renderer.cullToView(cameras) : renderer.cull(cameras)));
     }

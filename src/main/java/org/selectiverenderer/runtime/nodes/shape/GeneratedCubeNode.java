@@ -1,0 +1,63 @@
+package org.selectiverenderer.runtime.nodes.shape;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.runtime.nodes.sensor.Frame;
+import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
+import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+
+/**
+ * GeneratedCubeMapTexture (X3D 4.0, 34.4.2): says when its pictures are to be drawn; who draws them
+ * remembers which it has drawn. After {@code NEXT_FRAME_ONLY} it sends {@code update} NONE in the
+ * frame that follows, whether or not anybody draws.
+ */
+public final class GeneratedCubeNode extends Node implements FrameNode {
+  private final int update;
+  private boolean asked;
+  private long request;
+
+  public GeneratedCubeNode(NodeType type, @Nullable String name, Location location) {
+    super(type, name, location);
+    update = type.indexOf("update");
+  }
+
+  /** The field that says when; it changes how nothing looks but its pictures. */
+  public int updateField() {
+    return update;
+  }
+
+  /** Whether pictures are drawn anew in every frame. */
+  public boolean always() {
+    return "ALWAYS".equals(value(update));
+  }
+
+  /** How many times pictures have been asked for with {@code NEXT_FRAME_ONLY}. */
+  public long request() {
+    return request;
+  }
+
+  @Override
+  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+    if (field.index() == update) {
+      asked = false;
+    }
+    super.receive(field, value, cascade);
+  }
+
+  @Override
+  public void frame(Frame frame, Cascade cascade) {
+    if (!"NEXT_FRAME_ONLY".equals(value(update))) {
+      return;
+    }
+    if (asked) {
+      asked = false;
+      emit(update, "NONE", cascade);
+    } else {
+      asked = true;
+      request++;
+    }
+  }
+}

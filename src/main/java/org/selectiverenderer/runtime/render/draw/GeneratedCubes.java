@@ -1,0 +1,192 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+
+/**
+ * Draws what is seen from the middle of shapes into their generated cubes (X3D 4.0, 34.4.2), along
+ * the axes of the world. A shape is not seen in its own cube; other cubes are seen there as they
+ * were last drawn. A cube on several shapes is drawn from the first that is shown. Belongs to the
+ * thread that owns the context.
+ */
+final class GeneratedCubes {
+  /** Cubes that are drawn in a frame; those that always change take turns. */
+  private static final int MOST_A_FRAME = 4;
+
+  /** Where the card's faces look, and which way is up on them. */
+  private static final Vector3d[][] FACES = {
+    {new Vector3d(1, 0, 0), new Vector3d(0, -1, 0)},
+    {new Vector3d(-1, 0, 0), new Vector3d(0, -1, 0)},
+    {new Vector3d(0, 1, 0), new Vector3d(0, 0, 1)},
+    {new Vector3d(0, -1, 0), new Vector3d(0, 0, -1)},
+    {new Vector3d(0, 0, 1), new Vector3d(0, -1, 0)},
+    {new Vector3d(0, 0, -1), new Vector3d(0, -1, 0)}
+  };
+
+  /** Draws these items of the scene as a camera sees them, into the current frame buffer. */
+  @FunctionalInterface
+  interface Scene {
+    void draw(List<DrawItem> items, Camera camera);
+  }
+
+  private List<DrawItem> known = List.of();
+  private Map<GpuTexture, List<DrawItem>> cubes = Map.of();
+  private final Map<GpuTexture, Last> last = new HashMap<>();
+  private long frame;
+  private int buffer;
+  private int depth;
+  private int depthSide;
+
+  /** What has been drawn into a cube: the request that was answered, and the frame. */
+  private record Last(long request, long frame) {
+    static final Last NEVER = new Last(0, -1);
+  }
+
+  private record Due(GpuTexture texture, DrawItem from) {}
+
+  /** Looks for cubes; what is drawn changes only when the list is another. */
+  void follow(List<DrawItem> items) {
+    if (items == known) {
+      return;
+    }
+    known = items;
+    Map<GpuTexture, List<DrawItem>> found = new LinkedHashMap<>();
+    for (DrawItem item : items) {
+      if (item.detail() != null) {
+        item.detail().textures().forEach(texture -> add(texture, item, found));
+      }
+      if (item.author() != null) {
+        item.author().textures().forEach(of -> of.ifPresent(texture -> add(texture, item, found)));
+      }
+    }
+    cubes = found;
+    last.keySet().retainAll(found.keySet());
+  }
+
+  private static void add(GpuTexture texture, DrawItem item, Map<GpuTexture, List<DrawItem>> to) {
+    if (texture.generated().isPresent()) {
+      List<DrawItem> on = to.computeIfAbsent(texture, key -> new ArrayList<>(1));
+      if (!on.contains(item)) {
+        on.add(item);
+      }
+    }
+  }
+
+  boolean isEmpty() {
+    return cubes.isEmpty();
+  }
+
+  /**
+   * Draws those that are due; the frame buffer and the viewport stay as they were.
+   *
+   * @param eyes who will see the shapes: what none of them sees need not change always
+   * @param near distance from which on things are seen
+   */
+  void paint(GL3 gl, InstanceTree tree, List<Camera> eyes, double near, Scene scene) {
+    frame++;
+    List<Due> due = due(eyes);
+    if (due.isEmpty()) {
+      return;
+    }
+    int[] before = new int[5];
+    gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, before, 0);
+    gl.glGetIntegerv(GL.GL_VIEWPORT, before, 1);
+    for (Due cube : due) {
+      paint(gl, cube, tree, near, scene);
+    }
+    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, before[0]);
+    gl.glViewport(before[1], before[2], before[3], before[4]);
+  }
+
+  private List<Due> due(List<Camera> eyes) {
+    List<Frustum> frustums = eyes.stream().map(Frustum::of).toList();
+    List<Due> due = new ArrayList<>();
+    cubes.forEach(
+        (texture, items) -> {
+          var node = texture.generated().orElseThrow().node();
+          boolean asked = last.getOrDefault(texture, Last.NEVER).request() < node.request();
+          DrawItem first = null;
+          boolean seen = false;
+          for (DrawItem item : items) {
+            if (item.shape().shown()) {
+              first = first == null ? item : first;
+              seen |= frustums.stream().anyMatch(eye -> sees(eye, item));
+            }
+          }
+          if (first != null && (asked || (node.always() && seen))) {
+            due.add(new Due(texture, first));
+          }
+        });
+    due.sort(Comparator.comparing(cube -> last.getOrDefault(cube.texture(), Last.NEVER).frame()));
+    return due.subList(0, Math.min(MOST_A_FRAME, due.size()));
+  }
+
+  private static boolean sees(Frustum eye, DrawItem item) {
+    return item.anywhere() || eye.side(item.shape().bounds()) != Frustum.Side.OUTSIDE;
+  }
+
+  private void paint(GL3 gl, Due cube, InstanceTree tree, double near, Scene scene) {
+    GpuTexture texture = cube.texture();
+    double[] box = cube.from().shape().bounds();
+    Vector3d eye =
+        new Vector3d((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
+    last.put(texture, new Last(texture.generated().orElseThrow().node().request(), frame));
+    if (!eye.isFinite()) {
+      return; // A shape without extent is nowhere.
+    }
+    DepthRange range = DepthRange.of(tree, eye, 2 * near, 0);
+    Matrix4d projection = new Matrix4d().setPerspective(Math.PI / 2, 1, range.near(), range.far());
+    List<DrawItem> on = cubes.getOrDefault(texture, List.of());
+    List<DrawItem> others = known.stream().filter(item -> !on.contains(item)).toList();
+    bind(gl, texture.side());
+    for (int face = 0; face < FACES.length; face++) {
+      texture.drawOn(gl, face);
+      Vector3d towards = FACES[face][0].add(eye, new Vector3d());
+      Matrix4d view = new Matrix4d().setLookAt(eye, towards, FACES[face][1]);
+      scene.draw(others, new Camera(view, projection, 0, 0, texture.side(), texture.side()));
+    }
+    texture.drawn(gl);
+  }
+
+  private void bind(GL3 gl, int side) {
+    if (buffer == 0) {
+      int[] name = new int[1];
+      gl.glGenFramebuffers(1, name, 0);
+      buffer = name[0];
+      gl.glGenRenderbuffers(1, name, 0);
+      depth = name[0];
+    }
+    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, buffer);
+    if (side != depthSide) {
+      depthSide = side;
+      gl.glBindRenderbuffer(GL.GL_RENDERBUFFER, depth);
+      gl.glRenderbufferStorage(GL.GL_RENDERBUFFER, GL.GL_DEPTH_COMPONENT24, side, side);
+      gl.glFramebufferRenderbuffer(
+          GL.GL_FRAMEBUFFER, GL.GL_DEPTH_ATTACHMENT, GL.GL_RENDERBUFFER, depth);
+    }
+  }
+
+  void dispose(GL3 gl) {
+    if (buffer != 0) {
+      gl.glDeleteFramebuffers(1, new int[] {buffer}, 0);
+      gl.glDeleteRenderbuffers(1, new int[] {depth}, 0);
+      buffer = 0;
+      depthSide = 0;
+    }
+    cubes = Map.of();
+    known = List.of();
+    last.clear();
+  }
+}
