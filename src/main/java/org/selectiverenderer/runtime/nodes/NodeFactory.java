@@ -62,7 +62,8 @@ public final class NodeFactory {
           "Viewport",
           "ViewpointGroup" ->
           GroupingNode::new;
-      case "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite" -> TransformNode::new;
+      case "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite" ->
+          TransformNode::new;
       case "HAnimHumanoid" -> HumanoidNode::new;
       case "HAnimMotion" -> MotionNode::new;
       case "HAnimSegment" -> SegmentNode::new;
