@@ -15,7 +15,8 @@ public final class LibraryProperties {
           "java.awt.headless", "true",
           // JOGL would try OpenGL ES too, and say at length where there is none.
           "jogl.disable.opengles", "true",
-          // How long a thread of JOGL waits for another, in milliseconds, before it gives up: a driver
+          // How long a thread of JOGL waits for another, in milliseconds, before it gives up: a
+          // driver
           // may take longer than JOGL's 5 s to begin on a busy machine.
           "jogamp.common.utils.locks.Lock.timeout", "120000",
           // A console only where somebody sits at it; Java 22 to 24 make one of any input.

@@ -35,7 +35,9 @@ public interface Assets {
    */
   boolean multiplies(Node texture);
 
-  /** A geometry node (or a node in it) or a texture node has other values, or a part of
-   * a shader: forget its asset. */
-  void changed(Node geometryOrTexture);
+  /**
+   * A geometry node (or a node in it), a texture node or a part of a shader has other values:
+   * forget its asset.
+   */
+  void changed(Node node);
 }

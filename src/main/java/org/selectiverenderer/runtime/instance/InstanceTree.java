@@ -2,7 +2,6 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
@@ -18,7 +17,6 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.group.Deforming;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
-import org.selectiverenderer.runtime.nodes.layout.Seen;
 import org.selectiverenderer.runtime.nodes.layout.Sight;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.scene.Cascade;
@@ -51,20 +49,13 @@ public final class InstanceTree {
   private final Assets assets;
   private final GroupInstance root;
   private final Map<Node, ShapeLook> looks = new IdentityHashMap<>();
-  private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
-  private final List<Node> otherNodes = new ArrayList<>();
-  private final List<GroupInstance> viewerDependent = new ArrayList<>();
-  private final List<GroupInstance> seenGroups = new ArrayList<>();
-  private final List<ShapeInstance> screenShapes = new ArrayList<>();
+  private final InstanceLists lists = new InstanceLists();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<ShapeLook> pendingLooks = new ArrayList<>();
   private final Set<ShaderNode> judged = new LinkedHashSet<>();
-  private final List<LightInstance> lights = new ArrayList<>();
-  private final List<EffectInstance> environments = new ArrayList<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
   private final Vector3d localUp = new Vector3d();
-  private List<ShapeInstance> shapes = List.of();
   private long structureVersion;
   private long placementVersion;
   private long choiceVersion;
@@ -91,7 +82,7 @@ public final class InstanceTree {
 
   /** All shapes, shown or not, in document order; the same list until the structure changes. */
   public List<ShapeInstance> shapes() {
-    return shapes;
+    return lists.shapes;
   }
 
   /** Changes when {@link #shapes()} or the lights gain or lose an element. */
@@ -115,13 +106,12 @@ public final class InstanceTree {
 
   /** All lights, on or off, in document order. */
   public List<LightInstance> lights() {
-    return List.copyOf(lights);
+    return List.copyOf(lists.lights);
   }
 
   /** The instances of any node in document order; empty when it is in no part of the scene. */
   public List<Instance> instances(Node node) {
-    NodeInstances known = places.get(node);
-    return known == null ? List.of() : known.instances();
+    return lists.instances(node);
   }
 
   /**
@@ -129,13 +119,12 @@ public final class InstanceTree {
    * tree and costs nothing to ask for.
    */
   public List<Matrix4dc> places(Node node) {
-    NodeInstances known = places.get(node);
-    return known == null ? List.of() : known;
+    return lists.places(node);
   }
 
   /** All nodes that are neither group, shape nor light, each once, in document order. */
   public List<Node> otherNodes() {
-    return List.copyOf(otherNodes);
+    return List.copyOf(lists.otherNodes);
   }
 
   /** Triangles of all shapes shown: the polygon count of the scene in its present state. */
@@ -222,8 +211,8 @@ public final class InstanceTree {
       judged.forEach(shader -> shader.tell(cascade));
       judged.clear();
     }
-    for (int i = 0; i < viewerDependent.size(); i++) {
-      GroupInstance group = viewerDependent.get(i);
+    for (int i = 0; i < lists.viewerDependent.size(); i++) {
+      GroupInstance group = lists.viewerDependent.get(i);
       group.world().invert(inverse);
       inverse.transformPosition(eye, localEye);
       inverse.transformDirection(up, localUp);
@@ -240,7 +229,7 @@ public final class InstanceTree {
 
   /** Whether anything in it depends on the picture: {@link #see} does something. */
   public boolean dependsOnPicture() {
-    return !seenGroups.isEmpty() || !screenShapes.isEmpty();
+    return !lists.seenGroups.isEmpty() || !lists.screenShapes.isEmpty();
   }
 
   /**
@@ -249,13 +238,13 @@ public final class InstanceTree {
    */
   public void see(Sight now) {
     sight = now;
-    for (GroupInstance group : seenGroups) {
+    for (GroupInstance group : lists.seenGroups) {
       if (group.see()) {
         group.moved(this);
         moved();
       }
     }
-    for (ShapeInstance shape : screenShapes) {
+    for (ShapeInstance shape : lists.screenShapes) {
       if (shape.see(now)) {
         moved();
       }
@@ -362,72 +351,9 @@ public final class InstanceTree {
   }
 
   private void collect() {
-    List<ShapeInstance> all = new ArrayList<>();
-    lights.clear();
-    environments.clear();
-    places.clear();
-    otherNodes.clear();
-    viewerDependent.clear();
-    seenGroups.clear();
-    screenShapes.clear();
-    collect(root, all);
-    shapes = List.copyOf(all);
-    light();
+    lists.collect(root);
+    LightScopes.tell(root, lists);
     structureVersion++;
     structureChanged = false;
-  }
-
-  private void collect(Instance instance, List<ShapeInstance> all) {
-    NodeInstances known = places.computeIfAbsent(instance.node(), node -> new NodeInstances());
-    boolean first = known.isEmpty();
-    known.append(instance);
-    if (instance instanceof GroupInstance group) {
-      if (first && group.node() instanceof ViewerDependent) {
-        viewerDependent.add(group);
-      }
-      if (group.node() instanceof Seen) {
-        seenGroups.add(group);
-      }
-      group.children.forEach(child -> collect(child, all));
-    } else if (instance instanceof ShapeInstance shape) {
-      all.add(shape);
-      if (shape.look().onScreen()) {
-        screenShapes.add(shape);
-      }
-    } else if (instance instanceof LightInstance light) {
-      lights.add(light);
-    } else if (instance instanceof EffectInstance effect && effect.environment()) {
-      environments.add(effect);
-    } else if (first && instance instanceof PlainInstance) {
-      otherNodes.add(instance.node());
-    }
-  }
-
-  /**
-   * Tells every shape which lights reach it, in document order, and what it is seen with; siblings
-   * share both.
-   */
-  private void light() {
-    Map<LightInstance, Integer> order = new IdentityHashMap<>();
-    lights.forEach(light -> order.put(light, order.size()));
-    List<LightInstance> global = lights.stream().filter(light -> light.light().global()).toList();
-    light(root, global, Surroundings.of(environments), Comparator.comparing(order::get));
-  }
-
-  private static void light(
-      GroupInstance group,
-      List<LightInstance> above,
-      Surroundings around,
-      Comparator<LightInstance> order) {
-    List<LightInstance> reaching = group.lit(above, order);
-    Surroundings within = around.within(group.children);
-    for (Instance child : group.children) {
-      if (child instanceof GroupInstance below) {
-        light(below, reaching, within, order);
-      } else if (child instanceof ShapeInstance shape) {
-        shape.light(reaching);
-        shape.surround(within);
-      }
-    }
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.instance;
 
 import java.util.Arrays;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
@@ -52,9 +53,22 @@ final class LineLengths {
         lines.normals() == null ? null : pick(lines.normals(), 3, source, count),
         lines.colors() == null ? null : pick(lines.colors(), 4, source, count),
         Arrays.copyOf(lengths, 2 * count),
+        attributes(lines, source, count),
         indices,
         lines.solid(),
         lines.bounds());
+  }
+
+  /** What is not measured: the depths of fog, attributes for programs. */
+  private static List<Mesh.TexCoords> attributes(Mesh lines, int[] source, int count) {
+    return lines.moreTexCoords().stream()
+        .map(
+            more ->
+                new Mesh.TexCoords(
+                    more.components(),
+                    pick(more.values(), more.components(), source, count),
+                    more.name()))
+        .toList();
   }
 
   private static float distance(float[] positions, int from, int to) {

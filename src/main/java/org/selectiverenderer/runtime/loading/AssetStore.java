@@ -17,8 +17,8 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * Meshes, images and programs by node: those made while loading, and those made later for nodes that are new
- * or changed. Nodes that nobody else holds are let go. Thread-safe.
+ * Meshes, images and texts of shaders by node: those made while loading, and those made later for
+ * nodes that are new or changed. Nodes that nobody else holds are let go. Thread-safe.
  */
 final class AssetStore implements Assets {
   // Nodes are compared by identity; nothing kept here leads back to its node.
@@ -104,8 +104,8 @@ final class AssetStore implements Assets {
   }
 
   @Override
-  public synchronized void changed(Node geometryOrTexture) {
-    meshes.remove(geometryOrTexture);
-    images.remove(geometryOrTexture);
+  public synchronized void changed(Node node) {
+    meshes.remove(node);
+    images.remove(node);
   }
 }

@@ -31,6 +31,8 @@ final class ImageFiles {
   /** Bytes per pixel of a film: five pictures of four, and those that it is decoded in. */
   private static final int FILM_BYTES = 36;
 
+  private static final int PICTURE_BYTES = 4;
+
   private final ContentRoot root;
   private final Map<String, Decoded> files = new ConcurrentHashMap<>();
   private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 4);
@@ -151,6 +153,8 @@ final class ImageFiles {
         return still(file);
       }
       Movie movie = read.get();
+      // The first picture stays in memory also where there is none for the others.
+      ImageDecoder.spend((long) movie.width() * movie.height(), PICTURE_BYTES, budget);
       byte[] first = movie.open().picture(0);
       return new Decoded(
           Optional.of(

@@ -69,13 +69,13 @@ final class LiveImages implements Assets {
   }
 
   @Override
-  public void changed(Node geometryOrTexture) {
-    if (ShaderFiles.named(geometryOrTexture.type())) {
-      shaders.changed(geometryOrTexture);
-    } else if (!fromFile(geometryOrTexture)) {
-      store.changed(geometryOrTexture);
-    } else if (requested.get(geometryOrTexture) != url(geometryOrTexture)) {
-      request(geometryOrTexture);
+  public void changed(Node node) {
+    if (ShaderFiles.named(node.type())) {
+      shaders.changed(node);
+    } else if (!fromFile(node)) {
+      store.changed(node);
+    } else if (requested.get(node) != url(node)) {
+      request(node);
     }
   }
 

@@ -69,8 +69,11 @@ final class GifReader {
                 Math.min(height, number(place, "imageTopPosition")),
                 seconds(number(control, "delayTime")),
                 disposal(word(control, "disposalMethod")));
-        boolean whole =
-            number(place, "imageWidth") >= width && number(place, "imageHeight") >= height;
+        int across = number(place, "imageWidth");
+        int down = number(place, "imageHeight");
+        // A part may be larger than the picture that it is a part of.
+        MovieReader.check(Math.max(1, across), Math.max(1, down));
+        boolean whole = across >= width && down >= height;
         boolean clear = word(control, "transparentColorFlag").equalsIgnoreCase("true");
         translucent |= part.disposal() == GifMovie.Disposal.CLEARED || i == 0 && (clear || !whole);
         parts.add(part);

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.pick;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
@@ -56,7 +57,12 @@ final class BodyPicker implements Picker {
   }
 
   private boolean holdsVertex(Target target) {
+    BitSet tried = new BitSet(); // Triangles share vertices.
     for (int index : target.mesh().indices()) {
+      if (tried.get(index)) {
+        continue;
+      }
+      tried.set(index);
       Vector3d at = vertex(target, index);
       if (box.contains(at) && Meeting.of(body, Convex.hull(at.x, at.y, at.z))) {
         return true;

@@ -30,8 +30,7 @@ public sealed interface ShaderChoice {
    * @param base where the relative urls of the part start
    * @param consequence what is done when there is none
    */
-  static ShaderChoice of(
-      ParsedNode part, ContentRoot root, ContentBase base, String consequence) {
+  static ShaderChoice of(ParsedNode part, ContentRoot root, ContentBase base, String consequence) {
     String own = part.string("sourceCode");
     if (!own.isBlank()) {
       // Some write the text between the tags as they would in a url.

@@ -84,6 +84,21 @@ class MovieReaderTest {
   }
 
   @Test
+  void partOfGifIsNoLargerThanPicturesMayBe() throws IOException {
+    byte[] gif = Files.readAllBytes(GIF);
+    int at = gif.length - 1;
+    while (gif[at] != 0x21 || gif[at + 1] != (byte) 0xf9) {
+      at--; // The last part's time, then its extension, then its place and size.
+    }
+    while (gif[at] != 0x2c) {
+      at++;
+    }
+    Arrays.fill(gif, at + 5, at + 9, (byte) 0xff);
+    assertThatThrownBy(() -> read(gif, 1 << 20))
+        .hasMessageStartingWith("has pictures of 65535 x 65535 pixels");
+  }
+
+  @Test
   void whatIsNoFilmIsLeftToOthers() throws IOException {
     assertThat(read(new byte[] {(byte) 0x89, 'P', 'N', 'G'}, 1 << 20)).isEmpty();
   }

@@ -99,8 +99,7 @@ record MpegCodes(
 
   private static String text() {
     String name = "mpeg1-codes.tsv";
-    try (InputStream in =
-        Objects.requireNonNull(MpegCodes.class.getResourceAsStream(name), name)) {
+    try (InputStream in = Objects.requireNonNull(MpegCodes.class.getResourceAsStream(name), name)) {
       return new String(in.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -15,6 +15,9 @@ public final class MpegVideo {
   private static final int SEQUENCE = 0xb3;
   private static final int EXTENSION = 0xb5;
 
+  /** Pictures above which the rest is left out: those of nine hours. */
+  static final int MOST = 1 << 20;
+
   /** Types of pictures. */
   static final int WHOLE = 1;
 
@@ -115,7 +118,7 @@ public final class MpegVideo {
   }
 
   private void findPictures() {
-    for (int at = next(data, 0); at < data.length; at = next(data, at + 4)) {
+    for (int at = next(data, 0); at < data.length && count < MOST; at = next(data, at + 4)) {
       if (SystemStream.startCode(data, at) == PICTURE && at + 5 < data.length) {
         int type = data[at + 5] >> 3 & 7;
         if (type < WHOLE || type > BETWEEN || count == 0 && type != WHOLE) {

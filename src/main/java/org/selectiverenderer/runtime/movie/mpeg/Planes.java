@@ -45,8 +45,7 @@ final class Planes {
    * @param down and below
    * @param mix whether the mean with what is there is kept
    */
-  void predict(
-      Planes from, int plane, int x, int y, int size, int right, int down, boolean mix) {
+  void predict(Planes from, int plane, int x, int y, int size, int right, int down, boolean mix) {
     byte[] source = from.samples[plane];
     byte[] target = samples[plane];
     int width = stride(plane);
@@ -62,7 +61,9 @@ final class Planes {
         int value = source[at] & 0xff;
         if (beside != 0 && below != 0) {
           value +=
-              (source[at + beside] & 0xff) + (source[at + below] & 0xff) + (source[at + both] & 0xff);
+              (source[at + beside] & 0xff)
+                  + (source[at + below] & 0xff)
+                  + (source[at + both] & 0xff);
           value = value + 2 >> 2;
         } else if (both != 0) {
           value = value + (source[at + both] & 0xff) + 1 >> 1;

@@ -46,6 +46,9 @@ final class Slice {
   /** The last vectors: forward right, forward down, backward right, backward down. */
   private final int[] vectors = new int[4];
 
+  /** How many macroblocks are still made, all slices of the picture together. */
+  private int left;
+
   private int quantizer;
   private int lastType;
 
@@ -65,6 +68,8 @@ final class Slice {
     this.pictures = pictures;
     this.ahead = ahead;
     this.back = back;
+    // Slices do not overlap in a film that is whole; those of a hostile one might go on for hours.
+    left = 2 * pictures.across() * pictures.down();
   }
 
   /**
@@ -84,7 +89,8 @@ final class Slice {
     boolean first = true;
     while (!bits.over() && bits.peek(23) != 0) {
       int step = increment(bits);
-      if (step == 0 || address + step >= pictures.across() * pictures.down()) {
+      left -= first ? 1 : step;
+      if (step == 0 || left < 0 || address + step >= pictures.across() * pictures.down()) {
         return;
       }
       if (!first) {
@@ -105,8 +111,8 @@ final class Slice {
     int sum = 0;
     while (true) {
       int next = codes.increment().read(bits);
-      if (next == Code.NONE || bits.over()) {
-        return 0;
+      if (next == Code.NONE || bits.over() || sum > left) {
+        return 0; // Also far beyond the picture.
       } else if (next == MpegCodes.ESCAPE) {
         sum += 33;
       } else if (next != MpegCodes.STUFFING) {

@@ -43,9 +43,7 @@ final class AuthorLights {
           case "spotExponent" -> (n, at, kind) -> new float[] {0};
           case "spotCutoff" ->
               (n, at, kind) ->
-                  new float[] {
-                    kind == Light.Kind.SPOT ? (float) Math.toDegrees(n[at + 16]) : 180
-                  };
+                  new float[] {kind == Light.Kind.SPOT ? (float) Math.toDegrees(n[at + 16]) : 180};
           case "spotCosCutoff" ->
               (n, at, kind) ->
                   new float[] {kind == Light.Kind.SPOT ? (float) Math.cos(n[at + 16]) : -1};

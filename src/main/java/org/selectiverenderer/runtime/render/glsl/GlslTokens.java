@@ -18,7 +18,7 @@ record GlslTokens(List<Token> list) {
           "(?<comment>//[^\\n]*+|/\\*[\\s\\S]*?(?:\\*/|\\z))"
               + "|(?<first>(?m:^)[ \\t]*#[ \\t]*(?:version|extension)\\b[^\\n]*)"
               + "|(?<name>[A-Za-z_]\\w*)"
-              + "|(?<other>\\d[\\w.]*|[^A-Za-z_/#\\d]+|[\\s\\S])");
+              + "|(?<other>\\d[\\w.]*|[^A-Za-z_/#\\d\\n]+|[\\s\\S])");
 
   /** What a token is. */
   enum Kind {

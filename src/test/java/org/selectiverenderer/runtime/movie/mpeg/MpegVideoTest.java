@@ -143,4 +143,50 @@ class MpegVideoTest {
     assertThatThrownBy(() -> MpegVideo.of(new byte[] {0, 0, 1, (byte) 0xba, 0, 0, 0, 0}))
         .hasMessage("holds no video");
   }
+
+  @Test
+  void filmHasNotMorePicturesThanThereIsMemoryFor() throws IOException {
+    byte[] header = {0, 0, 1, (byte) 0xb3, 1, 0, 0x10, 0x13, -1, -1, (byte) 0xe0, 0x18};
+    byte[] many = Arrays.copyOf(header, header.length + 6 * (MpegVideo.MOST + 9));
+    for (int at = header.length; at < many.length; at += 6) {
+      many[at + 2] = 1;
+      many[at + 5] = MpegVideo.WHOLE << 3;
+    }
+
+    assertThat(MpegVideo.of(many).pictures()).isEqualTo(MpegVideo.MOST);
+  }
+
+  @Test
+  void slicesThatSayThePictureOverAndOverArePassedOver() throws IOException {
+    byte[] film = file("mandelbrot.m1v");
+    int picture = place(film, 0, 0);
+    int slices = place(film, picture + 4, 1);
+    int end = place(film, slices, 0);
+    byte[] once = Arrays.copyOf(film, end);
+    byte[] again = Arrays.copyOfRange(film, slices, end);
+    ByteArrayOutputStream three = new ByteArrayOutputStream();
+    three.writeBytes(once);
+    three.writeBytes(again);
+    again[4] ^= 0x40; // Another quantizer, which the picture shows where it counts.
+    three.writeBytes(again);
+    ByteArrayOutputStream two = new ByteArrayOutputStream();
+    two.writeBytes(once);
+    two.writeBytes(again);
+
+    assertThat(first(two.toByteArray())).isNotEqualTo(first(once));
+    assertThat(first(three.toByteArray())).isEqualTo(first(once));
+  }
+
+  private static byte[] first(byte[] film) throws IOException {
+    return MpegVideo.of(film).decoder().picture(0);
+  }
+
+  /** Where the start code of a kind stands. */
+  private static int place(byte[] film, int from, int code) {
+    int at = MpegVideo.next(film, from);
+    while ((film[at + 3] & 255) != code) {
+      at = MpegVideo.next(film, at + 4);
+    }
+    return at;
+  }
 }

@@ -46,6 +46,13 @@ class GlslTranslatorTest {
   }
 
   @Test
+  void directivesMayBeIndented() {
+    String text = "\n    #version 120\n\t# extension GL_OES_x : enable\n  void main() {}";
+    assertThat(translated(Stage.FRAGMENT, text)).containsOnlyOnce("version");
+    assertThat(body(Stage.FRAGMENT, text)).isEqualTo("\n\n\n  void main() {}\n");
+  }
+
+  @Test
   void whatIsUsedIsDeclaredOnceAndNothingElse() {
     String text = translated(Stage.VERTEX, "void main() { gl_Position = ftransform(); }");
     assertThat(text).startsWith("#version 330 core\n");

@@ -1,0 +1,90 @@
+package org.selectiverenderer.runtime.instance;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Matrix4dc;
+import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
+import org.selectiverenderer.runtime.nodes.layout.Seen;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * What an {@link InstanceTree} has of each kind, in document order. Made anew, in one pass over the
+ * tree, when its structure changes.
+ */
+final class InstanceLists {
+  private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
+
+  /** Nodes that are neither group, shape nor light, each once. */
+  final List<Node> otherNodes = new ArrayList<>();
+
+  /** Groups that adapt to the viewer: the first instance of each. */
+  final List<GroupInstance> viewerDependent = new ArrayList<>();
+
+  /** Groups that lie where the picture says. */
+  final List<GroupInstance> seenGroups = new ArrayList<>();
+
+  /** Shapes that are measured in pixels. */
+  final List<ShapeInstance> screenShapes = new ArrayList<>();
+
+  final List<LightInstance> lights = new ArrayList<>();
+
+  /** Light from all around. */
+  final List<EffectInstance> environments = new ArrayList<>();
+
+  /** Another list whenever it is made anew; nobody changes it. */
+  List<ShapeInstance> shapes = List.of();
+
+  /** Makes all lists anew. */
+  void collect(GroupInstance root) {
+    places.clear();
+    otherNodes.clear();
+    viewerDependent.clear();
+    seenGroups.clear();
+    screenShapes.clear();
+    lights.clear();
+    environments.clear();
+    List<ShapeInstance> all = new ArrayList<>();
+    add(root, all);
+    shapes = List.copyOf(all);
+  }
+
+  private void add(Instance instance, List<ShapeInstance> all) {
+    NodeInstances known = places.computeIfAbsent(instance.node(), node -> new NodeInstances());
+    boolean first = known.isEmpty();
+    known.append(instance);
+    if (instance instanceof GroupInstance group) {
+      if (first && group.node() instanceof ViewerDependent) {
+        viewerDependent.add(group);
+      }
+      if (group.node() instanceof Seen) {
+        seenGroups.add(group);
+      }
+      group.children.forEach(child -> add(child, all));
+    } else if (instance instanceof ShapeInstance shape) {
+      all.add(shape);
+      if (shape.look().onScreen()) {
+        screenShapes.add(shape);
+      }
+    } else if (instance instanceof LightInstance light) {
+      lights.add(light);
+    } else if (instance instanceof EffectInstance effect && effect.environment()) {
+      environments.add(effect);
+    } else if (first && instance instanceof PlainInstance) {
+      otherNodes.add(instance.node());
+    }
+  }
+
+  /** The instances of a node; empty when it is in no part of the scene. */
+  List<Instance> instances(Node node) {
+    NodeInstances known = places.get(node);
+    return known == null ? List.of() : known.instances();
+  }
+
+  /** {@link Instance#world()} of each instance of a node: a view. */
+  List<Matrix4dc> places(Node node) {
+    NodeInstances known = places.get(node);
+    return known == null ? List.of() : known;
+  }
+}
