@@ -14,9 +14,13 @@ public record DepthRange(double near, double far) {
   /** Beyond this ratio a depth buffer of 24 bits has too few steps far away. */
   private static final double MOST = 1e5;
 
+  /** Depth of what stands at the edge of a view of 120 degrees, per distance. */
+  private static final double ALONG_AXIS = 0.5;
+
   /**
    * From half the avatar's collision distance to the visibility limit, or as far as anything shown
-   * (X3D 4.0, 23.4.4: NavigationInfo).
+   * (X3D 4.0, 23.4.4: NavigationInfo). Where that is very far, the near plane is farther from the
+   * eye, but not beyond the nearest thing shown.
    *
    * @param avatarRadius the first element of avatarSize
    * @param visibilityLimit 0 for none
@@ -34,7 +38,31 @@ public record DepthRange(double near, double far) {
       }
     }
     double far = Math.max(near * 100, Math.sqrt(farthest) * 1.01);
-    return new DepthRange(Math.max(near, far / MOST), far);
+    if (far > near * MOST) {
+      near = Math.max(near, Math.min(far / MOST, nearest(tree, eye) * ALONG_AXIS));
+    }
+    return new DepthRange(near, far);
+  }
+
+  /** The distance of the nearest box, whose walls count where the eye is in it. */
+  private static double nearest(InstanceTree tree, Vector3dc eye) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (ShapeInstance shape : tree.shapes()) {
+      if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3]) {
+        nearest = Math.min(nearest, distance(shape.bounds(), eye));
+      }
+    }
+    return nearest;
+  }
+
+  private static double distance(double[] box, Vector3dc eye) {
+    double x = Math.max(box[0] - eye.x(), eye.x() - box[3]);
+    double y = Math.max(box[1] - eye.y(), eye.y() - box[4]);
+    double z = Math.max(box[2] - eye.z(), eye.z() - box[5]);
+    double inside = Math.max(x, Math.max(y, z));
+    return inside <= 0
+        ? -inside
+        : Math.hypot(Math.max(0, x), Math.hypot(Math.max(0, y), Math.max(0, z)));
   }
 
   private static double farthest(double[] box, Vector3dc eye) {

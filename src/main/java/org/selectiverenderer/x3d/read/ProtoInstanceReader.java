@@ -32,7 +32,7 @@ final class ProtoInstanceReader {
     this.routes = routes;
     this.connecting = connecting;
     externs = new ExternReader(reading);
-    sizes = new PrototypeSize(reading.catalogue, reading.limits.maxDepth());
+    sizes = new PrototypeSize(reading.catalogue, externs, reading.limits.maxDepth());
   }
 
   /**

@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.read;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
@@ -11,18 +12,22 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 /**
  * Counts the nodes that an instance of a prototype makes, before any is made: prototypes of
  * prototypes multiply, so that a file of a few lines may ask for billions. Each body is counted
- * once. Never more than will be made; prototypes of other files count as one node.
+ * once. Never more than will be made: prototypes that a body has from other files count as one
+ * node.
  */
 final class PrototypeSize {
   private final NodeCatalogue catalogue;
+  private final ExternReader externs;
   private final int maxDepth;
   private final Map<DocumentElement, Long> known = new IdentityHashMap<>();
 
   /**
+   * @param externs finds the prototypes of other files
    * @param maxDepth elements within elements beyond which nothing is made
    */
-  PrototypeSize(NodeCatalogue catalogue, int maxDepth) {
+  PrototypeSize(NodeCatalogue catalogue, ExternReader externs, int maxDepth) {
     this.catalogue = catalogue;
+    this.externs = externs;
     this.maxDepth = maxDepth;
   }
 
@@ -35,7 +40,7 @@ final class PrototypeSize {
   private static final class Known {
     private final NameScope around;
     private final @Nullable Known outer;
-    private final Map<String, DocumentElement> bodies = new HashMap<>();
+    private final Map<String, Optional<DocumentElement>> bodies = new HashMap<>();
 
     Known(NameScope around, @Nullable Known outer) {
       this.around = around;
@@ -71,7 +76,10 @@ final class PrototypeSize {
         declare(element, names);
         yield 0;
       }
-      case "ExternProtoDeclare" -> 0;
+      case "ExternProtoDeclare" -> {
+        name(element).ifPresent(name -> names.bodies.put(name, Optional.empty()));
+        yield 0;
+      }
       case "fieldValue", "field" -> children(element, names, depth);
       case "ProtoInstance" ->
           sum(1, sum(instance(element, names, depth), children(element, names, depth)));
@@ -81,25 +89,29 @@ final class PrototypeSize {
   }
 
   private static void declare(DocumentElement element, Known names) {
-    String name = element.attribute("name").map(DocumentAttribute::text).orElse(null);
     for (DocumentElement child : element.children()) {
-      if (name != null && child.name().equals("ProtoBody")) {
-        names.bodies.put(name, child);
+      if (child.name().equals("ProtoBody")) {
+        name(element).ifPresent(name -> names.bodies.put(name, Optional.of(child)));
       }
     }
   }
 
+  private static Optional<String> name(DocumentElement element) {
+    return element.attribute("name").map(DocumentAttribute::text);
+  }
+
   private long instance(DocumentElement element, Known names, int depth) {
-    String name = element.attribute("name").map(DocumentAttribute::text).orElse("");
+    String name = name(element).orElse("");
     for (Known scope = names; scope != null; scope = scope.outer) {
-      DocumentElement body = scope.bodies.get(name);
+      Optional<DocumentElement> body = scope.bodies.get(name);
       if (body != null) {
-        return body(body, scope, depth);
+        return body.isEmpty() ? 0 : body(body.get(), scope, depth);
       }
     }
-    return names.around.prototype(name) instanceof ProtoDeclaration found
-        ? body(found.body(), new Known(found.environment(), null), depth)
-        : 0;
+    DeclaredPrototype named = names.around.prototype(name);
+    ProtoDeclaration found =
+        named instanceof ExternDeclaration extern ? externs.find(extern) : (ProtoDeclaration) named;
+    return found == null ? 0 : body(found.body(), new Known(found.environment(), null), depth);
   }
 
   /** Large sums stay large. */

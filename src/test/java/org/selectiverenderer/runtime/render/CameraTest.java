@@ -52,4 +52,17 @@ class CameraTest {
     assertThat(range.far()).isBetween(51.0, 53.0);
     assertThat(DepthRange.of(scene.tree(), new Vector3d(), 0.25, 20).far()).isEqualTo(20);
   }
+
+  @Test
+  void theNearPlaneOfALargeSceneDoesNotCutWhatIsNear() {
+    String box = "<Transform translation='0 0 %s'><Shape><Box size='2 2 2'/></Shape></Transform>";
+    TestScene alone = TestScene.of(box.formatted("-1e7"));
+    assertThat(DepthRange.of(alone.tree(), new Vector3d(), 0.25, 0).near()).isBetween(100.0, 110.0);
+
+    TestScene both = TestScene.of(box.formatted("-1e7") + box.formatted("-5"));
+    assertThat(DepthRange.of(both.tree(), new Vector3d(), 0.25, 0).near()).isEqualTo(2);
+    assertThat(DepthRange.of(both.tree(), new Vector3d(0, 0, -5), 0.25, 0).near()).isEqualTo(0.5);
+    assertThat(DepthRange.of(both.tree(), new Vector3d(0, 0, -3.95), 0.25, 0).near())
+        .isEqualTo(0.125);
+  }
 }

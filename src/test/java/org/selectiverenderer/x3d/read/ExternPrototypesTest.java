@@ -382,4 +382,38 @@ class ExternPrototypesTest {
       threads.shutdownNow();
     }
   }
+
+  @Test
+  void prototypesOfOtherFilesThatMultiplyBeyondTheLimitAreLeftOut() throws IOException {
+    write("p0.x3d", "<ProtoDeclare name='P'><ProtoBody><Group/></ProtoBody></ProtoDeclare>");
+    for (int i = 1; i < 8; i++) {
+      write(
+          "p" + i + ".x3d",
+          extern("Q", "\"p" + (i - 1) + ".x3d#P\"")
+              + "<ProtoDeclare name='P'><ProtoBody><Group>"
+              + "<ProtoInstance name='Q'/>".repeat(10)
+              + "</Group></ProtoBody></ProtoDeclare>");
+    }
+    X3dFile file = scene(extern("P", "\"p7.x3d#P\"") + "<ProtoInstance name='P'/>");
+    assertTold(
+        "test.x3d:3:1: an instance of the prototype P makes more than what is left of the 10000"
+            + " nodes that a file may have; it is left out");
+    assertThat(file.nodes()).isEmpty();
+  }
+
+  @Test
+  void aPrototypeOfAnotherFileHidesALargeOneOfItsName() throws IOException {
+    String many = "<Group/>".repeat(200);
+    X3dFile file =
+        scene(
+            "<ProtoDeclare name='Red'><ProtoBody><Group>"
+                + many
+                + "</Group></ProtoBody></ProtoDeclare>\n<ProtoDeclare name='All'><ProtoBody>"
+                + extern("Red", "\"lib/lamps.x3d#Red\"")
+                + "<Group>"
+                + "<Shape><Appearance><ProtoInstance name='Red'/></Appearance></Shape>".repeat(100)
+                + "</Group></ProtoBody></ProtoDeclare>\n<ProtoInstance name='All'/>");
+    assertTold();
+    assertThat(file.nodes()).hasSize(1);
+  }
 }

@@ -74,49 +74,76 @@ final class MatrixMethods {
         : Constructors.tuple(args[index]).components();
   }
 
-  /** {@code setTransform(translation, rotation, scale, scaleOrientation, center)}, any left out. */
-  static double[] transform(Object[] args) {
-    double[] translation = argument(args, 0);
-    double[] rotation = argument(args, 1);
-    double[] scale = argument(args, 2);
-    double[] orientation = argument(args, 3);
-    double[] center = argument(args, 4);
-    Quaterniond tilt = orientation == null ? new Quaterniond() : Spatial.quaternion(orientation);
-    Matrix4d matrix = new Matrix4d();
-    if (translation != null) {
-      matrix.translate(translation[0], translation[1], translation[2]);
+  /**
+   * {@code setTransform(translation, rotation, scale, scaleOrientation, center)}, any left out. Of
+   * a plane's (SFMatrix3) the vectors are SFVec2 and the rotations SFVec3, of which the standard
+   * does not say what they hold: the last is taken as the angle. A number is one, too.
+   */
+  double[] transform(Object[] args) {
+    Vector3d translation = vector(argument(args, 0), 0);
+    Quaterniond rotation = rotation(args, 1);
+    Vector3d scale = vector(argument(args, 2), 1);
+    Quaterniond tilt = rotation(args, 3);
+    Vector3d center = vector(argument(args, 4), 0);
+    double[] m =
+        new Matrix4d()
+            .translate(translation)
+            .translate(center)
+            .rotate(rotation)
+            .rotate(tilt)
+            .scale(scale)
+            .rotate(tilt.conjugate(new Quaterniond()))
+            .translate(center.negate())
+            .get(new double[16]);
+    return size == 4 ? m : new double[] {m[0], m[1], 0, m[4], m[5], 0, m[12], m[13], 1};
+  }
+
+  private static Vector3d vector(double @Nullable [] given, double unlessGiven) {
+    return given == null
+        ? new Vector3d(unlessGiven)
+        : new Vector3d(given[0], given[1], given.length > 2 ? given[2] : unlessGiven);
+  }
+
+  private Quaterniond rotation(Object[] args, int index) {
+    if (size == 3 && index < args.length && args[index] instanceof Number angle) {
+      return new Quaterniond().rotationZ(angle.doubleValue());
     }
-    if (center != null) {
-      matrix.translate(center[0], center[1], center[2]);
-    }
-    if (rotation != null) {
-      matrix.rotate(Spatial.quaternion(rotation));
-    }
-    matrix.rotate(tilt);
-    if (scale != null) {
-      matrix.scale(scale[0], scale[1], scale[2]);
-    }
-    matrix.rotate(tilt.conjugate(new Quaterniond()));
-    if (center != null) {
-      matrix.translate(-center[0], -center[1], -center[2]);
-    }
-    return matrix.get(new double[16]);
+    double[] given = argument(args, index);
+    return given == null
+        ? new Quaterniond()
+        : size == 3
+            ? new Quaterniond().rotationZ(given[given.length - 1])
+            : Spatial.quaternion(given);
   }
 
   /** {@code getTransform}: writes translation, rotation and scale into the objects given. */
-  static void taken(double[] m, Object[] args) {
-    Matrix4d matrix = new Matrix4d().set(m);
+  void taken(double[] m, Object[] args) {
+    Matrix4d matrix = size == 4 ? new Matrix4d().set(m) : ofPlane(m);
     if (argument(args, 0) != null) {
-      Vector3d translation = matrix.getTranslation(new Vector3d());
-      Constructors.tuple(args[0]).set(translation.x, translation.y, translation.z);
+      give(args[0], matrix.getTranslation(new Vector3d()));
     }
     if (argument(args, 1) != null) {
       Quaterniond rotation = matrix.getUnnormalizedRotation(new Quaterniond()).normalize();
-      Constructors.tuple(args[1]).set(Spatial.axisAngle(rotation));
+      if (size == 4) {
+        Constructors.tuple(args[1]).set(Spatial.axisAngle(rotation));
+      } else {
+        Constructors.tuple(args[1]).set(0, 0, 2 * Math.atan2(rotation.z, rotation.w));
+      }
     }
     if (argument(args, 2) != null) {
-      Vector3d scale = matrix.getScale(new Vector3d());
-      Constructors.tuple(args[2]).set(scale.x, scale.y, scale.z);
+      give(args[2], matrix.getScale(new Vector3d()));
+    }
+  }
+
+  private static Matrix4d ofPlane(double[] m) {
+    return new Matrix4d(m[0], m[1], 0, 0, m[3], m[4], 0, 0, 0, 0, 1, 0, m[6], m[7], 0, 1);
+  }
+
+  private void give(Object to, Vector3d vector) {
+    if (size == 4) {
+      Constructors.tuple(to).set(vector.x, vector.y, vector.z);
+    } else {
+      Constructors.tuple(to).set(vector.x, vector.y);
     }
   }
 }

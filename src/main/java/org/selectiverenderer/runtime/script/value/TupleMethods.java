@@ -184,24 +184,22 @@ final class TupleMethods {
         1,
         (self, a) ->
             moved(a[0], matrices.rowTimes(of(a[0]), matrices.transpose(self.components()))));
-    if (type.components() == 16) {
-      method(
-          into,
-          "setTransform",
-          0,
-          (self, a) -> {
-            self.set(MatrixMethods.transform(a));
-            return Undefined.instance;
-          });
-      method(
-          into,
-          "getTransform",
-          0,
-          (self, a) -> {
-            MatrixMethods.taken(self.components(), a);
-            return Undefined.instance;
-          });
-    }
+    method(
+        into,
+        "setTransform",
+        0,
+        (self, a) -> {
+          self.set(matrices.transform(a));
+          return Undefined.instance;
+        });
+    method(
+        into,
+        "getTransform",
+        0,
+        (self, a) -> {
+          matrices.taken(self.components(), a);
+          return Undefined.instance;
+        });
   }
 
   private Tuple moved(Object vector, double[] components) {
