@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.GeneratedCube;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
@@ -28,11 +27,6 @@ import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 /** How shapes look: programs, textures and lights, each once however many shapes have it. */
 final class DrawLooks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-
-  /** Pixels of all generated cubes together: 200 MB. Sides of those beyond that are small. */
-  private static final long MOST_CUBE_PIXELS = 50_000_000;
-
-  private static final int SMALL_CUBE = 16;
 
   private final Map<TextureSource, GpuTexture> textures = new HashMap<>();
   private final ShapePrograms programs = new ShapePrograms();
@@ -107,19 +101,8 @@ final class DrawLooks {
         source,
         image -> {
           uploads++;
-          return new GpuTexture(gl, image instanceof GeneratedCube cube ? fitting(cube) : image);
+          return new GpuTexture(gl, GeneratedCubes.fitting(image, textures.values()));
         });
-  }
-
-  /** The cube, or a small one where there are many large ones already. */
-  private GeneratedCube fitting(GeneratedCube cube) {
-    long pixels = 6L * cube.size() * cube.size();
-    for (GpuTexture texture : textures.values()) {
-      pixels += texture.generated().isPresent() ? 6L * texture.side() * texture.side() : 0;
-    }
-    return pixels <= MOST_CUBE_PIXELS
-        ? cube
-        : new GeneratedCube(cube.node(), Math.min(cube.size(), SMALL_CUBE), cube.sampling());
   }
 
   private DrawLook detailed(

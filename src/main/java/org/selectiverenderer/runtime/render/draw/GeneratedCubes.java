@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.draw;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -12,7 +13,9 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.DepthRange;
+import org.selectiverenderer.runtime.instance.GeneratedCube;
 import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 
 /**
@@ -24,6 +27,11 @@ import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 final class GeneratedCubes {
   /** Cubes that are drawn in a frame; those that always change take turns. */
   private static final int MOST_A_FRAME = 4;
+
+  /** Pixels of all generated cubes together: 200 MB. Sides of those beyond that are small. */
+  private static final long MOST_PIXELS = 50_000_000;
+
+  private static final int SMALL = 16;
 
   /** Where the card's faces look, and which way is up on them. */
   private static final Vector3d[][] FACES = {
@@ -55,6 +63,24 @@ final class GeneratedCubes {
   }
 
   private record Due(GpuTexture texture, DrawItem from) {}
+
+  /**
+   * The texture, or a small cube where there are many large ones already.
+   *
+   * @param others on the graphics card
+   */
+  static TextureSource fitting(TextureSource wanted, Collection<GpuTexture> others) {
+    if (!(wanted instanceof GeneratedCube cube)) {
+      return wanted;
+    }
+    long pixels = 6L * cube.size() * cube.size();
+    for (GpuTexture texture : others) {
+      pixels += 6L * texture.side() * texture.side(); // 0 for all others.
+    }
+    return pixels <= MOST_PIXELS
+        ? cube
+        : new GeneratedCube(cube.node(), Math.min(cube.size(), SMALL), cube.sampling());
+  }
 
   /** Looks for cubes; what is drawn changes only when the list is another. */
   void follow(List<DrawItem> items) {
