@@ -35,7 +35,17 @@ public interface Assets {
    */
   boolean multiplies(Node texture);
 
-  /** A geometry node (or a node in it) or a texture node has other values, or a part of
-   * a shader: forget its asset. */
+  /**
+   * A geometry or texture node is about to be shown, and has changed before, perhaps while nobody
+   * observed it: an asset that was made earlier is forgotten.
+   *
+   * @param changes how often it has changed, with all nodes in it
+   */
+  void asOf(Node geometryOrTexture, int changes);
+
+  /**
+   * A geometry node (or a node in it) or a texture node has other values, or a part of a shader:
+   * forget its asset.
+   */
   void changed(Node geometryOrTexture);
 }

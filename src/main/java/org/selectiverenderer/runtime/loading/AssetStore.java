@@ -17,14 +17,15 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * Meshes, images and programs by node: those made while loading, and those made later for nodes that are new
- * or changed. Nodes that nobody else holds are let go. Thread-safe.
+ * Meshes, images and programs by node: those made while loading, and those made later for nodes
+ * that are new or changed. Nodes that nobody else holds are let go. Thread-safe.
  */
 final class AssetStore implements Assets {
   // Nodes are compared by identity; nothing kept here leads back to its node.
   private final Map<Node, Optional<Mesh>> meshes = new WeakHashMap<>();
   private final Map<Node, Optional<Texture.Image>> images = new WeakHashMap<>();
   private final Map<Node, Optional<ShaderText>> shaders = new WeakHashMap<>();
+  private final Map<Node, Integer> changes = new WeakHashMap<>();
   private final Function<Node, Optional<Mesh>> tessellate;
   private final Function<Node, Optional<Texture.Image>> decode;
 
@@ -101,6 +102,14 @@ final class AssetStore implements Assets {
   @Override
   public synchronized Optional<Texture.Image> image(Node texture) {
     return images.computeIfAbsent(texture, decode);
+  }
+
+  @Override
+  public synchronized void asOf(Node geometryOrTexture, int now) {
+    Integer before = changes.put(geometryOrTexture, now);
+    if (before == null || before != now) {
+      changed(geometryOrTexture);
+    }
   }
 
   @Override

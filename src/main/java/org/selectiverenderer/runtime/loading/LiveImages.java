@@ -8,6 +8,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
@@ -66,6 +67,16 @@ final class LiveImages implements Assets {
   @Override
   public boolean multiplies(Node texture) {
     return store.multiplies(texture);
+  }
+
+  @Override
+  public void asOf(Node geometryOrTexture, int changes) {
+    if (!fromFile(geometryOrTexture) && !ShaderFiles.named(geometryOrTexture.type())) {
+      store.asOf(geometryOrTexture, changes);
+    } else if (requested.containsKey(geometryOrTexture)
+        || !(geometryOrTexture instanceof MovieTextureNode)) { // Which runs where nobody sees it.
+      changed(geometryOrTexture);
+    }
   }
 
   @Override

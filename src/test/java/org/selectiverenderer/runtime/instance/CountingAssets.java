@@ -55,6 +55,11 @@ final class CountingAssets implements Assets {
   }
 
   @Override
+  public void asOf(Node node, int changes) {
+    changed(node);
+  }
+
+  @Override
   public void changed(Node node) {
     kept.remove(node);
   }
