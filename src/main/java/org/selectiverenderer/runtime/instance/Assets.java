@@ -36,6 +36,14 @@ public interface Assets {
   boolean multiplies(Node texture);
 
   /**
+   * A geometry or texture node is about to be shown, and has changed before, perhaps while nobody
+   * observed it: an asset that was made earlier is forgotten.
+   *
+   * @param changes how often it has changed, with all nodes in it
+   */
+  void asOf(Node node, int changes);
+
+  /**
    * A geometry node (or a node in it), a texture node or a part of a shader has other values:
    * forget its asset.
    */

@@ -54,7 +54,7 @@ final class ProgramReader {
     List<Part> parts = new ArrayList<>();
     List<ProgramField> fields = new ArrayList<>(fields(shader, assets));
     for (Node holder : holders) {
-      Optional<Stage> stage = stage(holder.string("type"));
+      Optional<Stage> stage = Stage.named(holder.string("type"));
       Optional<ShaderText> text = assets.shader(holder);
       if (stage.isEmpty() || text.isEmpty()) {
         return Optional.empty();
@@ -66,15 +66,6 @@ final class ProgramReader {
         ? Optional.empty()
         : Optional.of(
             new SurfaceProgram(shader, List.copyOf(parts), List.copyOf(fields), textures));
-  }
-
-  private static Optional<Stage> stage(String type) {
-    return switch (type) {
-      case "VERTEX" -> Optional.of(Stage.VERTEX);
-      case "GEOMETRY" -> Optional.of(Stage.GEOMETRY);
-      case "FRAGMENT" -> Optional.of(Stage.FRAGMENT);
-      default -> Optional.empty();
-    };
   }
 
   private static List<ProgramField> fields(Node holder, Assets assets) {

@@ -134,6 +134,13 @@ final class ShapeLook implements NodeObserver {
     geometry = shape.node("geometry");
     if (geometry != null) {
       observe(geometry, inGeometry);
+      int changes = 0;
+      for (Node part : inGeometry) {
+        changes += part.changes();
+      }
+      if (changes > 0) {
+        assets.asOf(geometry, changes);
+      }
     }
     Node appearance = shape.node("appearance");
     if (appearance != null) {
@@ -145,12 +152,22 @@ final class ShapeLook implements NodeObserver {
     for (Node part : NodesBelow.of(node)) {
       if (set.add(part)) {
         part.addObserver(this);
+        if (part.changes() > 0 && hasAsset(part)) {
+          assets.asOf(part, part.changes());
+        }
         if (part instanceof PlayedNode film) {
           films = films.isEmpty() ? new ArrayList<>(1) : films;
           films.add(film);
         }
       }
     }
+  }
+
+  /** Whether a node of an appearance has an asset of its own. */
+  private static boolean hasAsset(Node node) {
+    return node.type().is("X3DTextureNode")
+        || node.type().name().equals("ShaderPart")
+        || node.type().name().equals("ShaderProgram");
   }
 
   @Override
@@ -166,9 +183,7 @@ final class ShapeLook implements NodeObserver {
     }
     if (inGeometry.contains(node) && geometry != null) {
       assets.changed(geometry);
-    } else if (node.type().is("X3DTextureNode")
-        || node.type().name().equals("ShaderPart")
-        || node.type().name().equals("ShaderProgram")) {
+    } else if (hasAsset(node)) {
       assets.changed(node);
     }
     if (!pending) {

@@ -1,6 +1,8 @@
 package org.selectiverenderer.runtime.instance;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -21,7 +23,12 @@ public record SurfaceProgram(
   public enum Stage {
     VERTEX,
     GEOMETRY,
-    FRAGMENT
+    FRAGMENT;
+
+    /** The stage that a part's {@code type} means; X_ITE and Castle also have GEOMETRY. */
+    public static Optional<Stage> named(String type) {
+      return Arrays.stream(values()).filter(stage -> stage.name().equals(type)).findFirst();
+    }
   }
 
   /** The text of a stage; more than one may be of the same. */

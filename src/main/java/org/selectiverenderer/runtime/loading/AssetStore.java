@@ -25,6 +25,7 @@ final class AssetStore implements Assets {
   private final Map<Node, Optional<Mesh>> meshes = new WeakHashMap<>();
   private final Map<Node, Optional<Texture.Image>> images = new WeakHashMap<>();
   private final Map<Node, Optional<ShaderText>> shaders = new WeakHashMap<>();
+  private final Map<Node, Integer> changes = new WeakHashMap<>();
   private final Function<Node, Optional<Mesh>> tessellate;
   private final Function<Node, Optional<Texture.Image>> decode;
 
@@ -101,6 +102,14 @@ final class AssetStore implements Assets {
   @Override
   public synchronized Optional<Texture.Image> image(Node texture) {
     return images.computeIfAbsent(texture, decode);
+  }
+
+  @Override
+  public synchronized void asOf(Node node, int now) {
+    Integer before = changes.put(node, now);
+    if (before == null || before != now) {
+      changed(node);
+    }
   }
 
   @Override

@@ -141,6 +141,9 @@ final class FileLoader {
           } else if (node.type().name().equals("Appearance")) {
             ShaderFiles.noneOfOurs(node)
                 .ifPresent(told -> content.problems().addAll(List.of(told)));
+          } else if (node.type().is("X3DShaderNode")) {
+            ShaderFiles.withoutParts(node)
+                .ifPresent(told -> content.problems().addAll(List.of(told)));
           } else if (ShaderFiles.named(node.type())) {
             assets.add(task(content, problems -> shader(node, content, problems)));
           } else if (node.type().name().equals("AudioClip") && node.bool("load")) {

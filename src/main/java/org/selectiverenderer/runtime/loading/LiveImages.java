@@ -8,6 +8,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
@@ -66,6 +67,15 @@ final class LiveImages implements Assets {
   @Override
   public boolean multiplies(Node texture) {
     return store.multiplies(texture);
+  }
+
+  @Override
+  public void asOf(Node node, int changes) {
+    if (!fromFile(node) && !ShaderFiles.named(node.type())) {
+      store.asOf(node, changes);
+    } else if (requested.containsKey(node) || !(node instanceof MovieTextureNode)) {
+      changed(node); // But for a film that nobody asked for: that runs where nobody sees it.
+    }
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.instance.SurfaceProgram;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.files.Content;
@@ -44,6 +45,25 @@ final class ShaderFiles {
                 + " ComposedShader with language='GLSL'; the shape is drawn by its material"));
   }
 
+  /** What to say of a shader that has no program, as no part is in it. */
+  static Optional<Problem> withoutParts(ParsedNode shader) {
+    String parts =
+        switch (shader.type().name()) {
+          case "ComposedShader" -> "parts";
+          case "ProgramShader" -> "programs";
+          default -> "";
+        };
+    if (parts.isEmpty() || !shader.nodes(parts).isEmpty() || !ours(shader)) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Problem(
+            Problem.Severity.INFO,
+            shader.location(),
+            "%s has no %s; the shape is drawn by its material"
+                .formatted(shader.type().name(), parts)));
+  }
+
   private static boolean ours(NodeView shader) {
     if (shader.type().name().equals("PackagedShader")
         || shader.type().field("language").isEmpty()) {
@@ -59,6 +79,14 @@ final class ShaderFiles {
    * @param base where the relative urls of the part start
    */
   Optional<ShaderText> read(ParsedNode part, ContentBase base, Problems problems) {
+    String type = part.string("type");
+    if (SurfaceProgram.Stage.named(type).isEmpty()) {
+      problems.error(
+          part.location(),
+          "%s type '%s' is not VERTEX, FRAGMENT or GEOMETRY; %s"
+              .formatted(part.type().name(), type, CONSEQUENCE));
+      return Optional.empty();
+    }
     ShaderChoice choice = ShaderChoice.of(part, root, base, CONSEQUENCE);
     if (choice instanceof ShaderChoice.Text text) {
       return Optional.of(text.text());

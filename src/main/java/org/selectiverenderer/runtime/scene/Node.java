@@ -37,6 +37,7 @@ public class Node implements NodeView {
   private int routeCount;
   private @Nullable NodeObserver[] observers = NO_OBSERVERS;
   private int observerCount;
+  private int changes;
   private @Nullable ListenerOfField[] listeners = NO_LISTENERS;
   private int listenerCount;
   private long @Nullable [] sentIn;
@@ -184,9 +185,15 @@ public class Node implements NodeView {
 
   /** Makes observers look at a field again, without an event: what it leads to has changed. */
   public final void tellObservers(int field) {
+    changes++;
     for (int i = 0; i < observerCount; i++) {
       observers[i].changed(this, field);
     }
+  }
+
+  /** How often a field has got a new value, whether anybody observed it or not. */
+  public final int changes() {
+    return changes;
   }
 
   /** Whether a field sends its first event in that cascade; from now on it has. */

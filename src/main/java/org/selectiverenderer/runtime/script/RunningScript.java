@@ -304,7 +304,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     } else if (field.access() == FieldAccess.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
       accept(field, value);
       if (made.contains(to)) {
-        to.init(field.index(), value);
+        InstanceFace.replace(to, field.index(), value);
       } else {
         late(to, field);
         writes.add(to, field, value);

@@ -121,6 +121,11 @@ public final class TestWorld implements Assets {
   }
 
   @Override
+  public void asOf(Node node, int changes) {
+    // Meshes made by hand do not change.
+  }
+
+  @Override
   public void changed(Node node) {
     // Meshes made by hand do not change.
   }

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.IdentityHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -16,6 +17,7 @@ final class CountingAssets implements Assets {
   int meshes;
   int made;
   private final Map<Node, Mesh> kept = new IdentityHashMap<>();
+  private final Map<Node, Integer> changes = new IdentityHashMap<>();
 
   @Override
   public Optional<Mesh> mesh(Node geometry) {
@@ -52,6 +54,13 @@ final class CountingAssets implements Assets {
   @Override
   public boolean multiplies(Node texture) {
     return false;
+  }
+
+  @Override
+  public void asOf(Node node, int changes) {
+    if (!Objects.equals(this.changes.put(node, changes), changes)) {
+      changed(node);
+    }
   }
 
   @Override

@@ -185,21 +185,31 @@ final class AuthorPrograms {
             new Problem(
                 Problem.Severity.WARNING,
                 field.holder().location(),
-                ("the field %s of %s is an %s, of %s numbers each, but its program has %s in what"
-                        + " it calls so; the program's keeps its own value")
+                "the field %s of %s is an %s, %s; the program's keeps its own value"
                     .formatted(
-                        field.name(),
-                        field.holder(),
-                        field.type(),
-                        field.type().components(),
-                        uniform.components())));
+                        field.name(), field.holder(), field.type(), misfit(field, uniform))));
       }
     }
     return problems;
   }
 
+  private static String misfit(ProgramField field, AuthorProgram.Uniform uniform) {
+    return numbers(field)
+        ? "of %s numbers each, but its program has %s in what it calls so"
+            .formatted(field.type().components(), uniform.components())
+        : "and programs have numbers only";
+  }
+
   private static boolean fits(ProgramField field, AuthorProgram.Uniform uniform) {
-    return field.type().components() == uniform.components();
+    return numbers(field) && field.type().components() == uniform.components();
+  }
+
+  /** Whether a program can have its value: not a text, not an image. */
+  private static boolean numbers(ProgramField field) {
+    return switch (field.type()) {
+      case SFString, MFString, SFImage, MFImage -> false;
+      default -> true;
+    };
   }
 
   private static Map<String, ProgramField> fields(SurfaceProgram source) {
