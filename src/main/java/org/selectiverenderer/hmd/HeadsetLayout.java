@@ -5,12 +5,14 @@ import java.util.List;
 import java.util.Locale;
 import org.joml.Matrix4d;
 import org.joml.Quaterniondc;
+import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.DepthRange;
 import org.selectiverenderer.runtime.camera.EyeView;
+import org.selectiverenderer.runtime.camera.HiddenPart;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
@@ -31,6 +33,8 @@ public final class HeadsetLayout implements ViewLayout {
   public record EyeAt(Vector3dc position, Quaterniondc orientation, EyeFrustum frustum) {}
 
   private List<EyeAt> eyes = List.of();
+  private List<float[]> lenses = List.of();
+  private final List<Mask> masks = new ArrayList<>();
   private final double size;
   private boolean floor;
 
@@ -49,6 +53,45 @@ public final class HeadsetLayout implements ViewLayout {
   /** The eyes as they were told last; none before the first frame. */
   public List<EyeAt> eyes() {
     return eyes;
+  }
+
+  /** What a lens hides, in the picture of a frustum. */
+  private record Mask(EyeFrustum frustum, HiddenPart part) {}
+
+  /**
+   * What the lenses hide, the left one first, until it is told anew.
+   *
+   * @param told per eye x and y of each corner of triangles, as tangents of angles from its axis;
+   *     not written to; none when nobody knows
+   */
+  public void hidden(List<float[]> told) {
+    lenses = List.copyOf(told);
+    masks.clear();
+  }
+
+  /** What is hidden of an eye's picture; computed when lens or frustum change. */
+  private HiddenPart hidden(int eye, EyeFrustum frustum) {
+    if (eye >= lenses.size()) {
+      return HiddenPart.NONE;
+    }
+    while (masks.size() <= eye) {
+      masks.add(mask(masks.size(), frustum));
+    }
+    if (!masks.get(eye).frustum().equals(frustum)) {
+      masks.set(eye, mask(eye, frustum));
+    }
+    return masks.get(eye).part();
+  }
+
+  private Mask mask(int eye, EyeFrustum frustum) {
+    float[] lens = lenses.get(eye);
+    float[] corners = new float[lens.length];
+    for (int i = 0; i + 1 < lens.length; i += 2) {
+      Vector2d at = frustum.project(new Vector3d(lens[i], lens[i + 1], -1));
+      corners[i] = (float) at.x;
+      corners[i + 1] = (float) at.y;
+    }
+    return new Mask(frustum, new HiddenPart(corners));
   }
 
   /** Whether the heights that the runtime tells are above the user's floor. */
@@ -80,7 +123,8 @@ public final class HeadsetLayout implements ViewLayout {
                   0,
                   half,
                   height),
-              EyeView.Channel.ALL));
+              EyeView.Channel.ALL,
+              hidden(eye, at.frustum())));
     }
     return views;
   }

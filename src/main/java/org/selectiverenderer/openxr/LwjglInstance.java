@@ -15,6 +15,7 @@ import org.lwjgl.PointerBuffer;
 import org.lwjgl.openxr.EXTUserPresence;
 import org.lwjgl.openxr.KHRConvertTimespecTime;
 import org.lwjgl.openxr.KHROpenGLEnable;
+import org.lwjgl.openxr.KHRVisibilityMask;
 import org.lwjgl.openxr.XR10;
 import org.lwjgl.openxr.XrEventDataBuffer;
 import org.lwjgl.openxr.XrEventDataReferenceSpaceChangePending;
@@ -181,6 +182,8 @@ final class LwjglInstance implements XrInstance {
               ? new XrEvent.Other()
               : new XrEvent.Recentred();
       case XR10.XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED -> new XrEvent.ControllersChanged();
+      case KHRVisibilityMask.XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR ->
+          new XrEvent.MaskChanged();
       case EXTUserPresence.XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT ->
           new XrEvent.Presence(XrEventDataUserPresenceChangedEXT.create(at).isUserPresent());
       default -> new XrEvent.Other();

@@ -15,6 +15,7 @@ import java.util.Set;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.lwjgl.PointerBuffer;
+import org.lwjgl.openxr.KHRVisibilityMask;
 import org.lwjgl.openxr.XR10;
 import org.lwjgl.openxr.XrCompositionLayerProjection;
 import org.lwjgl.openxr.XrCompositionLayerProjectionView;
@@ -35,10 +36,13 @@ import org.lwjgl.openxr.XrSwapchainImageBaseHeader;
 import org.lwjgl.openxr.XrSwapchainImageOpenGLKHR;
 import org.lwjgl.openxr.XrSwapchainImageReleaseInfo;
 import org.lwjgl.openxr.XrSwapchainImageWaitInfo;
+import org.lwjgl.openxr.XrVector2f;
 import org.lwjgl.openxr.XrView;
 import org.lwjgl.openxr.XrViewLocateInfo;
 import org.lwjgl.openxr.XrViewState;
+import org.lwjgl.openxr.XrVisibilityMaskKHR;
 import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
 
 /** A real session. Handles are told as numbers, as those who use them know them. */
 final class LwjglSession implements XrSession {
@@ -316,6 +320,43 @@ final class LwjglSession implements XrSession {
         .angleUp((float) Math.atan(sight.top()));
     view.subImage().swapchain(swapchains.get(picture.swapchain()));
     view.subImage().imageRect().extent().set(picture.width(), picture.height());
+  }
+
+  @Override
+  public HiddenArea hidden(int eye) {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      XrVisibilityMaskKHR mask = XrVisibilityMaskKHR.calloc(stack).type$Default();
+      readMask(eye, mask);
+      int corners = mask.vertexCountOutput();
+      int indices = mask.indexCountOutput();
+      if (corners == 0 || indices == 0) {
+        return HiddenArea.NONE;
+      }
+      XrVector2f.Buffer points = XrVector2f.calloc(corners);
+      IntBuffer numbers = MemoryUtil.memCallocInt(indices);
+      try {
+        mask.vertices(points).vertexCapacityInput(corners);
+        mask.indices(numbers).indexCapacityInput(indices);
+        readMask(eye, mask);
+        float[] flat = new float[2 * indices];
+        for (int i = 0; i < indices; i++) {
+          XrVector2f point = points.get(numbers.get(i));
+          flat[2 * i] = point.x();
+          flat[2 * i + 1] = point.y();
+        }
+        return new HiddenArea(flat);
+      } finally {
+        points.free();
+        MemoryUtil.memFree(numbers);
+      }
+    }
+  }
+
+  private void readMask(int eye, XrVisibilityMaskKHR mask) {
+    int hidden = KHRVisibilityMask.XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR;
+    check(
+        "GetVisibilityMaskKHR",
+        KHRVisibilityMask.xrGetVisibilityMaskKHR(session, STEREO, eye, hidden, mask));
   }
 
   @Override

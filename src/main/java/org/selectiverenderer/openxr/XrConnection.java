@@ -7,12 +7,13 @@ import java.util.Set;
 /** A connection to a runtime that has a headset. */
 final class XrConnection implements AutoCloseable {
   static final String OPENGL = "XR_KHR_opengl_enable";
+  static final String MASK = "XR_KHR_visibility_mask";
   static final String PRESENCE = "XR_EXT_user_presence";
   static final String CLOCK = "XR_KHR_convert_timespec_time";
 
   /** Asked for where the runtime has them. */
   private static final Set<String> WANTED =
-      Set.of(OPENGL, PRESENCE, CLOCK, XrActions.GAZE, InteractionProfiles.HANDS);
+      Set.of(OPENGL, MASK, PRESENCE, CLOCK, XrActions.GAZE, InteractionProfiles.HANDS);
 
   private final XrInstance instance;
   private final Set<String> enabled;

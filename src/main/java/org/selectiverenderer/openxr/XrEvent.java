@@ -11,6 +11,9 @@ sealed interface XrEvent {
   /** The user has set another place or direction for the middle of the space. */
   record Recentred() implements XrEvent {}
 
+  /** Lenses hide something else ({@code XR_KHR_visibility_mask}). */
+  record MaskChanged() implements XrEvent {}
+
   /** Hands hold something else. */
   record ControllersChanged() implements XrEvent {}
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.openxr;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -83,6 +84,15 @@ public final class XrHeadset implements AutoCloseable {
   /** The size of an eye's picture; empty while the runtime is gone. */
   public Optional<PictureSize> size() {
     return Optional.ofNullable(sitting).map(known -> known.images().size());
+  }
+
+  /**
+   * What the lens of each eye hides, the left one's first; the same list until that changes.
+   *
+   * @return empty when nobody knows
+   */
+  public List<HiddenArea> hidden() {
+    return sitting == null ? List.of() : sitting.hidden();
   }
 
   /** How it does; any thread. */
@@ -177,6 +187,8 @@ public final class XrHeadset implements AutoCloseable {
       tell(HeadsetNews.Kind.RECENTRED, "the middle of the room was set anew");
     } else if (event instanceof XrEvent.Presence presence) {
       there = presence.there();
+    } else if (event instanceof XrEvent.MaskChanged) {
+      sat.readHidden();
     } else if (event instanceof XrEvent.ControllersChanged) {
       tell(HeadsetNews.Kind.CONTROLLERS, sat.controllers());
     }
@@ -318,18 +330,21 @@ public final class XrHeadset implements AutoCloseable {
         frame.filter(due -> due.lead() >= 0).map(due -> due.lead() * 1e-6).orElse(status.leadMs()));
   }
 
-  /** For people: {@code Monado 25.0.0, 90 Hz, 3 of 5400 frames missed}. */
+  /** For people: {@code Monado 25.0.0, 90 Hz, 3 of 5400 frames missed, pose 21 ms ahead}. */
   public static String describe(XrStatus status) {
     if (status.lost()) {
       return "headset: the runtime %s has gone".formatted(status.runtime());
     }
     return String.format(
         Locale.ROOT,
-        "headset: %s, %.0f Hz, %d of %d frames missed%s",
+        "headset: %s, %.0f Hz, %d of %d frames missed%s%s",
         status.runtime(),
         status.rate(),
         status.missed(),
         status.frames(),
+        status.leadMs() > 0
+            ? String.format(Locale.ROOT, ", pose %.0f ms ahead", status.leadMs())
+            : "",
         status.visible() ? "" : ", not seen");
   }
 

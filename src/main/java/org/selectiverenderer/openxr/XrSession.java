@@ -74,6 +74,9 @@ interface XrSession extends AutoCloseable {
    */
   void endFrame(long display, int blendMode, long space, List<EyePicture> pictures);
 
+  /** What an eye's lens hides; only where the extension is there. */
+  HiddenArea hidden(int eye);
+
   @Override
   void close();
 }

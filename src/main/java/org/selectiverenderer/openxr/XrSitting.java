@@ -14,6 +14,7 @@ final class XrSitting implements AutoCloseable {
   private final long head;
   private final long room;
   private final boolean floor;
+  private List<HiddenArea> hidden = List.of();
   private List<EyeSight> sights = List.of();
 
   /**
@@ -35,6 +36,7 @@ final class XrSitting implements AutoCloseable {
       room = session.space(floor ? XrSession.SpaceKind.STAGE : XrSession.SpaceKind.LOCAL);
       images = new EyeImages(session, size);
       actions.attach(session);
+      readHidden();
     } catch (XrFailure e) {
       session.close();
       throw e;
@@ -52,6 +54,19 @@ final class XrSitting implements AutoCloseable {
 
   EyeImages images() {
     return images;
+  }
+
+  /** Asks what the lenses hide, at first and when they are turned to another distance. */
+  void readHidden() {
+    hidden =
+        connection.has(XrConnection.MASK)
+            ? List.of(session.hidden(0), session.hidden(1))
+            : List.of();
+  }
+
+  /** What the lens of each eye hides, the left one's first; empty when nobody knows. */
+  List<HiddenArea> hidden() {
+    return hidden;
   }
 
   String controllers() {

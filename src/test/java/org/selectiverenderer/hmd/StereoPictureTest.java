@@ -3,6 +3,8 @@ package org.selectiverenderer.hmd;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.World;
@@ -206,6 +208,42 @@ class StereoPictureTest {
     checkEye(shot, eyes, Eye.RIGHT, new Vector3d(0.8, 0, -2), 0x00ff00);
     for (int column = HALF; column < WIDTH; column++) {
       assertThat(shot.rgb(column, HEIGHT / 2) & 0xff0000).isZero();
+    }
+  }
+
+  @Test
+  void whatTheLensesOfAHeadsetHideIsBlackAndAllElseAsEver() {
+    HeadsetLayout layout = new HeadsetLayout(1);
+    EyeFrustum frustum = new EyeFrustum(-1, 0.8, -0.9, 1);
+    layout.eyes(
+        List.of(
+            new HeadsetLayout.EyeAt(new Vector3d(-IPD / 2, 0, 0), new Quaterniond(), frustum),
+            new HeadsetLayout.EyeAt(new Vector3d(IPD / 2, 0, 0), new Quaterniond(), frustum)));
+    World world =
+        Scenes.world(
+            "<Background skyColor='0 0 1 1 0 1' skyAngle='1.5'/>"
+                + "<Viewpoint position='0 0 0'/><NavigationInfo headlight='false'/>"
+                + dot(new Vector3d(0, 0, -4), "0 1 0", 3.9));
+    Screenshot all = shot(world, layout);
+    // Only the lower left of the left eye's picture, up to the middle of its sides.
+    layout.hidden(List.of(new float[] {-1, -0.9f, -0.1f, -0.9f, -1, 0.05f}, new float[0]));
+    Screenshot masked = shot(world, layout);
+    for (int y = 2; y < HEIGHT; y += 7) {
+      for (int x = 2; x < WIDTH; x += 7) {
+        double side = x / (double) (HALF / 2) + y / (double) (HEIGHT / 2);
+        if (Math.abs(side - 1) > 0.01) {
+          assertThat(masked.rgb(x, y) & 0xffffff)
+              .as("pixel %d %d", x, y)
+              .isEqualTo(side < 1 ? 0 : all.rgb(x, y) & 0xffffff);
+        }
+      }
+    }
+  }
+
+  private static Screenshot shot(World world, HeadsetLayout layout) {
+    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, layout, Shading.AUTO)) {
+      view.draw(world);
+      return view.screenshot();
     }
   }
 }

@@ -38,6 +38,7 @@ final class FakeRuntime implements XrLoader {
   boolean known = true;
   boolean focused = true;
   boolean eyeGaze;
+  HiddenArea mask = new HiddenArea(new float[] {-1, -1.1f, 0, -1.1f, -1, 0});
   Optional<SpacePose> gaze = Optional.empty();
   long display = 1_000_000_000;
   long period = PERIOD;
@@ -296,6 +297,12 @@ final class FakeRuntime implements XrLoader {
       begun = false;
       shown = pictures;
       shownAt = at;
+    }
+
+    @Override
+    public HiddenArea hidden(int eye) {
+      call("GetVisibilityMaskKHR");
+      return mask;
     }
 
     @Override

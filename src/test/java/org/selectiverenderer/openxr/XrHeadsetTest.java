@@ -2,6 +2,7 @@ package org.selectiverenderer.openxr;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -257,7 +258,9 @@ class XrHeadsetTest {
     assertEquals(4, status.frames());
     assertEquals(2, status.missed());
     assertEquals(15, status.leadMs(), 1e-9);
-    assertEquals("headset: Fake 1.2.3, 100 Hz, 2 of 4 frames missed", XrHeadset.describe(status));
+    assertEquals(
+        "headset: Fake 1.2.3, 100 Hz, 2 of 4 frames missed, pose 15 ms ahead",
+        XrHeadset.describe(status));
   }
 
   @Test
@@ -310,6 +313,23 @@ class XrHeadsetTest {
     worn();
     assertTrue(runtime.profiles.contains("/interaction_profiles/oculus/touch_controller"));
     assertFalse(runtime.profiles.contains("/interaction_profiles/ext/hand_interaction_ext"));
+  }
+
+  @Test
+  void readsWhatTheLensesHideAndReadsItAgainWhenTheyChange() throws Exception {
+    assertTrue(worn().hidden().isEmpty());
+    runtime.extensions.add(XrConnection.MASK);
+    XrHeadset headset = worn();
+    List<HiddenArea> first = headset.hidden();
+    assertEquals(List.of(runtime.mask, runtime.mask), first);
+    headset.next();
+    headset.begin();
+    headset.end(false);
+    assertSame(first, headset.hidden());
+    runtime.mask = HiddenArea.NONE;
+    runtime.events.add(new XrEvent.MaskChanged());
+    headset.next();
+    assertEquals(List.of(HiddenArea.NONE, HiddenArea.NONE), headset.hidden());
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.figures;
 
 import java.lang.management.ManagementFactory;
+import java.util.Optional;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlInfo;
@@ -48,9 +49,14 @@ public final class FigureKeeper {
    * The figures so far.
    *
    * @param trackerSilence the longest time without a tracker's record, in seconds
+   * @param headset that it is shown in, if any
    */
   public RunFigures figures(
-      GlInfo gl, Shading shading, LatencyMeter latency, double trackerSilence) {
+      GlInfo gl,
+      Shading shading,
+      LatencyMeter latency,
+      double trackerSilence,
+      Optional<HeadsetFigures> headset) {
     return new RunFigures(
         loadMs,
         firstFrameMs,
@@ -62,6 +68,7 @@ public final class FigureKeeper {
         gl,
         shading,
         latency,
-        trackerSilence);
+        trackerSilence,
+        headset);
   }
 }

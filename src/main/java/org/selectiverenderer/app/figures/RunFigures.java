@@ -2,6 +2,7 @@ package org.selectiverenderer.app.figures;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
+import java.util.Optional;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
@@ -23,6 +24,7 @@ import org.selectiverenderer.tracker.LatencyMeter;
  * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
  * @param trackerSilence the longest time without a tracker's record, in seconds; 0 without a
  *     tracker
+ * @param headset that it was shown in, if any
  */
 public record RunFigures(
     double loadMs,
@@ -35,7 +37,8 @@ public record RunFigures(
     GlInfo gl,
     Shading shading,
     LatencyMeter latency,
-    double trackerSilence) {
+    double trackerSilence,
+    Optional<HeadsetFigures> headset) {
 
   /** The JSON object that the command line promises, the last line ended. */
   public String json() {
@@ -62,6 +65,7 @@ public record RunFigures(
     if (trackerSilence > 0) {
       node.put("tracker_silence_s", Rounded.to(2, trackerSilence));
     }
+    headset.ifPresent(worn -> worn.put(node.putObject("headset")));
     node.put("peak_rss_mb", Rounded.to(1, peakMegabytes));
     node.putObject("gl")
         .put("vendor", gl.vendor())

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.figures.HeadsetFigures;
 import org.selectiverenderer.hmd.EyeFrustum;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.hmd.HeadsetShown;
@@ -17,6 +18,7 @@ import org.selectiverenderer.openxr.EyeSight;
 import org.selectiverenderer.openxr.GraphicsBinding;
 import org.selectiverenderer.openxr.HeadsetNews;
 import org.selectiverenderer.openxr.HeadsetUnavailableException;
+import org.selectiverenderer.openxr.HiddenArea;
 import org.selectiverenderer.openxr.PictureSize;
 import org.selectiverenderer.openxr.Posture;
 import org.selectiverenderer.openxr.XrFrame;
@@ -26,6 +28,7 @@ import org.selectiverenderer.openxr.XrStatus;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.render.headset.ContextHandles;
 import org.selectiverenderer.runtime.render.headset.HeadsetScreen;
+import org.selectiverenderer.tracker.LatencyMeter;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.live.HandedTracker;
@@ -40,9 +43,11 @@ public final class HeadsetLink implements HeadsetScreen {
   private final HeadsetHands hands;
   private final PoseSample pose = new PoseSample();
   private final AtomicReference<XrStatus> status = new AtomicReference<>(XrStatus.NONE);
+  private final LatencyMeter lead = new LatencyMeter();
   private final List<HeadsetNews> news = new ArrayList<>();
   private Supplier<@Nullable HandedTracker> tracker = () -> null;
   private @Nullable XrHeadset headset;
+  private List<HiddenArea> hidden = List.of();
   private Optional<Vector3d> gaze = Optional.empty();
   private boolean leave;
 
@@ -91,6 +96,12 @@ public final class HeadsetLink implements HeadsetScreen {
   /** How it does, in a line for people; any thread. */
   public String described() {
     return XrHeadset.describe(status.get());
+  }
+
+  /** Its figures since it was opened: of all runs of a session together. */
+  public HeadsetFigures figures() {
+    XrStatus now = status.get();
+    return new HeadsetFigures(now.runtime(), now.rate(), now.frames(), now.missed(), lead);
   }
 
   /** What the controllers do. */
@@ -157,11 +168,22 @@ public final class HeadsetLink implements HeadsetScreen {
       }
       return Optional.empty();
     }
+    hide(open.hidden());
     take(frame.get(), fed, now);
     return open.size().map(size -> new Due(size.width(), size.height(), frame.get().drawn()));
   }
 
+  private void hide(List<HiddenArea> told) {
+    if (told != hidden) {
+      hidden = told;
+      shown.layout().hidden(told.stream().map(HiddenArea::corners).toList());
+    }
+  }
+
   private void take(XrFrame frame, @Nullable HandedTracker fed, long now) {
+    if (frame.lead() >= 0) {
+      lead.record(frame.lead());
+    }
     HeadsetLayout layout = shown.layout();
     layout.floor(frame.floor());
     layout.eyes(frame.eyes().stream().map(HeadsetLink::eye).toList());

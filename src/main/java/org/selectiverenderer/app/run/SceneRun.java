@@ -386,7 +386,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
     if (failure != null) {
       throw failure;
     }
-    return keeper.figures(gl, settings.display().shading(), head.latency(), head.longestSilence());
+    return keeper.figures(
+        gl,
+        settings.display().shading(),
+        head.latency(),
+        head.longestSilence(),
+        headset.map(HeadsetLink::figures));
   }
 
   /**

@@ -5,8 +5,14 @@ package org.selectiverenderer.runtime.camera;
  *
  * @param camera what is seen, and where in the target it is drawn
  * @param channel which buffers and colours it is drawn into
+ * @param hidden what nobody sees of it
  */
-public record EyeView(Camera camera, Channel channel) {
+public record EyeView(Camera camera, Channel channel, HiddenPart hidden) {
+  /** One of which all is seen. */
+  public EyeView(Camera camera, Channel channel) {
+    this(camera, channel, HiddenPart.NONE);
+  }
+
   /** Where a view's colours go. */
   public enum Channel {
     /** Into the target's usual buffer. */

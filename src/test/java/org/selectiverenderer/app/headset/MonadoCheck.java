@@ -45,6 +45,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
 final class MonadoCheck implements RunListener, SampleListener {
   private static final int FRAMES = 300;
   private static final int KILLED_AT = 150;
+  private static final int UNAVAILABLE = 75;
 
   /** A lit red square of 10 cm, two metres in front of the eyes of one who stands in the middle. */
   private static final Vector3d MARK = new Vector3d(0.1, 1.7, -2);
@@ -69,17 +70,23 @@ final class MonadoCheck implements RunListener, SampleListener {
   private final List<String> entered = new ArrayList<>();
   private @Nullable Process runtime;
 
-  /** Exits with 0 when all is as it must be. */
+  /** Exits with 0 when all is as it must be, with 75 when the runtime itself does not start. */
   public static void main(String[] args) throws Exception {
     LibraryProperties.set();
-    new MonadoCheck().check(Path.of(args[0]));
+    MonadoCheck check = new MonadoCheck();
+    try {
+      check.start();
+    } catch (IOException | IllegalStateException e) {
+      System.out.println("OpenXR: " + e.getMessage());
+      System.exit(UNAVAILABLE);
+    }
+    check.check(Path.of(args[0]));
     System.out.println("OpenXR: all is as it must be");
   }
 
   private void check(Path folder) throws Exception {
     Path scene = folder.resolve("openxr.x3d");
     Files.writeString(scene, SCENE.formatted(MARK.x, MARK.y, MARK.z));
-    start();
     try {
       RunSettings settings =
           new RunSettings(scene, SelectiveController.Settings.SELECTIVE)

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.HiddenPart;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -28,6 +29,7 @@ public final class SceneRenderer {
   private Portions portions = new Portions(false);
   private @Nullable DrawList list;
   private final BackdropPainter backdropPainter = new BackdropPainter();
+  private final HiddenPainter hiddenPainter = new HiddenPainter();
   private final Visible visible = new Visible();
   private final Culler culler = new Culler(visible);
   private final Occlusion occlusion = new Occlusion();
@@ -123,7 +125,7 @@ public final class SceneRenderer {
         near,
         (items, camera) -> {
           culler.cull(items, List.of(camera), null);
-          draw(gl, visible, camera, eyes.get(0), around);
+          draw(gl, visible, camera, eyes.get(0), around, HiddenPart.NONE);
         });
   }
 
@@ -142,10 +144,19 @@ public final class SceneRenderer {
 
   /** Draws into the camera's viewport, over what is there if the setting says so. */
   public void draw(GL3 gl, Visible seen, Camera camera, Setting setting) {
-    draw(gl, seen, camera, camera, setting);
+    draw(gl, seen, camera, setting, HiddenPart.NONE);
   }
 
-  private void draw(GL3 gl, Visible seen, Camera camera, Camera bearer, Setting setting) {
+  /** The same where nobody sees a part of the view: that becomes black. */
+  public void draw(GL3 gl, Visible seen, Camera camera, Setting setting, HiddenPart hidden) {
+    draw(gl, seen, camera, camera, setting, hidden);
+  }
+
+  /**
+   * @param bearer who carries the headlight
+   */
+  private void draw(
+      GL3 gl, Visible seen, Camera camera, Camera bearer, Setting setting, HiddenPart hidden) {
     boolean opaque =
         !setting.over() || setting.backdrop().map(b -> b.transparency() == 0).orElse(false);
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
@@ -157,6 +168,7 @@ public final class SceneRenderer {
       gl.glClear(GL.GL_DEPTH_BUFFER_BIT);
       setting.backdrop().ifPresent(backdrop -> backdropPainter.paintOver(gl, backdrop, camera));
     }
+    hiddenPainter.paint(gl, hidden);
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
@@ -216,5 +228,6 @@ public final class SceneRenderer {
       assets.dispose(gl);
     }
     backdropPainter.dispose(gl);
+    hiddenPainter.dispose(gl);
   }
 }

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.selectiverenderer.runtime.LayerView;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.camera.HiddenPart;
 import org.selectiverenderer.runtime.camera.LayerCamera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -85,14 +86,17 @@ final class LayersPainter {
    * Draws the layers of a view.
    *
    * @param view its number among the cameras
+   * @param hidden what nobody sees of it
    */
-  void draw(GL3 gl, int view) {
+  void draw(GL3 gl, int view, HiddenPart hidden) {
     Camera all = views.get(view);
     if (drawings.isEmpty() || !fills(drawings.get(0).cameras().get(view), all)) {
       SceneRenderer.blacken(gl, all);
     }
     for (Drawing drawing : drawings) {
-      drawing.renderer().draw(gl, drawing.seen(), drawing.cameras().get(view), drawing.setting());
+      Camera camera = drawing.cameras().get(view);
+      HiddenPart unseen = fills(camera, all) ? hidden : HiddenPart.NONE;
+      drawing.renderer().draw(gl, drawing.seen(), camera, drawing.setting(), unseen);
     }
   }
 

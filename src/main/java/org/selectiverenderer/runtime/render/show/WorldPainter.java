@@ -77,7 +77,7 @@ public final class WorldPainter {
       Camera camera = views.get(i).camera();
       direct(gl, views.get(i).channel());
       if (layout.showsWorld()) {
-        layers.draw(gl, i);
+        layers.draw(gl, i, views.get(i).hidden());
       }
       List<Mark> marks = layout.marks(i, camera.width(), camera.height());
       sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());

@@ -1,0 +1,72 @@
+package org.selectiverenderer.runtime.render.draw;
+
+import com.jogamp.common.nio.Buffers;
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.runtime.camera.HiddenPart;
+import org.selectiverenderer.runtime.render.gpu.Program;
+
+/**
+ * Puts black triangles before everything else where nobody sees a view, so that the depth test
+ * spares what would be drawn there. Belongs to the thread that owns the context.
+ */
+final class HiddenPainter {
+  private @Nullable Program program;
+  private int vertexArray;
+  private int buffer;
+
+  /** Draws into the viewport, which was just cleared. */
+  void paint(GL3 gl, HiddenPart hidden) {
+    float[] corners = hidden.corners();
+    if (corners.length == 0) {
+      return;
+    }
+    Program used = start(gl);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    gl.glDepthFunc(GL.GL_ALWAYS);
+    gl.glDisable(GL.GL_CULL_FACE);
+    used.use(gl);
+    gl.glBindVertexArray(vertexArray);
+    gl.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer);
+    gl.glBufferData(
+        GL.GL_ARRAY_BUFFER,
+        (long) Float.BYTES * corners.length,
+        Buffers.newDirectFloatBuffer(corners),
+        GL.GL_DYNAMIC_DRAW);
+    gl.glDrawArrays(GL.GL_TRIANGLES, 0, corners.length / 2);
+    gl.glBindVertexArray(0);
+  }
+
+  private Program start(GL3 gl) {
+    Program known = program;
+    if (known != null) {
+      return known;
+    }
+    Program made = new Program(gl, "hidden", List.of());
+    int[] ids = new int[2];
+    gl.glGenVertexArrays(1, ids, 0);
+    gl.glGenBuffers(1, ids, 1);
+    vertexArray = ids[0];
+    buffer = ids[1];
+    gl.glBindVertexArray(vertexArray);
+    gl.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer);
+    gl.glEnableVertexAttribArray(0);
+    gl.glVertexAttribPointer(0, 2, GL.GL_FLOAT, false, 2 * Float.BYTES, 0);
+    gl.glBindVertexArray(0);
+    program = made;
+    return made;
+  }
+
+  /** Frees what it has on the graphics card. */
+  void dispose(GL3 gl) {
+    Program known = program;
+    if (known != null) {
+      known.dispose(gl);
+      gl.glDeleteVertexArrays(1, new int[] {vertexArray}, 0);
+      gl.glDeleteBuffers(1, new int[] {buffer}, 0);
+      program = null;
+    }
+  }
+}
