@@ -189,6 +189,7 @@ final class ShownSteps implements WindowChain.Runs {
                     news.text(),
                     "mono",
                     Rounded.to(6, System.nanoTime() * 1e-9)));
+        quality.check(step, news);
         show.listener().headset(news);
       }
 
