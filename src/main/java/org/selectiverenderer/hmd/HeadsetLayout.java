@@ -104,9 +104,14 @@ public final class HeadsetLayout implements ViewLayout {
     return floor;
   }
 
+  /** The scene's units for a metre of the user. */
+  public double unitsPerMetre(World world) {
+    return size * StereoLayout.unitsPerMetre(world);
+  }
+
   @Override
   public List<EyeView> views(World world, int width, int height, DepthRange range) {
-    double scale = size * StereoLayout.unitsPerMetre(world);
+    double scale = unitsPerMetre(world);
     int half = width / 2;
     List<EyeView> views = new ArrayList<>();
     for (int eye = 0; eye < eyes.size(); eye++) {

@@ -11,7 +11,8 @@
  * <p>{@link org.selectiverenderer.app.headset.HeadsetLink} is found before anything opens, so that
  * a headset that is not there ends the run with one line. All else happens on the thread {@code
  * headset}, which steps the world. Whoever asks the user something reads {@link
- * org.selectiverenderer.app.headset.HeadsetAnswer}s. Uses {@code openxr}, {@code hmd}, {@code
+ * org.selectiverenderer.app.headset.HeadsetAnswer}s, and has what is to be read stand where {@link
+ * org.selectiverenderer.app.headset.PanelPlace} says. Uses {@code openxr}, {@code hmd}, {@code
  * tracker}, {@code runtime} with its renderer and {@code experiment.headlog} for rooms.
  */
 @NullMarked

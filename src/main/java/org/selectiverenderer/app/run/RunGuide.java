@@ -1,8 +1,10 @@
 package org.selectiverenderer.app.run;
 
 import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.app.headset.HeadsetAnswer;
 import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
@@ -88,6 +90,11 @@ public interface RunGuide {
   /** How dark the picture is made: 0 not at all, 1 black. */
   default double darkness(double seconds) {
     return 0;
+  }
+
+  /** What the user of a headset is to read; only asked where he sees it. */
+  default Optional<Panel> panel() {
+    return Optional.empty();
   }
 
   /**

@@ -27,6 +27,7 @@ import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.openxr.HeadsetButton;
 import org.selectiverenderer.openxr.HeadsetNews;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
@@ -340,6 +341,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   @Override
   public double darkness() {
     return guide.darkness(time.seconds());
+  }
+
+  @Override
+  public Optional<Panel> panel() {
+    return guide.panel();
   }
 
   @Override

@@ -14,6 +14,7 @@ import org.selectiverenderer.app.headset.HeadsetLink;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
@@ -207,6 +208,11 @@ public final class WindowChain implements WorldHost {
   @Override
   public double darkness() {
     return current == null ? 1 : current.darkness();
+  }
+
+  @Override
+  public Optional<Panel> panel() {
+    return current == null ? Optional.empty() : current.panel();
   }
 
   @Override

@@ -83,7 +83,7 @@ public final class SessionRunner {
         if (session.refused()) {
           return Outcome.REFUSED;
         }
-      } else if (step instanceof SessionStep.Questions questions) {
+      } else if (step instanceof SessionStep.Questions questions && !shown.shows(step)) {
         session.began(step, false);
         if (dialogue.questions(session, questions, controls)) {
           session.finished(step, Map.of());

@@ -54,7 +54,13 @@ final class ShownSteps implements WindowChain.Runs {
   }
 
   private Optional<SessionStep> upcoming() {
-    return session.remaining().stream().findFirst().filter(SessionStep::shows);
+    return session.remaining().stream().findFirst().filter(this::shows);
+  }
+
+  /** Whether it is shown in the windows of the chain: a scene, or questions inside the headset. */
+  boolean shows(SessionStep step) {
+    return step.shows()
+        || show.presentation().headset().isPresent() && session.material().insideHeadset(step);
   }
 
   /** Whether there is a scene to be shown next. */
@@ -68,11 +74,31 @@ final class ShownSteps implements WindowChain.Runs {
     if (step.isEmpty() || controls.aborted()) {
       return Optional.empty();
     }
+    if (step.get() instanceof SessionStep.Questions questions) {
+      return Optional.of(asking(questions));
+    }
     Path log = session.headLog(step.get());
     session.began(step.get(), true);
-    RunListener listener = listener(step.get(), log);
+    RunListener listener = listener(step.get(), Optional.of(log));
     return Optional.of(
-        new GuidedRun(settings(step.get(), log), listener, guide(step.get(), listener)));
+        new GuidedRun(
+            settings(step.get(), scene(step.get()), Optional.of(new HeadLogSettings(log))),
+            listener,
+            guide(step.get(), listener)));
+  }
+
+  private GuidedRun asking(SessionStep.Questions step) throws IOException {
+    session.began(step, false);
+    Study study = session.material().study();
+    return new GuidedRun(
+        settings(step, session.material().scenery().orElseThrow(), Optional.empty()),
+        listener(step, Optional.empty()),
+        new QuestionGuide(
+            session,
+            step,
+            controls,
+            show.presentation().headset().orElseThrow().layout(),
+            study.practice().isEmpty()));
   }
 
   private StepGuide guide(SessionStep step, RunListener listener) {
@@ -100,12 +126,14 @@ final class ShownSteps implements WindowChain.Runs {
         listener::problem);
   }
 
-  private RunSettings settings(SessionStep step, Path log) throws IOException {
+  private Path scene(SessionStep step) {
+    return step instanceof SessionStep.Practice practice
+        ? practice.practice().scene()
+        : session.material().study().scene().orElseThrow();
+  }
+
+  private RunSettings settings(SessionStep step, Path scene, Optional<HeadLogSettings> log) {
     Study study = session.material().study();
-    Path scene =
-        step instanceof SessionStep.Practice practice
-            ? practice.practice().scene()
-            : study.scene().orElseThrow();
     Study.Display display = study.display();
     int width = display.width() > 0 ? display.width() : show.presentation().width();
     int height = display.height() > 0 ? display.height() : show.presentation().height();
@@ -114,14 +142,14 @@ final class ShownSteps implements WindowChain.Runs {
             scene,
             new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
         .allowing(study.access())
-        .muted(study.mute())
+        .muted(study.mute() || step instanceof SessionStep.Questions)
         .with(MotionSettings.walking(study.mouse()))
         .with(
             DisplaySettings.of(presentation)
                 .filling(width, height)
                 .operator(show.operator())
                 .operatorOn(show.stage().monitor()))
-        .with(show.tracker(session.tracker()), Optional.of(new HeadLogSettings(log)));
+        .with(show.tracker(session.tracker()), log);
   }
 
   /** The seed of the random condition: each participant has a lot of his own, always the same. */
@@ -129,13 +157,13 @@ final class ShownSteps implements WindowChain.Runs {
     return session.material().study().seed() * 31 + session.folder().participant().hashCode();
   }
 
-  private RunListener listener(SessionStep step, Path log) {
+  private RunListener listener(SessionStep step, Optional<Path> log) {
     TimelineJson lines = new TimelineJson();
     return new RunListener() {
       @Override
       public void problem(Problem problem) {
         session.journal().tell("problem", Map.of("step", step.id(), "text", problem.toString()));
-        if (problem.location().file().equals(log.toString())) {
+        if (log.filter(file -> problem.location().file().equals(file.toString())).isPresent()) {
           brokenLogs.add(step.id()); // The log's thread says so before the log is closed.
         }
         show.listener().problem(problem);
@@ -161,6 +189,7 @@ final class ShownSteps implements WindowChain.Runs {
                     news.text(),
                     "mono",
                     Rounded.to(6, System.nanoTime() * 1e-9)));
+        quality.check(step, news);
         show.listener().headset(news);
       }
 
@@ -195,6 +224,15 @@ final class ShownSteps implements WindowChain.Runs {
       return;
     }
     SessionStep step = upcoming().orElseThrow();
+    if (run.guide() instanceof QuestionGuide asked) {
+      asked.told().check();
+      if (asked.through()) {
+        session.finished(step, Map.of());
+      } else {
+        controls.abort();
+      }
+      return;
+    }
     Map<String, Object> more = new LinkedHashMap<>();
     more.put("condition", run.settings().scene().rendering().condition().spelling());
     more.put("lot", run.settings().scene().rendering().seed());

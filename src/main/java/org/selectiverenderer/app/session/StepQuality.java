@@ -15,6 +15,7 @@ import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.StudyQuality;
+import org.selectiverenderer.openxr.HeadsetNews;
 
 /** Flags a session whose exposure was not shown as the study asks for, by the run's figures. */
 final class StepQuality {
@@ -52,6 +53,16 @@ final class StepQuality {
           step,
           Map.of("seconds", Rounded.to(2, silence)),
           String.format(Locale.ROOT, "the tracker was silent for %.1f s", silence));
+    }
+  }
+
+  /** Something became of the headset while a step was shown. */
+  void check(SessionStep step, HeadsetNews news) {
+    boolean gone =
+        news.kind() == HeadsetNews.Kind.AWAY || news.kind() == HeadsetNews.Kind.LOST;
+    if (gone && step instanceof SessionStep.Exposure) {
+      String what = news.kind().name().toLowerCase(Locale.ROOT);
+      flag(SessionFlag.HEADSET_LOST, step, Map.of("what", what), news.text());
     }
   }
 

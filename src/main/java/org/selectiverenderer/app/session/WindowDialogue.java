@@ -47,7 +47,7 @@ public final class WindowDialogue implements SessionDialogue {
   @Override
   public Optional<String> form(Session session, OperatorControls controls) throws IOException {
     SessionStep step = new SessionStep.Form();
-    AnswersOfWindow answers = new AnswersOfWindow(session, step);
+    ToldAnswers answers = new ToldAnswers(session, step);
     return ask(session, step, controls, answers, true)
         ? Optional.of(session.questionnaire(step).set(Question.Sets.AGE, answers.all()).orElse(""))
         : Optional.empty();
@@ -56,7 +56,7 @@ public final class WindowDialogue implements SessionDialogue {
   @Override
   public boolean questions(Session session, SessionStep.Questions step, OperatorControls controls)
       throws IOException {
-    return ask(session, step, controls, new AnswersOfWindow(session, step), false);
+    return ask(session, step, controls, new ToldAnswers(session, step), false);
   }
 
   /**
@@ -69,7 +69,7 @@ public final class WindowDialogue implements SessionDialogue {
       Session session,
       SessionStep step,
       OperatorControls controls,
-      AnswersOfWindow answers,
+      ToldAnswers answers,
       boolean mayRefuse)
       throws IOException {
     boolean through =

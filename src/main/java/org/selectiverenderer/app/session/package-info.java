@@ -8,6 +8,11 @@
  * what the operator reads. JOGL begins while Java is headless, then Swing is let in: the two keep X
  * connections of their own.
  *
+ * <p>With a headset, questions may be a run of the same chain: {@link
+ * org.selectiverenderer.app.session.QuestionGuide} lets buttons answer and gives what is to be
+ * read, which {@link org.selectiverenderer.app.session.QuestionSheet} lays out. Where the
+ * participant is in them is {@code experiment.questionnaire}'s, for windows and headset alike.
+ *
  * <p>In: a {@link org.selectiverenderer.experiment.session.Session} begun or resumed, and a {@link
  * org.selectiverenderer.app.session.SessionDialogue}, which asks participant and experimenter. Out:
  * the session's files, and how it ended. Uses {@code app.run} with its settings and figures, {@code

@@ -14,13 +14,18 @@
  * sorts: options to choose from, and a line to write on. Windows, paper and what was typed in from
  * it know the fields and no kinds; so a new kind changes none of them.
  *
+ * <p>Where a participant is in a questionnaire is {@link
+ * org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse}, whatever shows it; {@link
+ * org.selectiverenderer.experiment.questionnaire.ButtonCourse} answers it by two buttons and a
+ * stick.
+ *
  * <p>{@code questionnaire.read} makes questionnaires of files; {@code questionnaire.paper} prints
  * them and reads what was typed in.
  *
  * <p>In: texts in the study's language, the words of the program itself ({@link
  * org.selectiverenderer.experiment.questionnaire.Wording}), answers. Out: what is to be asked next,
  * and {@code responses.csv}, {@code ratings.csv}, {@code answers.csv} and {@code scores.csv} as
- * rows. All values are immutable.
+ * rows. All values are immutable, the two courses are not.
  *
  * <p>Uses {@code statistics.data} and {@code statistics.detection} for the columns of answers about
  * memory, and {@code base}. No GL, no AWT.

@@ -17,6 +17,8 @@ public enum SessionFlag {
   TRACKER_ABSENT("without the study's tracker"),
   /** The tracker fell silent during an exposure for longer than the study allows. */
   TRACKER_LOST("tracker silent"),
+  /** The headset was taken off, or its runtime was gone, during an exposure. */
+  HEADSET_LOST("headset taken off or lost"),
   /** An exposure had fewer frames per second than the study asks for. */
   LOW_FRAME_RATE("too few frames per second"),
   /** The head log of a step lacks frames. */

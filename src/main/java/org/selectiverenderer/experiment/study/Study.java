@@ -106,10 +106,11 @@ public record Study(
    * @param seated whether the participant sits, so that the eyes are at the scene's height
    * @param scale how large the participant is in the scene: 1 for as large as people are
    * @param turn degrees by which a controller's stick turns at once; 0 to turn smoothly
+   * @param asked whether questions are asked inside the headset, where they can be
    */
-  public record Worn(boolean seated, double scale, double turn) {
+  public record Worn(boolean seated, double scale, double turn, boolean asked) {
     /** Standing, as large as people are. */
-    public static final Worn STANDING = new Worn(false, 1, 30);
+    public static final Worn STANDING = new Worn(false, 1, 30, false);
   }
 
   /** The folder that the study file lies in; sessions go there. */

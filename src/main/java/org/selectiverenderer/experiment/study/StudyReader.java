@@ -278,7 +278,7 @@ public final class StudyReader {
   }
 
   private static Study.Worn worn(JsonMembers display, DisplayMode mode) {
-    for (String key : List.of("posture", "user_scale", "turn")) {
+    for (String key : List.of("posture", "user_scale", "turn", "questions")) {
       if (display.has(key) && mode != DisplayMode.OPENXR) {
         display.fault(key, "\"%s\" needs \"mode\": \"openxr\"".formatted(key));
       }
@@ -289,7 +289,9 @@ public final class StudyReader {
     return new Study.Worn(
         seated,
         display.number("user_scale", 0.01, 100, Study.Worn.STANDING.scale()),
-        display.number("turn", 0, 180, Study.Worn.STANDING.turn()));
+        display.number("turn", 0, 180, Study.Worn.STANDING.turn()),
+        display.choice(
+            "questions", List.of(false, true), each -> each ? "headset" : "desk", false));
   }
 
   private TrackerSpec tracker(JsonMembers keys) {

@@ -19,42 +19,31 @@ import javax.swing.SwingUtilities;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
  * The questions of a page. Keys answer the row that is marked; when it is complete, the next one
- * that is not is marked. Measures how long each question has been in view when it is answered.
+ * that is not is marked. Sees when each question comes into view.
  */
 final class PagePanel implements QuestionRow.Listener {
-  /** Hears what becomes of the page. */
-  interface Listener {
-    /**
-     * A question is answered; the answers of the page so far count it.
-     *
-     * @param settled whether it is to be kept
-     * @param milliseconds since it came into view
-     * @param place on the page, from 1
-     */
-    void answered(Question question, Answer answer, boolean settled, long milliseconds, int place);
-  }
-
   private final Page page;
-  private final Map<String, Answer> answers;
-  private final Listener listener;
+  private final QuestionnaireCourse course;
+  private final Runnable answered;
   private final List<QuestionRow> rows = new ArrayList<>();
-  private final Map<QuestionRow, Long> seen = new HashMap<>();
   private final Map<QuestionRow, Long> typed = new HashMap<>();
   private final JScrollPane scroll;
   private int current;
 
   /**
-   * @param answers to the whole questionnaire so far; kept up to date here
+   * @param course told of answers and of what is in view
    * @param width in pixels that there is for rows
+   * @param answered done after each answer, and while one is typed
    */
-  PagePanel(Page page, Map<String, Answer> answers, Wording wording, int width, Listener listener) {
+  PagePanel(Page page, QuestionnaireCourse course, Wording wording, int width, Runnable answered) {
     this.page = page;
-    this.answers = answers;
-    this.listener = listener;
+    this.course = course;
+    this.answered = answered;
     JPanel list = new JPanel();
     list.setOpaque(false);
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
@@ -62,13 +51,7 @@ final class PagePanel implements QuestionRow.Listener {
     for (Question question : page.questions()) {
       int number = rows.size();
       QuestionRow row =
-          new QuestionRow(
-              question,
-              answers.getOrDefault(question.id(), Answer.NONE),
-              wording,
-              shape,
-              width,
-              this);
+          new QuestionRow(question, course.answer(question), wording, shape, width, this);
       row.panel()
           .addMouseListener(
               new MouseAdapter() {
@@ -119,7 +102,7 @@ final class PagePanel implements QuestionRow.Listener {
 
   /** Shows the rows that are asked after the answers so far, and no others. */
   private void ask() {
-    List<Question> asked = page.asked(answers);
+    List<Question> asked = page.asked(course.answers());
     rows.forEach(row -> row.panel().setVisible(asked.contains(row.question())));
     scroll.revalidate();
     SwingUtilities.invokeLater(this::look);
@@ -130,7 +113,6 @@ final class PagePanel implements QuestionRow.Listener {
     if (!scroll.isShowing()) {
       return;
     }
-    long now = System.nanoTime();
     Rectangle view = scroll.getViewport().getViewRect();
     for (QuestionRow row : rows) {
       Rectangle place =
@@ -139,29 +121,22 @@ final class PagePanel implements QuestionRow.Listener {
       Rectangle visible = view.intersection(place);
       boolean half = !visible.isEmpty() && 2 * visible.height >= place.height;
       if (row.panel().isVisible() && half) {
-        seen.putIfAbsent(row, now);
+        course.saw(row.question());
       }
     }
   }
 
-  private List<QuestionRow> shown() {
-    return rows.stream().filter(row -> row.panel().isVisible()).toList();
-  }
-
   @Override
   public void answered(QuestionRow row, Answer answer, boolean settled) {
-    answers.put(row.question().id(), answer);
     long now = System.nanoTime();
     // A text is answered when its last letter is typed, not when the typing has rested.
     long at = settled ? Optional.ofNullable(typed.remove(row)).orElse(now) : now;
     if (!settled) {
       typed.put(row, now);
     }
-    long since = seen.computeIfAbsent(row, first -> at);
-    int place = shown().indexOf(row) + 1;
+    course.answer(row.question(), answer, settled, at);
     ask();
-    listener.answered(
-        row.question(), answer, settled, Math.max(0, (at - since) / 1_000_000), place);
+    answered.run();
     if (settled && !row.takesText()) {
       int number = rows.indexOf(row);
       mark(row.answered() && row.settlesAtOnce() ? firstOpen(number) : number);
@@ -251,20 +226,5 @@ final class PagePanel implements QuestionRow.Listener {
   /** Tells of what was typed and not yet told. */
   void settle() {
     rows.forEach(QuestionRow::settle);
-  }
-
-  /** Rows that are asked. */
-  int count() {
-    return shown().size();
-  }
-
-  /** Rows that are asked and still needed. */
-  int open() {
-    return (int) shown().stream().filter(row -> !row.complete()).count();
-  }
-
-  /** Whether an answer forbids to take part. */
-  boolean refuses() {
-    return shown().stream().anyMatch(QuestionRow::refuses);
   }
 }

@@ -191,19 +191,9 @@ final class QuestionRow {
     views.forEach(FieldView::settle);
   }
 
-  /** Whether one may go on as far as it is concerned. */
-  boolean complete() {
-    return question.complete(answer, wording);
-  }
-
   /** Whether nothing more can be answered: one that may be left out is open until it is. */
   boolean answered() {
-    return complete() && !answer.equals(Answer.NONE);
-  }
-
-  /** Whether the answer forbids to take part. */
-  boolean refuses() {
-    return question.refuses(answer);
+    return question.complete(answer, wording) && !answer.equals(Answer.NONE);
   }
 
   Question question() {

@@ -11,7 +11,6 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -25,8 +24,8 @@ import javax.swing.text.JTextComponent;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
 import org.selectiverenderer.experiment.questionnaire.Page;
-import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
@@ -58,52 +57,31 @@ public final class QuestionnaireWindow {
     }
   }
 
-  /** Hears, on Swing's thread, what happens. */
-  public interface Listener {
-    /** A page is on the screen. */
-    void shown(Page page, List<Question> asked);
-
-    /**
-     * An answer, or a change of one.
-     *
-     * @param milliseconds since the question came into view
-     * @param place of it on its page, from 1
-     */
-    void answered(Question question, Answer answer, long milliseconds, int place);
-  }
-
   private final Asking asking;
-  private final Listener listener;
   private final Consumer<Boolean> done;
-  private final Map<String, Answer> answers;
+  private final QuestionnaireCourse course;
   private final DesktopPlace desk;
   private final JFrame frame;
   private final JPanel middle = new JPanel(new BorderLayout());
   private final PageFoot foot;
   private final KeyEventDispatcher keys = this::key;
-  private Page page;
   private PagePanel panel;
 
   private QuestionnaireWindow(
       Asking asking,
-      Listener listener,
+      QuestionnaireCourse.Listener listener,
       SessionEnd sessionEnd,
       DesktopPlace desk,
       Consumer<Boolean> done) {
     this.asking = asking;
     this.desk = desk;
     frame = new JFrame(desk.configuration());
-    this.listener = listener;
     this.done = done;
-    answers = new HashMap<>(asking.known());
+    course =
+        new QuestionnaireCourse(
+            asking.questionnaire(), asking.wording(), asking.known(), asking.from(), listener);
     foot = new PageFoot(asking.wording(), this::back, this::goOn);
-    List<Page> shown = shown();
-    page =
-        shown.stream()
-            .filter(each -> asking.from().equals(Optional.of(each.id())))
-            .findFirst()
-            .orElse(shown.get(0));
-    panel = make(page);
+    panel = make(course.page());
     JPanel south = new JPanel(new BorderLayout());
     south.add(foot.component(), BorderLayout.CENTER);
     if (asking.mayRefuse()) {
@@ -140,12 +118,15 @@ public final class QuestionnaireWindow {
   /**
    * Asks, and waits until all is answered or the session ends.
    *
-   * @param listener hears of every page, every answer and every change of one
+   * @param listener hears of every page, every answer and every change of one, on Swing's thread
    * @param desk the monitor that the participant answers at
    * @return whether all was answered and the participant went on
    */
   public static boolean ask(
-      Asking asking, Listener listener, SessionEnd sessionEnd, DesktopPlace desk) {
+      Asking asking,
+      QuestionnaireCourse.Listener listener,
+      SessionEnd sessionEnd,
+      DesktopPlace desk) {
     AtomicBoolean through = new AtomicBoolean();
     Waiting.on(
         finished ->
@@ -160,10 +141,6 @@ public final class QuestionnaireWindow {
                     })
                 .frame);
     return through.get();
-  }
-
-  private List<Page> shown() {
-    return asking.questionnaire().shown(answers);
   }
 
   /** One size for all pages: that of the tallest, as far as the screen goes. */
@@ -193,10 +170,11 @@ public final class QuestionnaireWindow {
   }
 
   private PagePanel make(Page which) {
-    return new PagePanel(which, answers, asking.wording(), WIDTH - 80, this::answered);
+    return new PagePanel(which, course, asking.wording(), WIDTH - 80, this::count);
   }
 
   private void lay() {
+    Page page = course.page();
     middle.removeAll();
     int width = frame.getWidth();
     middle.add(
@@ -210,44 +188,38 @@ public final class QuestionnaireWindow {
     middle.repaint();
     count();
     panel.begin();
-    listener.shown(page, page.asked(answers));
-  }
-
-  private void answered(
-      Question question, Answer answer, boolean settled, long milliseconds, int place) {
-    if (settled) {
-      listener.answered(question, answer, milliseconds, place);
-    }
-    count();
+    course.begin();
   }
 
   private void count() {
-    List<Page> shown = shown();
     foot.show(
-        shown.indexOf(page),
-        shown.size(),
-        panel.open(),
-        panel.count(),
-        panel.refuses(),
-        page.questions().isEmpty() ? "" : hint(),
+        course.number(),
+        course.pages().size(),
+        course.open(),
+        course.asked().size(),
+        course.refuses(),
+        course.page().questions().isEmpty() ? "" : hint(),
         asking.mayRefuse());
   }
 
   private String hint() {
     Wording wording = asking.wording();
     List<String> kinds =
-        page.questions().stream().map(question -> question.kind().spelling()).distinct().toList();
+        course.page().questions().stream()
+            .map(question -> question.kind().spelling())
+            .distinct()
+            .toList();
     String keysOf =
         wording.filled(
             "keys",
             kinds.size() == 1 ? wording.of("keys." + kinds.get(0)) : wording.of("keys.mixed"));
     boolean lines =
-        page.questions().stream()
+        course.page().questions().stream()
             .flatMap(question -> question.kind().fields(wording).stream())
             .anyMatch(field -> field instanceof AnswerField.Line line && line.lines() > 1);
     return keysOf
         + (lines ? " " + wording.of("keys.lines") : "")
-        + (shown().size() > 1 ? " " + wording.of("keys.back") : "");
+        + (course.pages().size() > 1 ? " " + wording.of("keys.back") : "");
   }
 
   private boolean key(KeyEvent event) {
@@ -274,31 +246,24 @@ public final class QuestionnaireWindow {
   }
 
   private void back() {
-    int at = shown().indexOf(page);
-    if (at > 0) {
-      turn(shown().get(at - 1));
-    }
+    turn(-1);
   }
 
   private void goOn() {
     panel.settle();
-    if (panel.open() > 0 || panel.refuses()) {
-      return;
-    }
-    List<Page> shown = shown();
-    int at = shown.indexOf(page);
-    if (at + 1 < shown.size()) {
-      turn(shown.get(at + 1));
-    } else {
+    if (course.mayGoOn() && !turn(1)) {
       end(true);
     }
   }
 
-  private void turn(Page to) {
+  private boolean turn(int by) {
     panel.settle();
-    page = to;
-    panel = make(page);
-    lay();
+    boolean turned = course.turn(by);
+    if (turned) {
+      panel = make(course.page());
+      lay();
+    }
+    return turned;
   }
 
   private void end(boolean complete) {

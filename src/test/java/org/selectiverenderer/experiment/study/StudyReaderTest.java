@@ -77,6 +77,23 @@ class StudyReaderTest {
   }
 
   @Test
+  void questionsAreAskedInsideAHeadsetOnly() throws IOException {
+    String study =
+        """
+        {"name": "Rooms", "conditions": ["selective"], "participants": 1,
+         "display": {"mode": "%s", "questions": "headset"},
+         "questionnaires": [{"template": "sus"}]}
+        """;
+    assertThat(problems(study.formatted("window")))
+        .singleElement()
+        .asString()
+        .contains("\"questions\" needs \"mode\": \"openxr\"");
+    assertThat(problems(study.formatted("openxr"))).isEmpty();
+    assertThat(StudyReader.read(file, new Problems()).orElseThrow().display().worn().asked())
+        .isTrue();
+  }
+
+  @Test
   void thePilotStudyShowsNothingAndAsksAboutExpectancy() throws IOException {
     Study pilot =
         StudyReader.read(folder.resolve("pilot/study.json"), new Problems()).orElseThrow();

@@ -27,6 +27,7 @@ import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 import org.selectiverenderer.testing.OpenWindow;
@@ -111,7 +112,7 @@ abstract class SessionWindowFixture {
             QuestionnaireWindow.ask(
                 new QuestionnaireWindow.Asking(
                     asked, material.wording(), "007", Map.of(), Optional.empty(), mayRefuse),
-                new QuestionnaireWindow.Listener() {
+                new QuestionnaireCourse.Listener() {
                   @Override
                   public void shown(Page page, List<Question> questions) {
                     pages.add(page.id());

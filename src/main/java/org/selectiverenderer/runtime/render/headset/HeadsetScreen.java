@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.render.headset;
 
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.selectiverenderer.runtime.camera.DepthRange;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
@@ -10,6 +11,9 @@ import org.selectiverenderer.runtime.camera.ViewLayout;
  * until it is back.
  */
 public interface HeadsetScreen extends AutoCloseable {
+  /** Depths, in the scene's units, between which there may be something to be read. */
+  DepthRange READING = new DepthRange(1e-3, 1e6);
+
   /** Begins to show; once, before everything else. */
   void open(ContextHandles handles);
 

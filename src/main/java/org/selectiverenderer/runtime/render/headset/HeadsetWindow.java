@@ -10,8 +10,11 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.EyeView;
 import org.selectiverenderer.runtime.camera.MirrorSide;
+import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
@@ -21,6 +24,7 @@ import org.selectiverenderer.runtime.render.show.Veil;
 import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.show.WorldPainter;
 import org.selectiverenderer.runtime.render.show.WorldScreen;
+import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.RenderWindow;
 import org.selectiverenderer.runtime.render.window.SideWindow;
@@ -138,6 +142,7 @@ public final class HeadsetWindow implements WorldScreen {
     private final WorldPainter painter;
     private final EyePictures eyes = new EyePictures(samples);
     private final Veil veil = new Veil();
+    private final SketchPainter panel = new SketchPainter(new TextMesher());
     private Optional<World> world = Optional.empty();
     private HeadsetScreen.@Nullable Due size;
     private @Nullable World ready;
@@ -197,6 +202,7 @@ public final class HeadsetWindow implements WorldScreen {
       OffscreenTarget target = eyes.bind(gl, due.width(), due.height());
       Drawn drawn = painter.paint(gl, shown, target.width(), target.height(), 1);
       veil.draw(gl, host.darkness(), target.width(), target.height());
+      host.panel().ifPresent(page -> read(page, shown, target));
       eyes.resolve(gl);
       boolean both = true;
       for (int eye = 0; eye < 2; eye++) {
@@ -213,6 +219,14 @@ public final class HeadsetWindow implements WorldScreen {
       mirror.frame(gl, target);
     }
 
+    /** Draws what is to be read, for both eyes. */
+    private void read(Panel page, World shown, OffscreenTarget target) {
+      for (EyeView eye :
+          screen.layout().views(shown, target.width(), target.height(), HeadsetScreen.READING)) {
+        panel.draw(gl, page, eye.camera());
+      }
+    }
+
     /** Frees everything, with a last picture of what was seen. */
     void dispose() {
       HeadsetScreen.Due known = size;
@@ -224,6 +238,7 @@ public final class HeadsetWindow implements WorldScreen {
       gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, 0);
       mirror.dispose(gl);
       veil.dispose(gl);
+      panel.dispose(gl);
       eyes.dispose(gl);
       painter.dispose(gl);
     }

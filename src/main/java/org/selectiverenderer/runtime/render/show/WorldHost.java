@@ -3,6 +3,7 @@ package org.selectiverenderer.runtime.render.show;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 
@@ -65,6 +66,14 @@ public interface WorldHost {
   /** How much the picture is darkened for all eyes: 0 not at all, 1 to black. */
   default double darkness() {
     return 0;
+  }
+
+  /**
+   * What the user of a headset is to read, over the darkened picture; empty for nothing. After each
+   * {@link #step()}, and only where a frame will be seen.
+   */
+  default Optional<Panel> panel() {
+    return Optional.empty();
   }
 
   /** A frame of the world was drawn and is about to be shown. */

@@ -7,12 +7,15 @@ import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.gpu.Program;
 
 /** Draws marks, later ones over earlier ones. Belongs to the thread that owns the context. */
@@ -24,7 +27,10 @@ public final class SketchPainter {
 
   private final TextMesher mesher;
   private final Map<String, Mesh> letters = new HashMap<>();
+  private final Matrix4d place = new Matrix4d();
+  private final float[] numbers = new float[16];
   private @Nullable Program program;
+  private @Nullable Program inWorld;
   private int vertexArray;
   private int buffer;
   private FloatBuffer vertices = Buffers.newDirectFloatBuffer(FLOATS * 3 * 4096);
@@ -45,6 +51,33 @@ public final class SketchPainter {
     if (marks.isEmpty()) {
       return;
     }
+    fill(gl, marks);
+    Program used = program == null ? new Program(gl, "sketch", List.of()) : program;
+    program = used;
+    used.use(gl);
+    gl.glUniform2f(used.uniform(gl, "page"), width, height);
+    show(gl, x, y, width, height);
+  }
+
+  /**
+   * Draws a page that stands in the world, over what is in the frame buffer.
+   *
+   * @param camera that looks at it
+   */
+  public void draw(GL3 gl, Panel panel, Camera camera) {
+    if (panel.marks().isEmpty()) {
+      return;
+    }
+    fill(gl, panel.marks());
+    Program used = inWorld == null ? new Program(gl, "sketch", List.of("IN_WORLD")) : inWorld;
+    inWorld = used;
+    used.use(gl);
+    camera.projection().mul(camera.view(), place).mul(panel.place());
+    gl.glUniformMatrix4fv(used.uniform(gl, "place"), 1, false, place.get(numbers), 0);
+    show(gl, camera.x(), camera.y(), camera.width(), camera.height());
+  }
+
+  private void fill(GL3 gl, List<Mark> marks) {
     vertices.clear();
     if (letters.size() > KEPT) {
       letters.clear();
@@ -53,14 +86,17 @@ public final class SketchPainter {
       add(mark);
     }
     vertices.flip();
-    Program used = start(gl);
+    if (vertexArray == 0) {
+      start(gl);
+    }
+  }
+
+  private void show(GL3 gl, int x, int y, int width, int height) {
     gl.glViewport(x, y, width, height);
     gl.glDisable(GL.GL_DEPTH_TEST);
     gl.glDisable(GL.GL_CULL_FACE);
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
-    used.use(gl);
-    gl.glUniform2f(used.uniform(gl, "page"), width, height);
     gl.glBindVertexArray(vertexArray);
     gl.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer);
     gl.glBufferData(GL.GL_ARRAY_BUFFER, 4L * vertices.limit(), vertices, GL.GL_DYNAMIC_DRAW);
@@ -69,12 +105,7 @@ public final class SketchPainter {
     gl.glDisable(GL.GL_BLEND);
   }
 
-  private Program start(GL3 gl) {
-    Program known = program;
-    if (known != null) {
-      return known;
-    }
-    Program made = new Program(gl, "sketch", List.of());
+  private void start(GL3 gl) {
     int[] ids = new int[2];
     gl.glGenVertexArrays(1, ids, 0);
     gl.glGenBuffers(1, ids, 1);
@@ -87,8 +118,6 @@ public final class SketchPainter {
     gl.glEnableVertexAttribArray(1);
     gl.glVertexAttribPointer(1, 4, GL.GL_FLOAT, false, 4 * FLOATS, 8);
     gl.glBindVertexArray(0);
-    program = made;
-    return made;
   }
 
   private void add(Mark mark) {
@@ -153,12 +182,17 @@ public final class SketchPainter {
 
   /** Frees what it has on the graphics card. */
   public void dispose(GL3 gl) {
-    Program known = program;
-    if (known != null) {
-      known.dispose(gl);
+    for (Program known : new @Nullable Program[] {program, inWorld}) {
+      if (known != null) {
+        known.dispose(gl);
+      }
+    }
+    program = null;
+    inWorld = null;
+    if (vertexArray != 0) {
       gl.glDeleteVertexArrays(1, new int[] {vertexArray}, 0);
       gl.glDeleteBuffers(1, new int[] {buffer}, 0);
-      program = null;
+      vertexArray = 0;
     }
   }
 }

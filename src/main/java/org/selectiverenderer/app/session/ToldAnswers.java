@@ -10,18 +10,18 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.window.QuestionnaireWindow;
 
-/** Tells a session what is answered in a window, and whether a disk failed meanwhile. */
-final class AnswersOfWindow implements QuestionnaireWindow.Listener {
+/** Tells a session what is answered, and whether a disk failed meanwhile. */
+final class ToldAnswers implements QuestionnaireCourse.Listener {
   private final Session session;
   private final SessionStep step;
   private final Map<String, Answer> answers = new ConcurrentHashMap<>();
   private final AtomicReference<@Nullable IOException> failure = new AtomicReference<>();
 
-  AnswersOfWindow(Session session, SessionStep step) {
+  ToldAnswers(Session session, SessionStep step) {
     this.session = session;
     this.step = step;
     answers.putAll(session.answers(step));

@@ -1,0 +1,193 @@
+package org.selectiverenderer.app.session;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.headset.HeadsetAnswer;
+import org.selectiverenderer.app.headset.PanelPlace;
+import org.selectiverenderer.app.run.RunGuide;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.experiment.questionnaire.ButtonCourse;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.hmd.HeadsetLayout;
+import org.selectiverenderer.runtime.camera.Panel;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+
+/**
+ * Asks the questions of a step inside the headset, until all are answered. Meanwhile the
+ * controllers answer and move nobody. Behind the questions the scene is dimmed, or dark where it is
+ * the one that is asked about.
+ */
+final class QuestionGuide implements RunGuide {
+  private static final double DIMMED = 0.8;
+
+  /** Frames between two presses of a simulated participant. */
+  private static final int PRESS = 5;
+
+  private final Session session;
+  private final SessionStep.Questions step;
+  private final OperatorControls controls;
+  private final HeadsetLayout layout;
+  private final boolean dark;
+  private final ToldAnswers told;
+  private final QuestionSheet sheet;
+  private final Random simulated;
+  private @Nullable ButtonCourse buttons;
+  private @Nullable PanelPlace place;
+  private int frames;
+
+  /**
+   * @param layout knows how large the participant is in the scene
+   * @param dark whether nothing of the scene may be seen
+   */
+  QuestionGuide(
+      Session session,
+      SessionStep.Questions step,
+      OperatorControls controls,
+      HeadsetLayout layout,
+      boolean dark) {
+    this.session = session;
+    this.step = step;
+    this.controls = controls;
+    this.layout = layout;
+    this.dark = dark;
+    told = new ToldAnswers(session, step);
+    sheet = new QuestionSheet(session.material().wording());
+    simulated = new Random(session.material().study().seed() + step.id().hashCode());
+  }
+
+  /** How the answers went: to be looked at when the step is over. */
+  ToldAnswers told() {
+    return told;
+  }
+
+  /** Whether all is answered. */
+  boolean through() {
+    return buttons != null && buttons.over();
+  }
+
+  @Override
+  public void opened(Walkthrough walk) {
+    place = new PanelPlace(walk.world(), layout);
+  }
+
+  /** The questions begin when they are seen. */
+  private ButtonCourse begun() {
+    ButtonCourse known = buttons;
+    if (known == null) {
+      Wording wording = session.material().wording();
+      known =
+          new ButtonCourse(
+              new QuestionnaireCourse(
+                  session.questionnaire(step),
+                  wording,
+                  session.answers(step),
+                  session.lastPage(step),
+                  told),
+              wording);
+      buttons = known;
+    }
+    return known;
+  }
+
+  @Override
+  public void answered(HeadsetAnswer answer) {
+    ButtonCourse asking = buttons;
+    if (asking == null || asking.over() || controls.paused()) {
+      return;
+    }
+    switch (answer) {
+      case YES -> asking.yes();
+      case NO -> asking.no();
+      case MORE -> asking.more();
+      case LESS -> asking.less();
+    }
+  }
+
+  @Override
+  public Optional<Panel> panel() {
+    PanelPlace where = place;
+    if (where == null || controls.paused()) {
+      return Optional.empty();
+    }
+    ButtonCourse asking = begun();
+    if (session.options().unattended() && ++frames % PRESS == 0) {
+      boolean yes = asking.question().isEmpty() || simulated.nextBoolean();
+      answered(yes ? HeadsetAnswer.YES : HeadsetAnswer.NO);
+    }
+    QuestionSheet.Sheet drawn = sheet.of(asking);
+    return Optional.of(
+        new Panel(
+            drawn.marks(), where.of(QuestionSheet.WIDTH, drawn.height(), QuestionSheet.metres())));
+  }
+
+  @Override
+  public ViewerMotion motion(ViewerMotion users) {
+    return (viewer, time, dt) -> {}; // What is pressed answers.
+  }
+
+  @Override
+  public boolean walks() {
+    return false;
+  }
+
+  @Override
+  public boolean takeHeadingReset() {
+    return controls.takeResetHeading();
+  }
+
+  @Override
+  public void operatorKey(KeyboardKey key, boolean participants) {
+    if (key == KeyboardKey.F8) {
+      controls.pause(!controls.paused());
+    }
+  }
+
+  @Override
+  public boolean paused() {
+    return controls.paused();
+  }
+
+  @Override
+  public boolean over(double seconds) {
+    controls.status(where());
+    return controls.aborted() || told.failed() || through();
+  }
+
+  @Override
+  public double darkness(double seconds) {
+    return dark || controls.paused() ? 1 : DIMMED;
+  }
+
+  @Override
+  public boolean closing() {
+    return !controls.askAbort();
+  }
+
+  private String where() {
+    ButtonCourse asking = buttons;
+    if (asking == null) {
+      return step.id();
+    }
+    QuestionnaireCourse course = asking.course();
+    return "%s: %spage %d of %d, question %d of %d"
+        .formatted(
+            step.id(),
+            controls.paused() ? "PAUSED, " : "",
+            course.number() + 1,
+            course.pages().size(),
+            Math.min(asking.place(), course.asked().size()),
+            course.asked().size());
+  }
+
+  @Override
+  public List<String> operatorLines(double seconds) {
+    return List.of("participant " + session.folder().participant(), where());
+  }
+}

@@ -1,0 +1,224 @@
+package org.selectiverenderer.app.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.joml.Matrix4dc;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.app.headset.HeadsetAnswer;
+import org.selectiverenderer.app.headset.PanelPlace;
+import org.selectiverenderer.app.run.GuidedRun;
+import org.selectiverenderer.app.run.RunGuide;
+import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.questionnaire.Answer;
+import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionOptions;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.hmd.HeadsetShown;
+import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.openxr.HeadsetNews;
+import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.camera.Panel;
+import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.tracker.TrackerOptions;
+
+/** Questions inside the headset, and what becomes of a session whose headset goes. */
+class QuestionGuideTest {
+  @TempDir private Path folder;
+  private final List<String> told = new ArrayList<>();
+  private final Problems problems = new Problems();
+  private Session session;
+  private OperatorControls controls;
+  private ShownSteps steps;
+
+  @BeforeEach
+  void begin() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms.x3d"),
+        "<X3D version='4.0' profile='Immersive'><Scene>"
+            + "<Viewpoint DEF='Here' position='0 1.6 0'/></Scene></X3D>");
+    Files.writeString(
+        folder.resolve("items.csv"),
+        "area,object,consistency,present,en\nhall,cube,consistent,yes,a cube\n");
+    Files.writeString(
+        folder.resolve("words.json"),
+        """
+        {"name": "words", "pages": [{"name": "w", "questions": [
+          {"id": "say", "kind": "text", "text": "Anything else?"}]}]}
+        """);
+    Path file =
+        Files.writeString(
+            folder.resolve("study.json"),
+            """
+            {"name": "Rooms", "conditions": ["selective"], "participants": 1, "scene": "rooms.x3d",
+             "display": {"mode": "openxr", "questions": "headset"},
+             "areas": [{"name": "hall", "viewpoint": "Here", "seconds": 1}],
+             "questionnaires": [
+               {"kind": "recognition", "items": "items.csv", "when": "begin"},
+               {"file": "words.json"}]}
+            """);
+    StudyMaterial material = StudyMaterial.read(file, problems).orElseThrow();
+    session =
+        Session.begin(
+            material,
+            "001",
+            1,
+            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
+            new Problems());
+    SessionStep form = session.remaining().get(0);
+    session.began(form, false);
+    session.assign("18-22");
+    session.finished(form, Map.of());
+    controls = new OperatorControls(session.journal());
+    steps =
+        new ShownSteps(
+            session,
+            new SessionShow(
+                Presentation.in(HeadsetShown.standing()),
+                TrackerOptions.NONE,
+                false,
+                SessionStage.DESK,
+                new RunListener() {
+                  @Override
+                  public void problem(Problem problem) {
+                    told.add(problem.toString());
+                  }
+
+                  @Override
+                  public void happened(TimelineEvent event) {
+                    throw new AssertionError(event);
+                  }
+
+                  @Override
+                  public void printed(String text) {
+                    told.add(text);
+                  }
+                }),
+            controls);
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    session.close();
+  }
+
+  private Walkthrough scene() throws IOException {
+    Walkthrough walk =
+        Walkthrough.open(
+            folder.resolve("rooms.x3d"),
+            SelectiveController.Settings.SELECTIVE,
+            p -> {},
+            event -> {},
+            text -> {});
+    walk.step(0, (moved, time, dt) -> {});
+    return walk;
+  }
+
+  private static List<String> texts(Panel panel) {
+    return panel.marks().stream()
+        .filter(Mark.Text.class::isInstance)
+        .map(mark -> ((Mark.Text) mark).text())
+        .toList();
+  }
+
+  @Test
+  void whatIsWrittenIsAskedAtTheDeskAndThatIsSaid() {
+    assertThat(problems.list())
+        .singleElement()
+        .satisfies(
+            problem ->
+                assertThat(problem.toString())
+                    .contains("words has a picture, or questions that are written"));
+    List<SessionStep> left = session.remaining();
+    assertThat(left).map(steps::shows).containsExactly(true, true, false);
+  }
+
+  @Test
+  void answersOfTheControllersAreThoseOfTheWindow() throws IOException {
+    SessionStep asked = session.remaining().get(0);
+    GuidedRun run = steps.next().orElseThrow();
+    RunGuide guide = run.guide();
+    assertThat(run.settings().log()).isEmpty();
+    assertThat(guide.walks()).isFalse();
+    assertThat(guide.darkness(0)).isEqualTo(1); // There is no practice to be shown behind.
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      guide.answered(HeadsetAnswer.YES); // Before there is anything to read.
+      assertThat(texts(guide.panel().orElseThrow())).contains("a cube", "Yes", "No");
+      controls.pause(true);
+      assertThat(guide.panel()).isEmpty();
+      guide.answered(HeadsetAnswer.NO);
+      controls.pause(false);
+      guide.answered(HeadsetAnswer.YES);
+      guide.answered(HeadsetAnswer.MORE);
+      guide.answered(HeadsetAnswer.MORE);
+      guide.answered(HeadsetAnswer.YES);
+      assertThat(guide.over(1)).isFalse();
+      guide.answered(HeadsetAnswer.YES);
+      assertThat(guide.over(1)).isTrue();
+    }
+    assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("yes", 2)));
+    assertThat(Files.readString(session.folder().journal()))
+        .contains("\"event\":\"page\"", "\"confidence\":2", "\"place\":1");
+  }
+
+  @Test
+  void thePanelStandsBeforeTheHeadUntilHeTurnsAway() throws IOException {
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      Viewer viewer = walk.world().viewer();
+      Vector3d ahead = middle(guide);
+      assertThat(ahead.distance(new Vector3d(0, 1.6, -PanelPlace.DISTANCE)))
+          .isCloseTo(0, within(1e-6));
+      viewer.turnTo(new Quaterniond().rotationY(Math.toRadians(30)));
+      assertThat(middle(guide).distance(ahead)).isCloseTo(0, within(1e-6));
+      viewer.turnTo(new Quaterniond().rotationY(Math.toRadians(90)));
+      assertThat(middle(guide).distance(new Vector3d(-PanelPlace.DISTANCE, 1.6, 0)))
+          .isCloseTo(0, within(1e-6));
+    }
+  }
+
+  /** The middle of the paper in the world. */
+  private static Vector3d middle(RunGuide guide) {
+    Panel panel = guide.panel().orElseThrow();
+    double[] paper = ((Mark.Area) panel.marks().get(0)).corners();
+    Matrix4dc place = panel.place();
+    return place.transformPosition(new Vector3d(paper[4] / 2, paper[5] / 2, 0));
+  }
+
+  @Test
+  void aHeadsetThatGoesDuringAnExposureFlagsTheSession() throws IOException {
+    SessionStep asked = session.remaining().get(0);
+    session.began(asked, false);
+    session.finished(asked, Map.of());
+    RunListener exposure = steps.next().orElseThrow().listener();
+    exposure.headset(new HeadsetNews(HeadsetNews.Kind.COVERED, "a menu is before the scene"));
+    assertThat(Files.readString(session.folder().journal())).doesNotContain("headset-lost");
+    exposure.headset(new HeadsetNews(HeadsetNews.Kind.AWAY, "nobody wears the headset"));
+    assertThat(told).anyMatch(line -> line.contains("the session is flagged headset-lost"));
+    session.close();
+    assertThat(Files.readString(session.folder().journal()))
+        .contains("\"flag\":\"headset-lost\"", "\"what\":\"away\"");
+  }
+}

@@ -1,0 +1,166 @@
+package org.selectiverenderer.experiment.questionnaire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.experiment.questionnaire.read.ItemsReader;
+import org.selectiverenderer.experiment.questionnaire.read.QuestionnaireReader;
+
+/** A questionnaire answered by two buttons and a stick. */
+class ButtonCourseTest {
+  @TempDir private Path folder;
+  private final List<String> told = new ArrayList<>();
+  private Wording wording;
+
+  @BeforeEach
+  void words() throws IOException {
+    wording = Wording.of("en", folder, new Problems()).orElseThrow();
+  }
+
+  private Questionnaire memory() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("items.csv"),
+            """
+            area,object,consistency,present,en
+            hall,cube,consistent,yes,a cube
+            hall,lamp,inconsistent,no,a lamp
+            """);
+    return ItemsReader.read(ItemsKind.RECOGNITION, file, "memory", wording, new Problems())
+        .orElseThrow()
+        .get(0);
+  }
+
+  private Questionnaire own(String questions) throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("own.json"),
+            """
+            {"name": "own", "pages": [{"name": "read", "title": "Now", "text": "Read this."},
+              {"name": "asked", "questions": [%s]}]}
+            """
+                .formatted(questions));
+    Problems problems = new Problems();
+    Optional<Questionnaire> read = QuestionnaireReader.read(file, "en", problems);
+    assertThat(problems.list()).isEmpty();
+    return read.orElseThrow();
+  }
+
+  private ButtonCourse course(Questionnaire questionnaire, Map<String, Answer> known) {
+    return new ButtonCourse(
+        new QuestionnaireCourse(
+            questionnaire,
+            wording,
+            known,
+            Optional.empty(),
+            new QuestionnaireCourse.Listener() {
+              @Override
+              public void shown(Page page, List<Question> asked) {
+                told.add("page " + page.id() + " " + asked.size());
+              }
+
+              @Override
+              public void answered(Question question, Answer answer, long ms, int place) {
+                assertThat(ms).isNotNegative();
+                told.add(place + " " + question.id() + " " + answer.value() + answer.confidence());
+              }
+            }),
+        wording);
+  }
+
+  @Test
+  void eachButtonAnswersAndTheStickSaysHowSureOneIs() throws IOException {
+    ButtonCourse asked = course(memory(), Map.of());
+    assertThat(asked.oneOfTwo()).isTrue();
+    assertThat(asked.marked()).isEmpty();
+    asked.yes();
+    assertThat(asked.choice().orElseThrow().options()).hasSize(5);
+    asked.yes(); // Nothing is marked yet.
+    asked.more();
+    asked.more();
+    asked.yes();
+    asked.no();
+    asked.less(); // From the other end.
+    asked.less();
+    asked.yes();
+    assertThat(asked.question()).isEmpty();
+    assertThat(asked.over()).isFalse();
+    asked.yes();
+    assertThat(asked.over()).isTrue();
+    assertThat(told)
+        .containsExactly("page hall 2", "1 cube yes0", "1 cube yes2", "2 lamp no0", "2 lamp no4");
+  }
+
+  @Test
+  void whatWasAnsweredCanBeLookedAtAndChanged() throws IOException {
+    ButtonCourse asked =
+        course(memory(), Map.of("cube", new Answer("yes", 3), "lamp", new Answer("no", 1)));
+    assertThat(asked.question()).isEmpty();
+    asked.no();
+    assertThat(asked.question().orElseThrow().id()).isEqualTo("cube");
+    assertThat(asked.marked()).hasValue(0);
+    asked.less();
+    assertThat(asked.question().orElseThrow().id()).isEqualTo("lamp");
+    asked.more();
+    asked.no();
+    assertThat(asked.marked()).hasValue(2);
+    asked.yes();
+    assertThat(told).containsExactly("page hall 2", "1 cube no3", "1 cube no3");
+  }
+
+  @Test
+  void aQuestionThatIsOpenCannotBePassed() throws IOException {
+    ButtonCourse asked = course(memory(), Map.of());
+    asked.less();
+    assertThat(asked.question().orElseThrow().id()).isEqualTo("cube");
+  }
+
+  @Test
+  void pagesThatAreReadAreTurnedAndScalesAreChosenFrom() throws IOException {
+    ButtonCourse asked =
+        course(
+            own(
+                """
+                {"id": "there", "kind": "scale", "from": 1, "to": 7, "text": "Were you there?"}
+                """),
+            Map.of());
+    asked.no(); // There is no page before the first.
+    asked.yes();
+    asked.no();
+    asked.no();
+    asked.no();
+    assertThat(asked.marked()).hasValue(2);
+    asked.yes();
+    asked.yes();
+    assertThat(asked.over()).isTrue();
+    assertThat(told).containsExactly("page read 0", "page asked 1", "1 there 30");
+  }
+
+  @Test
+  void whatIsWrittenOrHasSeveralAnswersDoesNotFit() throws IOException {
+    assertThat(ButtonCourse.fits(memory(), wording)).isTrue();
+    assertThat(
+            ButtonCourse.fits(
+                own("{\"id\": \"say\", \"kind\": \"text\", \"text\": \"Say\"}"), wording))
+        .isFalse();
+    assertThat(
+            ButtonCourse.fits(
+                own(
+                    """
+                    {"id": "which", "kind": "multiple", "text": "Which?",
+                     "options": [{"value": "a", "text": "A"}, {"value": "b", "text": "B"}]}
+                    """),
+                wording))
+        .isFalse();
+  }
+}
