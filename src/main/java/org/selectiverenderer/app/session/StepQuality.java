@@ -58,8 +58,7 @@ final class StepQuality {
 
   /** Something became of the headset while a step was shown. */
   void check(SessionStep step, HeadsetNews news) {
-    boolean gone =
-        news.kind() == HeadsetNews.Kind.AWAY || news.kind() == HeadsetNews.Kind.LOST;
+    boolean gone = news.kind() == HeadsetNews.Kind.AWAY || news.kind() == HeadsetNews.Kind.LOST;
     if (gone && step instanceof SessionStep.Exposure) {
       String what = news.kind().name().toLowerCase(Locale.ROOT);
       flag(SessionFlag.HEADSET_LOST, step, Map.of("what", what), news.text());
