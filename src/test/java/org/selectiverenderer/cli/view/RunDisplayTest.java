@@ -83,7 +83,7 @@ class RunDisplayTest extends CommandRun {
     assertThat(run("--display", "dual", "--ipd", "630")).isEqualTo(2);
     assertThat(messages()).contains("from 0 to 100");
     assertThat(run("--display", "mirror")).isEqualTo(2);
-    assertThat(messages()).contains("window, side-by-side, dual, quad or anaglyph");
+    assertThat(messages()).contains("window, side-by-side, dual, quad, anaglyph or openxr");
     assertThat(run("--display", "dual", "--hmd", "proview40")).isEqualTo(2);
     assertThat(messages()).contains("neither a file nor one of proview50, proview30 and desk");
     assertThat(run("--tracker", "intertrax:/dev/ttyUSB0")).isEqualTo(2);

@@ -163,11 +163,11 @@ class SimulateBadSceneTest {
   void nodesOnlyKeptAreToldOncePerTypeOrComponentAndAreNoProblem() {
     folder.scene(
         "scene.x3d",
-        "<EspduTransform/><EspduTransform/><ReceiverPdu/>\n<NurbsSet/><NurbsSet/>" + BOX);
+        "<SignalPdu/><SignalPdu/><ReceiverPdu/>\n<NurbsSet/><NurbsSet/>" + BOX);
     SceneFolder.Result result = folder.simulate("scene.x3d");
     assertThat(result.messages())
         .containsExactly(
-            "scene.x3d:2:1: EspduTransform is kept in the scene, but this program "
+            "scene.x3d:2:1: SignalPdu is kept in the scene, but this program "
                 + "does not act on nodes of the DIS component",
             "scene.x3d:3:1: NurbsSet is kept in the scene, but this program does "
                 + "not act on it");
