@@ -56,12 +56,16 @@ public final class GlAvailability {
     Matcher local = LOCAL_DISPLAY.matcher(display);
     if (local.matches()
         && Files.isDirectory(sockets)
-        && !XServer.answers(sockets.resolve("X" + local.group(1)), patience)) {
+        && !there(sockets.resolve("X" + local.group(1)), patience)) {
       return Optional.of(
           ("no X server answers at the display %s, which DISPLAY names: it is not there, has not begun "
                   + "or has gone; start one, or set DISPLAY to one that runs")
               .formatted(display));
     }
     return Optional.empty();
+  }
+
+  private static boolean there(Path socket, Duration patience) {
+    return patience.isZero() && XServer.listens(socket) || XServer.answers(socket, patience);
   }
 }

@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.selectiverenderer.base.files.ProgramPlace;
 
 /**
@@ -13,6 +15,8 @@ import org.selectiverenderer.base.files.ProgramPlace;
  * draw: to load the driver and to ask it what it can takes longer than to read a small scene.
  */
 public final class GlStart {
+  private static final long LONGEST_S = 3;
+
   private final Optional<FutureTask<Boolean>> task;
 
   private GlStart(Optional<FutureTask<Boolean>> task) {
@@ -35,7 +39,6 @@ public final class GlStart {
     return new GlStart(Optional.of(task));
   }
 
-  /** To ask the X server takes some 30 ms, which whoever begins this need not wait for. */
   private static boolean start() {
     if (GlAvailability.checkNow().isPresent()) {
       return false; // Without a server that answers JOGL would find none, once and for all.
@@ -48,12 +51,17 @@ public final class GlStart {
     return ProgramPlace.of(GlStart.class).filter(Files::isRegularFile);
   }
 
-  /** Waits until it has begun: a process that ends before would pull the driver from under it. */
+  /**
+   * Waits until it has begun: a process that ends before would pull the driver from under it. Not
+   * for long, as an X server may take a connection and never answer.
+   */
   public void await() {
     try {
       if (task.isPresent()) {
-        task.get().get();
+        task.get().get(LONGEST_S, TimeUnit.SECONDS);
       }
+    } catch (TimeoutException e) {
+      // Whoever wanted to draw has heard that nobody answers.
     } catch (ExecutionException e) {
       // Whoever opened a context met the same failure and has told it.
     } catch (InterruptedException e) {

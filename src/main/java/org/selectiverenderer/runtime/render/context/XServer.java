@@ -6,8 +6,10 @@ import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 
 /**
  * Whether an X server of this machine answers. One that is being started has its socket before it
@@ -17,6 +19,14 @@ import java.time.Duration;
 final class XServer {
   private static final long PAUSE_MS = 50;
   private static final long ANSWER_MS = 1000;
+
+  private static final Path SOCKETS = Path.of("/proc/net/unix");
+  private static final int COLUMNS = 8;
+  private static final int FLAGS = 3;
+  private static final int PATH = 7;
+
+  /** The flag of sockets at which somebody listens. */
+  private static final String ACCEPTS = "00010000";
 
   /** How a connection begins: little end first, version 11.0, no authorization (X protocol, 8). */
   private static final byte[] GREETING = {'l', 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -42,6 +52,33 @@ final class XServer {
       }
     }
     return true;
+  }
+
+  /**
+   * Whether somebody takes connections at the socket, as Linux lists it (proc(5), {@code
+   * /proc/net/unix}): quicker than to greet, for which Java needs some 40 ms at its first time. Who
+   * connects then waits for the answer of a server that is being started.
+   *
+   * @return also false where there is no such list
+   */
+  static boolean listens(Path socket) {
+    try {
+      return listens(Files.readAllLines(SOCKETS), socket.toString());
+    } catch (IOException e) {
+      return false; // Another system, or a list that may not be read: the greeting tells.
+    }
+  }
+
+  static boolean listens(List<String> sockets, String path) {
+    for (String line : sockets) {
+      String[] columns = line.trim().split(" +", COLUMNS);
+      if (columns.length == COLUMNS
+          && columns[FLAGS].equals(ACCEPTS)
+          && (columns[PATH].equals(path) || columns[PATH].equals("@" + path))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static boolean greets(Path socket) {

@@ -12,6 +12,7 @@ import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
@@ -42,6 +43,21 @@ class GlAvailabilityTest {
         .hasValueSatisfying(reason -> assertThat(reason).contains(":5.0", "has gone"));
     Files.createFile(sockets.resolve("X5")); // What a server that was killed may leave behind.
     assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE)).isPresent();
+  }
+
+  @Test
+  void whoListensIsSeenInLinuxsListOfSockets() {
+    List<String> list =
+        List.of(
+            "Num       RefCount Protocol Flags    Type St Inode Path",
+            "000000003fd7b082: 00000003 00000000 00000000 0001 03   494",
+            "0000000004802468: 00000002 00000000 00010000 0001 01 10200 /tmp/.X11-unix/X7",
+            "00000000eaacc513: 00000002 00000000 00010000 0001 01 1020030 @/tmp/.X11-unix/X8",
+            "00000000eaacc514: 00000003 00000000 00000000 0001 03 1020031 /tmp/.X11-unix/X9");
+    assertThat(XServer.listens(list, "/tmp/.X11-unix/X7")).isTrue();
+    assertThat(XServer.listens(list, "/tmp/.X11-unix/X8")).isTrue();
+    assertThat(XServer.listens(list, "/tmp/.X11-unix/X9")).as("a connection").isFalse();
+    assertThat(XServer.listens(list, "/tmp/.X11-unix/X")).isFalse();
   }
 
   @Test
