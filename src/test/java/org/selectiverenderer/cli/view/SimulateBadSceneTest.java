@@ -162,8 +162,7 @@ class SimulateBadSceneTest {
   @Test
   void nodesOnlyKeptAreToldOncePerTypeOrComponentAndAreNoProblem() {
     folder.scene(
-        "scene.x3d",
-        "<SignalPdu/><SignalPdu/><ReceiverPdu/>\n<NurbsSet/><NurbsSet/>" + BOX);
+        "scene.x3d", "<SignalPdu/><SignalPdu/><ReceiverPdu/>\n<NurbsSet/><NurbsSet/>" + BOX);
     SceneFolder.Result result = folder.simulate("scene.x3d");
     assertThat(result.messages())
         .containsExactly(
