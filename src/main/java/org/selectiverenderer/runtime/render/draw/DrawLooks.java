@@ -129,24 +129,7 @@ final class DrawLooks {
             back == null ? null : numbers(back),
             cutOut || detail.alphaMode() == SurfaceDetail.AlphaMode.MASK);
     ShapePrograms.Family family = programs.get(variant);
-    DrawLook look =
-        new DrawLook(
-            family,
-            family,
-            null,
-            reaching,
-            new Numbers(numbers(surface)),
-            new Numbers(NO_TRANSFORM),
-            blended,
-            VertexLayout.of(drawn),
-            shape.stroke(),
-            shape.surroundings(),
-            drawn.primitive(),
-            drawn.solid(),
-            textured,
-            null);
-    known.put(look, look);
-    return look;
+    return whole(family, shape, drawn, reaching, blended, textured, null);
   }
 
   /** A shape that the program of an author draws: of its surface only the opacity counts here. */
@@ -160,13 +143,25 @@ final class DrawLooks {
                 surface, drawn, surface.texture() == null ? null : texture(gl, surface.texture()))
             : detail.alphaMode() == SurfaceDetail.AlphaMode.BLEND;
     ShapePrograms.Family family = programs.get(variant(drawn, surface, null, blended, List.of()));
+    return whole(family, shape, drawn, reaching, blended, null, author);
+  }
+
+  /** One that is lit at pixels alone, with all its textures in the details or the program. */
+  private DrawLook whole(
+      ShapePrograms.Family family,
+      ShapeInstance shape,
+      Mesh drawn,
+      List<LightInstance> reaching,
+      boolean blended,
+      @Nullable DetailTextures textured,
+      @Nullable AuthorLook author) {
     DrawLook look =
         new DrawLook(
             family,
             family,
             null,
             reaching,
-            new Numbers(numbers(surface)),
+            new Numbers(numbers(shape.surface())),
             new Numbers(NO_TRANSFORM),
             blended,
             VertexLayout.of(drawn),
@@ -174,7 +169,7 @@ final class DrawLooks {
             shape.surroundings(),
             drawn.primitive(),
             drawn.solid(),
-            null,
+            textured,
             author);
     known.put(look, look);
     return look;
