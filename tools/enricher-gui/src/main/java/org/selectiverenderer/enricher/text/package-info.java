@@ -1,0 +1,10 @@
+/**
+ * What the window says, in English and Greek. Every bundle is a pair of files beside this package
+ * in the resources, {@code NAME.properties} and {@code NAME_el.properties}, in UTF-8; a bundle
+ * belongs to one part of the window. The language is that of the display, which the settings may
+ * choose at the start ({@code settings}).
+ */
+@NullMarked
+package org.selectiverenderer.enricher.text;
+
+import org.jspecify.annotations.NullMarked;
