@@ -42,6 +42,7 @@ class HeadLogTest {
           0.28,
           0.5,
           10,
+          false,
           MAP);
 
   @TempDir private Path folder;
