@@ -94,7 +94,7 @@ final class XrActions {
         });
     Optional<Vector3d> looked =
         gaze.filter(inputs::active)
-            .flatMap(action -> session.locate(gazeSpace.orElseThrow(), head, time))
+            .flatMap(action -> session.tracked(gazeSpace.orElseThrow(), head, time))
             .map(pose -> pose.orientation().transform(new Vector3d(0, 0, -1)));
     return new XrInput(walked.y, walked.x, turned.x, turned.y, held, looked);
   }

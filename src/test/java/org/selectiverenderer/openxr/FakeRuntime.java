@@ -38,6 +38,7 @@ final class FakeRuntime implements XrLoader {
   boolean known = true;
   boolean focused = true;
   boolean eyeGaze;
+  boolean gazeVouched = true;
   HiddenArea mask = new HiddenArea(new float[] {-1, -1.1f, 0, -1.1f, -1, 0});
   Optional<SpacePose> gaze = Optional.empty();
   long display = 1_000_000_000;
@@ -224,6 +225,11 @@ final class FakeRuntime implements XrLoader {
     public Optional<SpacePose> locate(long space, long in, long time) {
       call("LocateSpace");
       return space == 50 ? gaze : known ? Optional.of(head) : Optional.empty();
+    }
+
+    @Override
+    public Optional<SpacePose> tracked(long space, long in, long time) {
+      return gazeVouched ? locate(space, in, time) : Optional.empty();
     }
 
     @Override

@@ -301,8 +301,21 @@ class XrHeadsetTest {
     XrHeadset headset = worn();
     Vector3d looked = frame(headset).orElseThrow().input().gaze().orElseThrow();
     assertEquals(1, looked.y, 1e-9);
+    runtime.gazeVouched = false;
+    assertTrue(frame(headset).orElseThrow().input().gaze().isEmpty());
+    runtime.gazeVouched = true;
+    assertTrue(frame(headset).orElseThrow().input().gaze().isPresent());
     runtime.gaze = Optional.empty();
     assertTrue(frame(headset).orElseThrow().input().gaze().isEmpty());
+  }
+
+  @Test
+  void tellsWhetherTheHeadsetTracksTheEyes() throws Exception {
+    assertFalse(XrSearch.begin(runtime).tracksEyes());
+    runtime.eyeGaze = true;
+    assertFalse(XrSearch.begin(runtime).tracksEyes()); // The runtime would not tell.
+    runtime.extensions.add(XrActions.GAZE);
+    assertTrue(XrSearch.begin(runtime).tracksEyes());
   }
 
   @Test

@@ -69,8 +69,18 @@ public final class HeadsetLink implements HeadsetScreen {
   /** What it shows, in a sentence. */
   public String describe() {
     PictureSize size = search.size();
-    return "headset %s by %s, pictures of %dx%d for each eye"
-        .formatted(search.headset(), search.runtime(), size.width(), size.height());
+    return "headset %s by %s, pictures of %dx%d for each eye%s"
+        .formatted(
+            search.headset(),
+            search.runtime(),
+            size.width(),
+            size.height(),
+            search.tracksEyes() ? ", tracks the eyes" : "");
+  }
+
+  /** Whether it has an eye tracker that the program may use. */
+  public boolean tracksEyes() {
+    return search.tracksEyes();
   }
 
   /**
@@ -109,7 +119,10 @@ public final class HeadsetLink implements HeadsetScreen {
     return hands;
   }
 
-  /** Where the eyes look in the frame that is due, in the frame of the head: a unit vector. */
+  /**
+   * Where the eyes look in the frame that is due, in the frame of the head: a unit vector; empty
+   * while the eye tracker does not see them.
+   */
   public Optional<Vector3d> gaze() {
     return gaze;
   }

@@ -103,6 +103,7 @@ public final class WindowChain implements WorldHost {
         HeadSession.with(
             tracker.lend(fitted.tracker(), listener::problem, tap), tap, fitted, listener::problem);
     listener.samples().ifPresent(head::tell);
+    headset.filter(HeadsetLink::tracksEyes).ifPresent(worn -> head.eyes(worn::gaze));
     current =
         new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop(), headset);
     if (headset.isPresent()) {
