@@ -98,6 +98,12 @@ public final class HeadSession implements AutoCloseable {
     ReplayLog log =
         ReplayLog.read(spec.file(), new Problems(problem))
             .orElseThrow(() -> new TrackerException("the log " + spec.file() + " has faults"));
+    if (tracking.placed() && !log.placed()) {
+      throw new TrackerException(
+          spec.file()
+              + ": has no columns right, up and back, which --tracker-position on needs; leave it"
+              + " out");
+    }
     HeadTracker stepped = new SteppedReplay(spec, log, tracking.options());
     return new HeadSession(settings, problem, stepped, log, files, new TrackerTap());
   }
@@ -155,7 +161,11 @@ public final class HeadSession implements AutoCloseable {
               files, listener, cone, eyes != null, settings, walk, problem);
     }
     if (files != null && settings.tracker().tracked() && replay == null) {
-      tap.open(settings.log().orElseThrow(), settings.tracker().spec().toString(), problem);
+      tap.open(
+          settings.log().orElseThrow(),
+          settings.tracker().spec().toString(),
+          tracker.placed(),
+          problem);
     }
     if (!settings.tracker().tracked()) {
       return walking;

@@ -70,6 +70,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private @Nullable IOException failure;
   private boolean unseen;
   private boolean begun;
+  private boolean unreadable;
 
   /**
    * Begins to read the scene.
@@ -252,6 +253,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private void open() {
     try {
       Walkthrough walk = opening.await();
+      if (pace == Pace.WATCHED && walk.unreadable()) {
+        unreadable = true; // An empty window would stay open, and whoever started it would wait.
+        state = state.then(RunState.OVER);
+        return;
+      }
       World world = walk.world();
       if (settings.motion().viewpoint().isPresent()) {
         Viewpoints.start(world, settings.motion().viewpoint().get());
@@ -381,6 +387,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   private Walkthrough walk() {
     return scene.walk();
+  }
+
+  /** Whether it ended because nothing of the scene could be read, which has been said. */
+  boolean unreadable() {
+    return unreadable;
   }
 
   /**

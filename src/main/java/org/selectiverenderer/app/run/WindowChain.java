@@ -147,6 +147,10 @@ public final class WindowChain implements WorldHost {
     try (run) {
       figures = run.figures(window.info().orElse(new GlInfo("", "", "")));
     }
+    if (run.unreadable()) {
+      throw new IOException(
+          guided.settings().scene().file() + ": nothing of the scene could be read");
+    }
     runs.ended(guided, figures);
   }
 

@@ -94,6 +94,31 @@ class BidsDatasetTest {
   }
 
   @Test
+  void placesOfTheTrackerAreChannelsWhereItTellsThem() throws IOException {
+    Files.writeString(
+        study.resolve("sub-P2/ses-01/head/exposure-hall_run-01_tracker.csv"),
+        "t,yaw,pitch,roll,number,wall,mono,right,up,back\n"
+            + "0.5,0,0,0,1,2026-03-01T08:00:12.500Z,100.5,0.1,-0.2,0.3\n"
+            + "0.51,0,0,0,2,2026-03-01T08:00:12.510Z,100.51,,,\n");
+    dataset = folder.resolve("placed");
+    BidsDataset.write(
+        RecordedStudy.read(RecordedFolder.material(study), problems), ORIGIN, dataset, problems);
+    String stem = "sub-P2/ses-01/motion/sub-P2_ses-01_task-exposurehall_tracksys-tracker_run-01";
+    assertThat(text(stem + "_motion.tsv"))
+        .isEqualTo(
+            """
+            0.000000\t0.000000\t0.000000\t1.000000\t0.10000\t-0.20000\t0.30000\t0.000000
+            0.000000\t0.000000\t0.000000\t1.000000\tn/a\tn/a\tn/a\t0.010000
+            """);
+    assertThat(text(stem + "_channels.tsv"))
+        .hasLineCount(9)
+        .contains("\ntracker_POS_y\ty\tPOS\thead\tm\t100.0\ttracker\n");
+    JsonNode told = JsonTree.parse(text(stem + "_motion.json"));
+    assertThat(told.path("POSChannelCount").asInt()).isEqualTo(3);
+    assertThat(told.path("MotionChannelCount").asInt()).isEqualTo(8);
+  }
+
+  @Test
   void theDurationOfAnExposureThatWasCutOffIsNotKnown() throws IOException {
     assertThat(text("sub-P2/ses-01/motion/sub-P2_ses-01_task-exposurehall_run-01_events.tsv"))
         .contains("\n1\tn/a\texposure\t");
