@@ -164,6 +164,23 @@ public final class SceneDocument {
   }
 
   /**
+   * Writes files and makes the edit that goes with them, as one step: undoing it concerns the files
+   * too.
+   *
+   * @throws EditRefused if the document is locked; nothing is written then
+   * @throws IOException if a file cannot be written, with one line that names it; nothing has
+   *     changed then
+   */
+  public void perform(Edit edit, List<StepFiles.Written> files) throws IOException {
+    unlocked();
+    if (files.isEmpty()) {
+      history.perform(edit);
+    } else {
+      history.perform(edit, StepFiles.write(files));
+    }
+  }
+
+  /**
    * Replaces characters as by typing; what is typed in a row is one step.
    *
    * @throws EditRefused if the document is locked

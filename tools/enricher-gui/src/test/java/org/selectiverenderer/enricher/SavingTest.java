@@ -69,6 +69,12 @@ class SavingTest {
     }
 
     @Override
+    public boolean saveFaulty(String sentence) {
+      asked.add(sentence);
+      return agree;
+    }
+
+    @Override
     public Optional<Path> fileToOpen(Optional<Path> near) {
       return Optional.empty();
     }
@@ -210,6 +216,54 @@ class SavingTest {
     assertThat(done).isEqualTo(1);
     assertThat(Files.readString(first)).doesNotContain("mine");
     assertThat(session.file().path()).hasFileName("other.x3d");
+  }
+
+  @Test
+  void aTextThatIsNotWellFormedIsSavedOnlyWhenTheAuthorAgreesAndTheLastGoodCopyStays()
+      throws IOException, InterruptedException {
+    String good = onDisk();
+    session.document().type(0, 0, "<");
+    answers.agree = false;
+    assertThat(save(true)).isFalse();
+    assertThat(answers.asked)
+        .singleElement()
+        .asString()
+        .startsWith("scene.x3d would not be well-formed XML: line 1, ");
+    assertThat(onDisk()).isEqualTo(good);
+    assertThat(session.document().modified()).isTrue();
+    answers.agree = true;
+    assertThat(save(false)).isTrue();
+    String faulty = onDisk();
+    session.document().type(0, 0, "<");
+    assertThat(save(false)).isTrue();
+    assertThat(session.file().backup()).hasContent(good);
+    assertThat(session.file().faultyBackup()).hasContent(faulty);
+    session.document().type(0, 2, "");
+    assertThat(save(false)).isTrue();
+    assertThat(onDisk()).isEqualTo(good);
+    assertThat(session.file().backup()).hasContent(good);
+  }
+
+  @Test
+  void aNameWithoutTheEndingOfASceneGetsItAndNothingUnderThatNameIsReplacedUnasked()
+      throws IOException, InterruptedException {
+    answers.target = Path.of("room.v2");
+    type();
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(session.file().path()).hasFileName("room.v2.x3d");
+    assertThat(folder.resolve("room.v2")).doesNotExist();
+    Path other = Files.writeString(folder.resolve("hall.x3d"), "theirs");
+    answers.target = Path.of("hall");
+    answers.agree = false;
+    saving.saveAs(() -> done++);
+    assertThat(answers.asked).containsExactly("overwrite");
+    assertThat(other).content().isEqualTo("theirs");
+    answers.agree = true;
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(other).content().contains("mine");
+    assertThat(folder.resolve("hall.x3d.faulty.bak")).content().isEqualTo("theirs");
   }
 
   @Test

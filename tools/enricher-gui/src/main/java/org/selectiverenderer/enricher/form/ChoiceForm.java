@@ -85,9 +85,8 @@ final class ChoiceForm {
     panel.add(degree, "wmin pref");
     panel.add(Labels.of("Schemas", schemas));
     panel.add(schemas, "spanx 3, wmin 0");
-    panel.add(typeComplaint, "skip 1, spanx 3, wmin 0");
-    panel.add(degreeComplaint, "skip 1, spanx 3, wmin 0");
-    panel.add(schemasComplaint, "skip 1, spanx 3, wmin 0");
+    JPanel complaints = Labels.room(typeComplaint, degreeComplaint, schemasComplaint);
+    panel.add(complaints, "skip 1, spanx 3, wmin 0, hmin pref");
     panel.getAccessibleContext().setAccessibleName("Choice " + choice.index());
     fields =
         List.of(

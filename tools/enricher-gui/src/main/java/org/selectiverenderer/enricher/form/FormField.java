@@ -43,7 +43,6 @@ final class FormField {
     this.show = show;
     this.source = source;
     complaint.setVisible(false);
-    complaint.putClientProperty("FlatLaf.styleClass", "small");
     follow();
   }
 

@@ -47,7 +47,7 @@ final class SensorForm implements Form {
     JLabel complaint = Labels.complaint();
     panel.add(label);
     panel.add(schemas, "wmin 0");
-    panel.add(complaint, "wmin 0");
+    panel.add(Labels.room(complaint), "wmin 0, hmin pref");
     fields.add(FormField.of(schemas, complaint, new FormField.Source(read, write)));
   }
 

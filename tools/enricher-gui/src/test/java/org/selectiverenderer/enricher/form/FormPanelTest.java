@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.form;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -122,6 +123,30 @@ class FormPanelTest {
       assertThat(window.text("Sofa")).contains("enterTimeSchema", "\"sofa\"");
       assertThat(window.named("On leaving")).isSameAs(leaving);
       assertThat(Swing.get(leaving::isFocusOwner)).isTrue();
+    }
+  }
+
+  @Test
+  void noFieldMovesUnderTheMouseWhenThereIsSomethingToSay() throws Exception {
+    try (FormWindow window = open(false)) {
+      window.select("Switch_Bin");
+      Component schemas = window.named("Schemas of choice 1");
+      Swing.edt(() -> {});
+      Point before = Swing.get(schemas::getLocationOnScreen);
+      Component degree = window.named("Degree of choice 0");
+      window.fill(editor(degree), "2");
+      window.click(schemas);
+      assertThat(outline(degree)).isEqualTo("error");
+      assertThat(Swing.get(schemas::getLocationOnScreen)).isEqualTo(before);
+      assertThat(Swing.get(schemas::isFocusOwner)).isTrue();
+      window.fill(editor(degree), "0.5");
+      JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
+      Swing.edt(() -> type.setSelectedItem("consistent"));
+      JLabel said = (JLabel) window.named("Findings");
+      window.settle();
+      assertThat(Swing.get(said::getText)).contains("problem");
+      window.screenshot("form-findings", 1);
+      assertThat(Swing.get(schemas::getLocationOnScreen)).isEqualTo(before);
     }
   }
 
