@@ -38,16 +38,22 @@ final class ConversionOffer {
    * Opens a scene, converted if that is needed and wanted.
    *
    * @param asItIs opens it as it is, and says why that fails if it does
+   * @param nothing hears that nothing is opened
    */
-  void open(Path path, Runnable asItIs) {
+  void open(Path path, Runnable asItIs, Runnable nothing) {
     tasks.run(
         "Looking at " + path.getFileName(),
         () -> ForeignScene.of(path),
-        foreign -> foreign.ifPresentOrElse(scene -> offer(path, scene), asItIs),
-        failed -> questions.tell(String.valueOf(failed.getMessage())));
+        foreign -> foreign.ifPresentOrElse(scene -> offer(path, scene, nothing), asItIs),
+        failed -> tell(nothing, failed));
   }
 
-  private void offer(Path path, ForeignScene scene) {
+  private void tell(Runnable nothing, Exception failed) {
+    nothing.run();
+    questions.tell(String.valueOf(failed.getMessage()));
+  }
+
+  private void offer(Path path, ForeignScene scene, Runnable nothing) {
     Path target = scene.beside();
     boolean wanted =
         questions.convert(
@@ -62,6 +68,7 @@ final class ConversionOffer {
     if (!wanted
         || Files.exists(target)
             && !questions.overwrite(target.getFileName() + " exists already.")) {
+      nothing.run();
       return;
     }
     Problems problems = new Problems();
@@ -70,9 +77,9 @@ final class ConversionOffer {
         () -> write(scene, target, problems),
         written -> {
           tell(problems);
-          written.ifPresent(opening);
+          written.ifPresentOrElse(opening, nothing);
         },
-        failed -> questions.tell(String.valueOf(failed.getMessage())));
+        failed -> tell(nothing, failed));
   }
 
   private Optional<Path> write(ForeignScene scene, Path target, Problems problems)

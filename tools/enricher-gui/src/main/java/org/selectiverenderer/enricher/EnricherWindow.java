@@ -24,6 +24,7 @@ import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
@@ -42,6 +43,7 @@ final class EnricherWindow {
   private final JFrame frame = new JFrame(NAME);
   private final StatusBar status = new StatusBar(tasks);
   private final JPanel content = new JPanel(new BorderLayout());
+  private final JLabel welcome = new JLabel(Texts.of("window.welcome"), SwingConstants.CENTER);
   private final Questions questions;
   private final KeptWork kept;
   private final ConversionOffer conversion;
@@ -117,8 +119,6 @@ final class EnricherWindow {
           }
         });
     frame.setTransferHandler(new FileDrop(this::dropped));
-    JLabel welcome =
-        new JLabel("Drop an X3D scene here, or press Ctrl+O to open one", SwingConstants.CENTER);
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);
     frame.add(status.component(), BorderLayout.SOUTH);
@@ -169,7 +169,11 @@ final class EnricherWindow {
   }
 
   private void restore(Recovery.Kept left) {
-    leaving(() -> load("Restoring " + left.file().getFileName(), () -> recovery.open(left)));
+    leaving(
+        () ->
+            load(
+                Texts.of("window.restoring", left.file().getFileName()),
+                () -> recovery.open(left)));
   }
 
   void chooseAndOpen() {
@@ -178,14 +182,19 @@ final class EnricherWindow {
 
   /** Opens a scene in place of the one that is open, which the author may save first. */
   public void open(Path path) {
-    leaving(() -> conversion.open(path, () -> read(path)));
+    leaving(
+        () -> {
+          announce(Texts.of("window.opening", path.getFileName()) + "\u2026");
+          conversion.open(path, () -> read(path), () -> announce(""));
+        });
   }
 
   private void read(Path path) {
-    load("Opening " + path.getFileName(), () -> DocumentFile.open(path));
+    load(Texts.of("window.opening", path.getFileName()), () -> DocumentFile.open(path));
   }
 
   private void load(String name, Callable<DocumentFile> opening) {
+    announce(name + "\u2026");
     Workbench before = bench;
     long agreed = before == null ? 0 : before.session().document().revision();
     tasks.run(
@@ -200,7 +209,20 @@ final class EnricherWindow {
             adopt(file);
           }
         },
-        failed -> questions.tell(String.valueOf(failed.getMessage())));
+        failed -> {
+          announce("");
+          questions.tell(String.valueOf(failed.getMessage()));
+        });
+  }
+
+  /**
+   * Says at once what is going on, where there is nothing else to look at in its middle too.
+   *
+   * @param work empty when nothing is
+   */
+  private void announce(String work) {
+    status.say(work);
+    welcome.setText(work.isEmpty() ? Texts.of("window.welcome") : work);
   }
 
   private void adopt(DocumentFile file) {
@@ -218,7 +240,8 @@ final class EnricherWindow {
     opened.layOut(content.getWidth(), content.getHeight());
     opened.focus();
     recent.add(file.path());
-    status.say("Opened " + file.path());
+    announce("");
+    status.say(Texts.of("window.opened", file.path()));
     refresh();
   }
 
@@ -338,7 +361,9 @@ final class EnricherWindow {
     if (saving != null && bench != null) {
       Path path = bench.session().file().path();
       saving.lookAtDisk(
-          () -> load("Reloading " + path.getFileName(), () -> DocumentFile.open(path)));
+          () ->
+              load(
+                  Texts.of("window.reloading", path.getFileName()), () -> DocumentFile.open(path)));
     }
   }
 

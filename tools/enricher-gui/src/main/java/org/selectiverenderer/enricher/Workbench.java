@@ -135,7 +135,7 @@ final class Workbench {
   /** Puts the borders where the author left them; when the window has its size. */
   void layOut(int width, int height) {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
-    int rest = width - left.getDividerLocation();
+    int rest = width - left.getDividerLocation() - left.getDividerSize();
     right.setDividerLocation(
         Math.max(120, rest - settings.number("split.form", Math.min(375, rest / 2))));
     all.setDividerLocation(
@@ -158,6 +158,7 @@ final class Workbench {
 
   /** Puts the caret there; what no form shows, the source does. */
   private void revealInSource(int offset) {
+    session.selection().ifPresent(tree::reveal);
     source.reveal(offset);
     boolean inForm =
         session.selection().map(DocumentElement::name).filter(FORMS::contains).isPresent();

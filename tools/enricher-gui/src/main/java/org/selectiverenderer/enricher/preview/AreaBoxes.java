@@ -46,13 +46,15 @@ final class AreaBoxes {
   private record Area(ProximitySensorNode node, SensorSchemas schemas) {}
 
   private final World world;
+  private final PreviewNodes nodes;
   private final List<Area> areas = new ArrayList<>();
   private long[] polygons = {};
 
-  AreaBoxes(World world, List<Node> nodes) {
+  AreaBoxes(World world, PreviewNodes nodes) {
     this.world = world;
+    this.nodes = nodes;
     SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings tell them.
-    for (Node node : nodes) {
+    for (Node node : nodes.all()) {
       if (node instanceof ProximitySensorNode sensor) {
         areas.add(
             new Area(
@@ -141,7 +143,7 @@ final class AreaBoxes {
                   area.schemas(),
                   count,
                   area.node() == selected,
-                  Anchor.of(area.node())));
+                  nodes.anchor(area.node())));
         }
       }
     }

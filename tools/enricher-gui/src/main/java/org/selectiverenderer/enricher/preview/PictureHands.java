@@ -152,9 +152,14 @@ final class PictureHands extends MouseAdapter implements KeyListener {
     }
   }
 
+  /** Whether a key belongs to a command of the window, such as Ctrl+S. */
+  private static boolean command(KeyEvent event) {
+    return event.isControlDown() || event.isAltDown() || event.isMetaDown();
+  }
+
   @Override
   public void keyPressed(KeyEvent event) {
-    if (walking()) {
+    if (walking() && !command(event)) {
       WalkKeys.key(event)
           .ifPresent(
               key -> {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.preview.ScenePatch.Place;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
@@ -18,16 +19,19 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodesBelow;
 
 /**
  * The nodes of the document's own text in a running scene, and the way from one to the other; and
  * the Switches of the whole scene.
  */
 final class PreviewNodes {
-  private record Place(int line, int column) {}
-
   private final World world;
   private final Map<Place, Node> byPlace = new HashMap<>();
+
+  /** Where the start tags of nodes stand that edits have moved since they were loaded. */
+  private final Map<Node, Place> moved = new HashMap<>();
+
   private final Set<Node> all = new LinkedHashSet<>();
   private final Set<SwitchNode> switches = new LinkedHashSet<>();
 
@@ -60,12 +64,54 @@ final class PreviewNodes {
     for (Instance child : group.children()) {
       Node node = child.node();
       if (all.add(node)) {
-        byPlace.putIfAbsent(new Place(node.location().line(), node.location().column()), node);
+        byPlace.putIfAbsent(place(node), node);
         if (child instanceof GroupInstance below) {
           collect(below);
         }
       }
     }
+  }
+
+  /** Where a node's start tag stands in the text as it is now. */
+  private Place place(Node node) {
+    Place since = moved.get(node);
+    return since != null ? since : new Place(node.location().line(), node.location().column());
+  }
+
+  /** What a node has in common with its element in the text as it is now. */
+  Anchor anchor(Node node) {
+    Place at = place(node);
+    return new Anchor(Optional.ofNullable(node.name()), at.line(), at.column());
+  }
+
+  /**
+   * The nodes whose start tags stand at these places of the document's text, those in fields of
+   * others too.
+   */
+  Map<Place, Node> at(Set<Place> places) {
+    Map<Place, Node> found = new HashMap<>();
+    for (Node node : NodesBelow.of(world.scene().root())) {
+      Place at = place(node);
+      if (places.contains(at)) {
+        found.putIfAbsent(at, node);
+      }
+    }
+    return found;
+  }
+
+  /** Follows an edit that has moved start tags. */
+  void move(Map<Place, Place> places) {
+    if (places.isEmpty()) {
+      return;
+    }
+    Map<Node, Place> now = new HashMap<>();
+    for (Node node : NodesBelow.of(world.scene().root())) {
+      Place before = place(node);
+      now.put(node, places.getOrDefault(before, before));
+    }
+    moved.putAll(now);
+    byPlace.clear();
+    all.forEach(node -> byPlace.putIfAbsent(place(node), node));
   }
 
   /** All groups, shapes, lights and others that have a place in the scene, in document order. */

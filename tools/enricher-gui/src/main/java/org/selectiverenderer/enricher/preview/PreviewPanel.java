@@ -125,7 +125,7 @@ public final class PreviewPanel extends JPanel {
             session.document(),
             () -> session.file().path(),
             session.access(),
-            thread::show,
+            thread,
             new SceneFeed.Listener() {
               @Override
               public void loading() {

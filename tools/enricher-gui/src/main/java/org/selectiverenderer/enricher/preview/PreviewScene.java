@@ -27,8 +27,8 @@ final class PreviewScene implements AutoCloseable {
   private final LoadedPreview loaded;
   private final World world;
   private final PreviewNodes nodes;
-  private final AreaBoxes areas;
-  private final AsIf asIf;
+  private AreaBoxes areas;
+  private AsIf asIf;
   private final RayCaster rays;
   private final EmbeddedBrowser browser;
   private List<String> schemas = List.of();
@@ -36,13 +36,15 @@ final class PreviewScene implements AutoCloseable {
   private @Nullable Walking walking;
   private double time;
   private long counted = -1;
+  private long revision;
 
   PreviewScene(LoadedPreview loaded) {
     this.loaded = loaded;
+    revision = loaded.revision();
     world = loaded.world();
     world.step(0, (viewer, now, dt) -> {}); // The viewer is at the start from here on.
     nodes = new PreviewNodes(world);
-    areas = new AreaBoxes(world, nodes.all());
+    areas = new AreaBoxes(world, nodes);
     asIf = new AsIf(nodes.switches(), world.cascade());
     rays = new RayCaster(world.instances(), world.meshes());
     browser = new EmbeddedBrowser(world, loaded.loader(), text -> {}, Map.of());
@@ -61,7 +63,31 @@ final class PreviewScene implements AutoCloseable {
   }
 
   long revision() {
-    return loaded.revision();
+    return revision;
+  }
+
+  /**
+   * Becomes another state of the document; not while somebody walks.
+   *
+   * @return false, and nothing is changed, if it cannot
+   */
+  boolean patch(ScenePatch patch) {
+    if (patch.from() != revision) {
+      return false;
+    }
+    Optional<RunningPatch> running = RunningPatch.of(patch, nodes, loaded.loader());
+    if (running.isEmpty()) {
+      return false;
+    }
+    asIf.reset(); // What the scene is shown as if is no part of it.
+    running.get().apply(world.cascade());
+    nodes.move(patch.moved());
+    revision = patch.revision();
+    areas = new AreaBoxes(world, nodes);
+    asIf = new AsIf(nodes.switches(), world.cascade());
+    asIf.apply(schemas);
+    counted = -1;
+    return true;
   }
 
   /** Shows the scene under schemas, from now on and after each walk. */

@@ -88,6 +88,27 @@ final class PreviewStage implements AutoCloseable {
     }
   }
 
+  /**
+   * Takes over what an edit of the text has changed; the viewer stays where it is, and walks on.
+   *
+   * @return false if that is not possible: the document is to be loaded anew
+   */
+  boolean patch(ScenePatch patch) {
+    PreviewScene of = scene;
+    if (of == null || of.revision() >= patch.revision()) {
+      return of != null; // A later state has been loaded meanwhile.
+    }
+    boolean walked = moving();
+    Pose before = of.pose();
+    of.stand();
+    boolean taken = of.patch(patch);
+    if (walked) {
+      of.walk(controls);
+      before.applyTo(of.world().viewer());
+    }
+    return taken;
+  }
+
   /** To the start viewpoint, or so that the whole scene is seen where there is none. */
   void home() {
     if (scene == null) {
@@ -169,7 +190,7 @@ final class PreviewStage implements AutoCloseable {
     if (of != null) {
       cast(x, y)
           .flatMap(hit -> of.nodes().meant(hit.shape(), innermost))
-          .ifPresent(node -> meant.accept(new Picked(Anchor.of(node), of.revision())));
+          .ifPresent(node -> meant.accept(new Picked(of.nodes().anchor(node), of.revision())));
     }
   }
 

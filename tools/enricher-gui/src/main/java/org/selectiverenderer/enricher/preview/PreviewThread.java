@@ -13,7 +13,7 @@ import org.selectiverenderer.runtime.render.mark.MarkedView;
  * told in order, and draws when something has changed, or thirty times a second while the author
  * walks.
  */
-final class PreviewThread implements AutoCloseable {
+final class PreviewThread implements AutoCloseable, SceneFeed.Target {
   /** Hears what comes of it, on the preview's thread. */
   interface Listener {
     void drawn(PreviewFrame frame);
@@ -49,8 +49,24 @@ final class PreviewThread implements AutoCloseable {
     told.add(what);
   }
 
+  /**
+   * Hands over what has changed of the scene that is shown. Thread-safe.
+   *
+   * @param refused hears, on this thread, if all is to be loaded instead
+   */
+  @Override
+  public void patch(ScenePatch patch, Runnable refused) {
+    tell(
+        stage -> {
+          if (!stage.patch(patch)) {
+            refused.run();
+          }
+        });
+  }
+
   /** Hands a scene over, in place of one that has not been shown yet. Thread-safe. */
-  void show(LoadedPreview loaded) {
+  @Override
+  public void show(LoadedPreview loaded) {
     replaceNext(loaded);
     tell(
         stage -> {

@@ -2,22 +2,26 @@ package org.selectiverenderer.enricher.preview;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.Consumer;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * Loads the document as it is now, saved or not, after every pause in editing. For the event
- * dispatch thread; reads on the thread {@code enricher-preview-loader}. A state that is overtaken
- * by the next while it is read is dropped.
+ * Loads the document as it is now, saved or not, after every pause in editing: only what has
+ * changed where that is possible ({@link TextComparison}), else all of it. For the event dispatch
+ * thread; reads on the thread {@code enricher-preview-loader}. A state that is overtaken by the
+ * next while it is read is dropped.
  */
 final class SceneFeed implements AutoCloseable {
   /** Hears how it goes, on the event dispatch thread. */
@@ -30,17 +34,36 @@ final class SceneFeed implements AutoCloseable {
     void stale(String sentence);
   }
 
+  /** Takes the states of the document over, on the loader's thread. */
+  interface Target {
+    void show(LoadedPreview loaded);
+
+    /**
+     * Takes over what has changed since the state handed over before.
+     *
+     * @param refused hears, on any thread, if that turns out to be impossible
+     */
+    void patch(ScenePatch patch, Runnable refused);
+  }
+
+  /** A state that has been handed over, and the folder of its urls. */
+  private record Given(Snapshot snapshot, Path folder) {}
+
   /** Milliseconds without an edit before the scene is read anew. */
   private static final int PAUSE = 400;
 
   private final SceneDocument document;
   private final Supplier<Path> file;
   private final ContentAccess access;
-  private final Consumer<LoadedPreview> target;
+  private final Target target;
   private final Listener listener;
   private final DocumentListener onChange = change -> later();
-  private final Timer timer = new Timer(PAUSE, event -> now());
+  private final Timer timer = new Timer(PAUSE, event -> follow());
   private final AtomicLong wanted = new AtomicLong();
+
+  /** What was handed over last; null where the next state has to be loaded as a whole. */
+  private final AtomicReference<@Nullable Given> given = new AtomicReference<>();
+
   private final ExecutorService reader =
       Executors.newSingleThreadExecutor(
           task -> {
@@ -52,13 +75,13 @@ final class SceneFeed implements AutoCloseable {
   /**
    * @param file where the document is saved: its folder is that of relative urls
    * @param access what it may name besides its own files
-   * @param target takes each state over, on the loader's thread
+   * @param target takes each state over
    */
   SceneFeed(
       SceneDocument document,
       Supplier<Path> file,
       ContentAccess access,
-      Consumer<LoadedPreview> target,
+      Target target,
       Listener listener) {
     this.document = document;
     this.file = file;
@@ -74,8 +97,13 @@ final class SceneFeed implements AutoCloseable {
     timer.restart();
   }
 
-  /** Loads without waiting for a pause. */
+  /** Loads all of it, without waiting for a pause. */
   void now() {
+    given.set(null);
+    follow();
+  }
+
+  private void follow() {
     long mine = wanted.incrementAndGet();
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
@@ -84,7 +112,6 @@ final class SceneFeed implements AutoCloseable {
               .formatted(fault.location().line()));
       return;
     }
-    listener.loading();
     Snapshot snapshot = document.snapshot();
     Path path = file.get().toAbsolutePath();
     Path folder = path.getParent() == null ? path : path.getParent();
@@ -95,10 +122,22 @@ final class SceneFeed implements AutoCloseable {
     if (wanted.get() != mine) {
       return;
     }
+    Given before = given.get();
+    if (before != null && before.folder().equals(folder)) {
+      Optional<ScenePatch> patch =
+          TextComparison.between(before.snapshot(), snapshot, NodeCatalogue.load());
+      if (patch.isPresent() && given.compareAndSet(before, new Given(snapshot, folder))) {
+        target.patch(patch.get(), () -> SwingUtilities.invokeLater(this::now));
+        tell(mine, listener::loaded);
+        return;
+      }
+    }
+    tell(mine, listener::loading);
     try {
       LoadedPreview loaded = LoadedPreview.of(snapshot, folder, access);
       if (wanted.get() == mine) {
-        target.accept(loaded);
+        given.set(new Given(snapshot, folder));
+        target.show(loaded);
         tell(mine, listener::loaded);
       } else {
         loaded.close();

@@ -91,6 +91,24 @@ final class SceneTreeModel implements TreeModel {
         || element.use().orElse("").toLowerCase(Locale.ROOT).contains(search);
   }
 
+  /** What is searched for; empty without a search. */
+  List<DocumentElement> hits() {
+    return list == null || search.isEmpty() ? List.of() : List.copyOf(list);
+  }
+
+  /** Whether an element has a row, or the object or area that it belongs to has one. */
+  boolean shows(DocumentElement element) {
+    if (list == null) {
+      return true;
+    }
+    for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
+      if (list.contains(at)) {
+        return at == element || at.name().equals("Switch") || at.name().equals("ProximitySensor");
+      }
+    }
+    return false;
+  }
+
   /** The path of an element from the root; that of the nearest one shown that holds it. */
   public Optional<TreePath> path(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {

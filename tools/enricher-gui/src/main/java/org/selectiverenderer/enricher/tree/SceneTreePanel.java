@@ -17,14 +17,19 @@ import javax.swing.event.DocumentListener;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.session.ElementPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The left side of the window: search, what to show, and the tree. */
 public final class SceneTreePanel {
   private static final int PAUSE_MILLISECONDS = 150;
+
+  /** Of the choices what to show, the whole scene. */
+  private static final int WHOLE = 1;
 
   private final EnricherSession session;
   private final SceneTreeModel model;
@@ -60,7 +65,7 @@ public final class SceneTreePanel {
     Timer pause = new Timer(PAUSE_MILLISECONDS, event -> searchNow());
     pause.setRepeats(false);
     search.getDocument().addDocumentListener(new Typed(pause::restart));
-    search.addActionListener(event -> tree.requestFocusInWindow());
+    search.addActionListener(event -> nextHit());
     extent.getAccessibleContext().setAccessibleName("Nodes that the tree shows");
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
@@ -108,8 +113,49 @@ public final class SceneTreePanel {
     shown();
   }
 
+  /** Selects the only hit and goes to it; of more, the one behind the one that is selected. */
+  private void nextHit() {
+    searchNow();
+    if (search.getText().isBlank()) {
+      tree.requestFocusInWindow();
+      return;
+    }
+    List<DocumentElement> hits = model.hits();
+    if (hits.isEmpty()) {
+      session.message(Texts.of("nodes.nohit", search.getText().strip()));
+      return;
+    }
+    int now = session.selection().map(hits::indexOf).orElse(-1);
+    int next = (now + 1) % hits.size();
+    session.select(hits.get(next), search);
+    session.message(
+        Texts.of(
+            "nodes.hit",
+            DecimalText.grouped(next + 1L),
+            DecimalText.grouped(hits.size()),
+            hits.get(next)));
+    if (hits.size() == 1) {
+      tree.requestFocusInWindow();
+    }
+  }
+
+  /**
+   * Shows an element whatever is searched for or left out now: itself, or the object or area that
+   * it belongs to.
+   */
+  public void reveal(DocumentElement element) {
+    if (!model.shows(element) && !search.getText().isEmpty()) {
+      search.setText("");
+      searchNow();
+    }
+    if (!model.shows(element)) {
+      extent.setSelectedIndex(WHOLE);
+    }
+    follow(Optional.of(element), session);
+  }
+
   private void extentChosen() {
-    quietly(() -> model.showNodesOnly(extent.getSelectedIndex() == 0));
+    quietly(() -> model.showNodesOnly(extent.getSelectedIndex() != WHOLE));
     shown();
   }
 

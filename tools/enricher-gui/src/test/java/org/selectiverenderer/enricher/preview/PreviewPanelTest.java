@@ -3,7 +3,9 @@ package org.selectiverenderer.enricher.preview;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.KeyListener;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -254,6 +256,15 @@ class PreviewPanelTest {
       window.robot.keyPress(KeyEvent.VK_W);
       PreviewFrame inside = window.await(frame -> frame.areas().contains("Desk"));
       window.robot.keyRelease(KeyEvent.VK_W);
+      assertThat(Swing.get(() -> taken(window, KeyEvent.VK_S, 0))).as("S walks").isTrue();
+      for (int modifier :
+          new int[] {
+            InputEvent.CTRL_DOWN_MASK, InputEvent.ALT_DOWN_MASK, InputEvent.META_DOWN_MASK
+          }) {
+        assertThat(Swing.get(() -> taken(window, KeyEvent.VK_S, modifier)))
+            .as("S with another key is the window's")
+            .isFalse();
+      }
       assertThat(inside.schemas()).containsExactly("DeskSchema");
       assertThat(inside.polygons()).isGreaterThan(24);
       window.robot.keyPress(KeyEvent.VK_ESCAPE);
@@ -261,6 +272,17 @@ class PreviewPanelTest {
       PreviewFrame after = window.await(frame -> !frame.walking());
       assertThat(after.polygons()).isEqualTo(24);
     }
+  }
+
+  /** Whether the picture keeps a key for itself. */
+  private static boolean taken(PreviewWindow window, int key, int modifiers) {
+    PictureView view = window.panel.view();
+    KeyEvent pressed = new KeyEvent(view, KeyEvent.KEY_PRESSED, 0, modifiers, key, 's');
+    for (KeyListener listener : view.getKeyListeners()) {
+      listener.keyPressed(pressed);
+      listener.keyReleased(new KeyEvent(view, KeyEvent.KEY_RELEASED, 0, modifiers, key, 's'));
+    }
+    return pressed.isConsumed();
   }
 
   @Test

@@ -52,4 +52,21 @@ class SceneTreeModelTest {
     model.refresh();
     assertThat(model.getChildCount(model.getRoot())).isZero();
   }
+
+  @Test
+  void whatTheSearchOrTheExtentHidesIsNotShownButForWhatAnObjectHolds() throws IOException {
+    SceneDocument document = scene();
+    SceneTreeModel model = new SceneTreeModel(document);
+    var cup = document.tree().orElseThrow().named("Switch_Cup").orElseThrow();
+    var group = cup.parent().orElseThrow();
+    assertThat(model.shows(cup.children().get(0))).as("in an object").isTrue();
+    assertThat(model.shows(group)).as("neither object nor area").isFalse();
+    model.search("chair");
+    assertThat(model.hits()).hasSize(1);
+    assertThat(model.shows(cup)).isFalse();
+    model.search("");
+    model.showNodesOnly(false);
+    assertThat(model.hits()).isEmpty();
+    assertThat(model.shows(group)).isTrue();
+  }
 }

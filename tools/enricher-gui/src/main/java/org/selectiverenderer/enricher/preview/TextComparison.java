@@ -1,0 +1,241 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.preview.ScenePatch.Place;
+import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.source.DocumentAttribute;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/**
+ * Finds out whether a scene that runs can be brought from one state of its text to the next without
+ * being loaded anew. It can where the elements are the same and only fields differ that may change
+ * at any time (accessType inputOutput, X3D 4.0 4.4.2.2), or metadata. Prototypes, scripts, names
+ * and whatever names a file mean loading.
+ */
+final class TextComparison {
+  /** Characters of a text beyond which comparing costs more memory than it is worth. */
+  private static final int MOST = 8_000_000;
+
+  /** Fields that name files, of which other nodes come. */
+  private static final Set<String> NAMING = Set.of("url", "load", "autoRefresh");
+
+  /** Attributes of the encoding that mean something, and of which none is a field. */
+  private static final Set<String> OF_ENCODING = Set.of("DEF", "USE", "containerField");
+
+  private final NodeCatalogue catalogue;
+  private final String before;
+  private final String after;
+  private final List<ScenePatch.Field> fields = new ArrayList<>();
+  private final List<ScenePatch.Metadata> metadata = new ArrayList<>();
+  private final Map<Place, Place> moved = new HashMap<>();
+
+  private TextComparison(NodeCatalogue catalogue, String before, String after) {
+    this.catalogue = catalogue;
+    this.before = before;
+    this.after = after;
+  }
+
+  /**
+   * Compares.
+   *
+   * @return empty where the scene is to be loaded anew
+   */
+  static Optional<ScenePatch> between(Snapshot before, Snapshot after, NodeCatalogue catalogue) {
+    if (Math.max(before.text().length(), after.text().length()) > MOST) {
+      return Optional.empty();
+    }
+    TextComparison comparison = new TextComparison(catalogue, before.text(), after.text());
+    try {
+      boolean same = comparison.same(before.elements().root(), after.elements().root());
+      return same
+          ? Optional.of(
+              new ScenePatch(
+                  before.revision(),
+                  after.revision(),
+                  comparison.fields,
+                  comparison.metadata,
+                  comparison.moved))
+          : Optional.empty();
+    } catch (XmlFault e) {
+      return Optional.empty(); // Whoever loads it says what is wrong.
+    }
+  }
+
+  private boolean same(DocumentElement old, DocumentElement now) {
+    if (!old.name().equals(now.name())) {
+      return false;
+    }
+    Optional<NodeType> type = catalogue.find(old.name());
+    if (type.isEmpty() && !old.name().equals("Scene") && !old.name().equals("X3D")
+        || type.filter(TextComparison::holdsCode).isPresent()) {
+      return before.regionMatches(old.start(), after, now.start(), old.end() - old.start())
+          && placed(old, now);
+    }
+    if (!sameTag(old, now, type)) {
+      return false;
+    }
+    place(old, now);
+    List<DocumentElement> oldChildren = withoutMetadata(old);
+    List<DocumentElement> children = withoutMetadata(now);
+    if (oldChildren.size() != children.size()
+        || children.isEmpty() && !inner(before, old).equals(inner(after, now))
+        || type.isPresent() && !sameMetadata(old, now)) {
+      return false;
+    }
+    for (int i = 0; i < children.size(); i++) {
+      if (!same(oldChildren.get(i), children.get(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean holdsCode(NodeType type) {
+    return type.is("X3DScriptNode") || type.is("X3DShaderNode") || type.name().startsWith("Shader");
+  }
+
+  /** What stands in an element without nodes in it: metadata apart, something that is no node. */
+  private static String inner(String text, DocumentElement element) {
+    return element.open() && element.children().isEmpty()
+        ? text.substring(element.tagEnd(), element.end()).replaceFirst("</[^<]*$", "").strip()
+        : "";
+  }
+
+  private boolean sameTag(DocumentElement old, DocumentElement now, Optional<NodeType> type) {
+    int length = old.tagEnd() - old.start();
+    if (length == now.tagEnd() - now.start()
+        && before.regionMatches(old.start(), after, now.start(), length)) {
+      return true;
+    }
+    Map<String, DocumentAttribute> values = attributes(now);
+    Map<String, DocumentAttribute> names = attributes(old);
+    names.putAll(values);
+    for (String name : names.keySet()) {
+      Optional<String> was = old.text(name);
+      Optional<String> is = now.text(name);
+      if (!was.equals(is) && !takes(old, type, name, Optional.ofNullable(values.get(name)))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static Map<String, DocumentAttribute> attributes(DocumentElement element) {
+    Map<String, DocumentAttribute> attributes = new LinkedHashMap<>();
+    element.attributes().forEach(each -> attributes.put(each.name(), each));
+    return attributes;
+  }
+
+  /**
+   * Notes another value of a field.
+   *
+   * @param written empty where the field has its default again
+   */
+  private boolean takes(
+      DocumentElement old,
+      Optional<NodeType> type,
+      String name,
+      Optional<DocumentAttribute> written) {
+    Optional<FieldDefinition> field = type.flatMap(known -> known.field(name));
+    if (type.isEmpty() || OF_ENCODING.contains(name) || NAMING.contains(name)) {
+      return false;
+    }
+    if (field.isEmpty()) {
+      return true; // Such as class and id, which mean nothing to the scene.
+    }
+    FieldDefinition definition = field.get();
+    if (definition.access() != FieldAccess.INPUT_OUTPUT
+        || old.use().isPresent()
+        || written.filter(text -> !text.flaws(definition.type()).isEmpty()).isPresent()) {
+      return false;
+    }
+    fields.add(
+        new ScenePatch.Field(
+            placeOf(old),
+            old.name(),
+            name,
+            written.isPresent()
+                ? written.get().value(definition.type())
+                : definition.defaultValue()));
+    return true;
+  }
+
+  private static List<DocumentElement> withoutMetadata(DocumentElement element) {
+    return element.children().stream().filter(child -> !isMetadata(child)).toList();
+  }
+
+  private static boolean isMetadata(DocumentElement element) {
+    return element.name().startsWith("Metadata");
+  }
+
+  private boolean sameMetadata(DocumentElement old, DocumentElement now) {
+    String was = metadata(before, old);
+    String is = metadata(after, now);
+    if (was.equals(is)) {
+      return true;
+    }
+    if (named(old) || named(now)) {
+      return false; // One node may stand in several places.
+    }
+    metadata.add(new ScenePatch.Metadata(placeOf(old), old.name(), is));
+    return true;
+  }
+
+  private static String metadata(String text, DocumentElement of) {
+    StringBuilder all = new StringBuilder();
+    for (DocumentElement child : of.children()) {
+      if (isMetadata(child)) {
+        all.append(text, child.start(), child.end());
+      }
+    }
+    return all.toString();
+  }
+
+  private static boolean named(DocumentElement owner) {
+    boolean[] found = {false};
+    for (DocumentElement child : owner.children()) {
+      if (isMetadata(child)) {
+        child.visit(each -> found[0] |= each.def().isPresent() || each.use().isPresent());
+      }
+    }
+    return found[0];
+  }
+
+  /** The same text with all in it, elsewhere perhaps. */
+  private boolean placed(DocumentElement old, DocumentElement now) {
+    if (old.end() - old.start() != now.end() - now.start()
+        || old.children().size() != now.children().size()) {
+      return false;
+    }
+    place(old, now);
+    for (int i = 0; i < old.children().size(); i++) {
+      placed(old.children().get(i), now.children().get(i));
+    }
+    return true;
+  }
+
+  private void place(DocumentElement old, DocumentElement now) {
+    Place was = placeOf(old);
+    Place is = placeOf(now);
+    if (!was.equals(is)) {
+      moved.put(was, is);
+    }
+  }
+
+  private static Place placeOf(DocumentElement element) {
+    Location at = element.location();
+    return new Place(at.line(), at.column());
+  }
+}
