@@ -38,14 +38,15 @@ record CaretPlace(
   }
 
   static CaretPlace at(CharSequence text, int caret) {
+    if (Commenting.openBefore(text, caret) >= 0) {
+      return nothing(caret);
+    }
     int open = lastOpen(text, caret);
     if (open < 0) {
       return content(text, caret);
     }
     if (starts(text, open, "<!") || starts(text, open, "<?")) {
-      boolean comment = starts(text, open, "<!--");
-      boolean closed = closes(text, open, caret, comment ? "-->" : ">");
-      return closed ? content(text, caret) : nothing(caret);
+      return closes(text, open, caret, ">") ? content(text, caret) : nothing(caret);
     }
     return inTag(text, open, caret);
   }

@@ -45,7 +45,7 @@ public final class Commenting {
   }
 
   /** Where the comment begins that a place stands in; -1 for none. */
-  private static int openBefore(CharSequence text, int at) {
+  static int openBefore(CharSequence text, int at) {
     for (int i = Math.min(at, text.length() - OPEN.length()); i >= 0; i--) {
       if (stands(text, i, OPEN)) {
         return i;

@@ -32,6 +32,7 @@ public final class FormPanel extends JPanel {
   private final transient SelectionListener onSelection = (element, origin) -> selected();
   private final transient DocumentListener onChange = change -> changed();
   private transient Consumer<DocumentElement> makeVersions = element -> {};
+  private final transient FieldsForm.Choice allFields = new FieldsForm.Choice();
   private final Body body = new Body();
   private final JLabel title = new JLabel();
   private final JLabel place = new JLabel();
@@ -103,7 +104,7 @@ public final class FormPanel extends JPanel {
     body.add(place, "wmin 0");
     body.add(findings, "wmin 0");
     if (element != null) {
-      Form made = form(element);
+      Form made = BothForms.of(form(element), new FieldsForm(session, element, allFields));
       form = made;
       body.add(made.component(), "wmin 0");
     } else {
