@@ -13,6 +13,7 @@ import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.ElementSource;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.EncodedText;
+import org.selectiverenderer.x3d.source.Entities;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.source.StartTag;
 import org.selectiverenderer.x3d.source.TextChange;
@@ -38,6 +39,7 @@ public final class SceneDocument {
   private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
   private @Nullable ElementTree tree;
   private @Nullable DocumentFault fault;
+  private Entities entities = Entities.NONE;
   private long revision;
 
   /** The latest snapshot, which all who ask for one share as long as one of them has it. */
@@ -50,6 +52,7 @@ public final class SceneDocument {
     // Bytes that are made again from the characters need not be kept.
     this.original = compressed || !encoding.exact() ? bytes : null;
     this.buffer = new TextBuffer(encoding.characters());
+    entities = Entities.of(buffer.characters());
     try {
       tree = encoding.elements(source);
     } catch (XmlFault e) {
@@ -118,6 +121,11 @@ public final class SceneDocument {
                     .orElse("its " + encoding.encoding() + " cannot be written again as it is")
                 + "; it can be viewed but not changed. Save it as UTF-8 with a text "
                 + "editor first");
+  }
+
+  /** The entities that the document's own DOCTYPE declares. */
+  public Entities entities() {
+    return entities;
   }
 
   /** The attributes of an element. */
@@ -275,6 +283,11 @@ public final class SceneDocument {
     public FieldParser parser() {
       return parser;
     }
+
+    @Override
+    public Entities entities() {
+      return entities;
+    }
   }
 
   private List<TextChange> apply(List<TextChange> changes) {
@@ -293,6 +306,7 @@ public final class SceneDocument {
     if (tree != null) {
       tree.detach();
     }
+    entities = Entities.of(buffer.characters());
     try {
       tree = ElementTree.of(source, revision);
       fault = null;

@@ -60,7 +60,7 @@ public final class UndoHistory {
   /** Makes a change by hand, which joins the one before when that was made by hand, too. */
   void type(String name, TextChange change) {
     List<TextChange> inverse = text.apply(List.of(change));
-    if (typing && saved != done.size() && undone.isEmpty()) {
+    if (typing()) {
       Step step = done.remove(done.size() - 1);
       List<List<TextChange>> undo = new ArrayList<>(List.of(inverse));
       undo.addAll(step.undo());
@@ -69,6 +69,16 @@ public final class UndoHistory {
       push(name, List.of(inverse), Optional.empty());
     }
     typing = true;
+  }
+
+  /** Whether what is typed next joins the last step. */
+  public boolean typing() {
+    return typing && saved != done.size() && undone.isEmpty();
+  }
+
+  /** What is typed next is a step of its own: the author has paused, or gone elsewhere. */
+  public void endTyping() {
+    typing = false;
   }
 
   private void push(String name, List<List<TextChange>> undo, Optional<StepFiles> files) {

@@ -14,6 +14,8 @@ import javax.swing.event.MenuListener;
 import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Theme;
+import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The menus: all that can be done, with its keys. */
 final class WindowMenus {
@@ -73,7 +75,24 @@ final class WindowMenus {
     menu.add(new Command("&Next Problem", "F8", with(Workbench::nextProblem)));
     menu.add(new Command("&Previous Problem", "shift F8", with(Workbench::previousProblem)));
     menu.add(new Command("&Fix Problem", "alt ENTER", with(Workbench::fixProblem)));
+    source(menu);
     return menu;
+  }
+
+  /** What can be done in the source, which comes into view then. */
+  private void source(JMenu menu) {
+    menu.addSeparator();
+    menu.add(sourceCommand("menuFind", "ctrl F", source -> source.find(false)));
+    menu.add(sourceCommand("menuReplace", "ctrl H", source -> source.find(true)));
+    menu.add(sourceCommand("menuNext", "F3", source -> source.findNext(1)));
+    menu.add(sourceCommand("menuPrevious", "shift F3", source -> source.findNext(-1)));
+    menu.add(sourceCommand("menuLine", "ctrl G", SourcePanel::goToLine));
+    menu.add(sourceCommand("menuTag", "ctrl shift M", SourcePanel::goToMatchingTag));
+    menu.add(sourceCommand("menuComment", "ctrl SLASH", SourcePanel::toggleComment));
+  }
+
+  private Command sourceCommand(String text, String key, Consumer<SourcePanel> work) {
+    return new Command(Texts.of("source." + text), key, with(bench -> bench.inSource(work)));
   }
 
   private JMenu scene() {

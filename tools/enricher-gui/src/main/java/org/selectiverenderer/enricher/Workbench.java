@@ -152,7 +152,7 @@ final class Workbench {
 
   /** Takes over what is typed somewhere and not yet in the document. */
   void commit() {
-    source.flush();
+    source.endStep();
     form.commit();
   }
 
@@ -199,6 +199,15 @@ final class Workbench {
     if (index < tabs.getTabCount()) {
       tabs.setSelectedIndex(index);
     }
+  }
+
+  /** Does something in the source, which comes into view. */
+  void inSource(Consumer<SourcePanel> work) {
+    if (tabs.getSelectedComponent() != source.component()) {
+      tabs.setSelectedComponent(source.component());
+      source.area().requestFocusInWindow();
+    }
+    work.accept(source);
   }
 
   void showHelp() {

@@ -129,6 +129,13 @@ final class FormField {
     closed = true;
   }
 
+  /** Says what is wrong with what the document has. */
+  void complain(String why) {
+    if (typed.get().equals(shown)) {
+      mark(Optional.of(why));
+    }
+  }
+
   private void mark(Optional<String> wrong) {
     marked.putClientProperty("JComponent.outline", wrong.isPresent() ? "error" : null);
     marked.getAccessibleContext().setAccessibleDescription(wrong.orElse(marked.getToolTipText()));

@@ -30,6 +30,7 @@ public final class FormPanel extends JPanel {
   private final transient SelectionListener onSelection = (element, origin) -> selected();
   private final transient DocumentListener onChange = change -> changed();
   private transient Consumer<DocumentElement> makeVersions = element -> {};
+  private final transient FieldsForm.Choice allFields = new FieldsForm.Choice();
   private final JPanel body =
       new FittingPanel(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
   private final JLabel title = new JLabel();
@@ -102,7 +103,7 @@ public final class FormPanel extends JPanel {
     body.add(title, "wmin 0");
     body.add(place, "wmin 0");
     if (element != null) {
-      Form made = form(element);
+      Form made = BothForms.of(form(element), new FieldsForm(session, element, allFields));
       form = made;
       body.add(made.component(), "wmin 0");
     } else {

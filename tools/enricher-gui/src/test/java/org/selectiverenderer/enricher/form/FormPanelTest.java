@@ -73,6 +73,22 @@ class FormPanelTest {
   }
 
   @Test
+  void allSchemasAreListedOnCtrlSpaceInAnEmptyField() throws Exception {
+    try (FormWindow window = open(false)) {
+      window.select("Switch_Bin");
+      SchemasField schemas = (SchemasField) window.named("Schemas of choice 0");
+      window.click(schemas);
+      window.robot.keyPress(KeyEvent.VK_CONTROL);
+      window.press(KeyEvent.VK_SPACE);
+      window.robot.keyRelease(KeyEvent.VK_CONTROL);
+      window.settle();
+      assertThat(Swing.get(schemas::proposing)).isTrue();
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(shown(schemas)).isEqualTo("DeskSchema");
+    }
+  }
+
+  @Test
   void whatIsFilledInIsWrittenUndoneAndShownForAnother() throws Exception {
     try (FormWindow window = open(false)) {
       window.select("Switch_Bin");
