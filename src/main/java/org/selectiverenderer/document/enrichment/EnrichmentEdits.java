@@ -78,6 +78,21 @@ public final class EnrichmentEdits {
     return new Edit(name, changes);
   }
 
+  /**
+   * What a further choice behind all others needs of metadata: a part that says nothing, where the
+   * others have one each.
+   */
+  public List<TextChange> choiceAdded(EnrichedSwitch node) {
+    wellFormed();
+    return new NodeWriter(document).partAdded(node);
+  }
+
+  /** What goes of the metadata when a choice goes. */
+  public List<TextChange> choiceRemoved(EnrichedSwitch node, int index) {
+    wellFormed();
+    return new NodeWriter(document).partRemoved(node, index);
+  }
+
   /** Gives a schema another name wherever it is named; that of another schema joins the two. */
   public Edit renameSchema(String from, String to) {
     wellFormed();
