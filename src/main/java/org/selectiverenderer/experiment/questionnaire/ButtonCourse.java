@@ -8,7 +8,8 @@ import java.util.OptionalInt;
  * Answers a questionnaire by two buttons and a stick, a question at a time: of two options each
  * button is one, of several the stick or the second button marks one and the first button takes it.
  * Where a page has no more to ask, the first button turns it and the second goes back. Nothing is
- * marked before the participant marks it, so that no answer is suggested. Belongs to one thread.
+ * marked before the participant marks it, so that no answer is suggested. Who points chooses at
+ * once, and goes back and on by what is pointed at. Belongs to one thread.
  */
 public final class ButtonCourse {
   private final QuestionnaireCourse course;
@@ -107,9 +108,8 @@ public final class ButtonCourse {
       }
     } else if (!course.asked().isEmpty()) {
       ask(0);
-    } else if (course.turn(-1)) {
-      course.begin();
-      ask(course.asked().size());
+    } else {
+      back();
     }
   }
 
@@ -131,8 +131,43 @@ public final class ButtonCourse {
       marked = marked < 0 ? (on ? 0 : last) : Math.max(0, Math.min(last, marked + (on ? 1 : -1)));
     } else if (away && at > 0) {
       ask(at - 1);
-    } else if (!away
-        && question().filter(one -> one.complete(course.answer(one), wording)).isPresent()) {
+    } else if (!away && question().isPresent()) {
+      forward();
+    }
+  }
+
+  /** An option of the question was pointed at and chosen. */
+  public void choose(int option) {
+    take(option);
+  }
+
+  /** Whether there is something to go back to: a question or a page before. */
+  public boolean mayGoBack() {
+    return at > 0 || course.number() > 0;
+  }
+
+  /** Goes back to the question before, else to the page before. */
+  public void back() {
+    if (at > 0) {
+      ask(at - 1);
+    } else if (course.turn(-1)) {
+      course.begin();
+      ask(course.asked().size());
+    }
+  }
+
+  /** Whether nothing keeps the participant from going on to the next question or page. */
+  public boolean mayGoOn() {
+    return question()
+        .map(asked -> asked.complete(course.answer(asked), wording))
+        .orElse(!course.refuses());
+  }
+
+  /** Goes on to the next question, else to the next page, else ends. */
+  public void forward() {
+    if (question().isEmpty()) {
+      goOn();
+    } else if (mayGoOn()) {
       ask(at + 1);
     }
   }
