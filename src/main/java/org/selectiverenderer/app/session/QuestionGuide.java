@@ -179,7 +179,11 @@ final class QuestionGuide implements RunGuide {
     }
     ButtonCourse asking = begun();
     if (session.options().unattended() && ++frames % PRESS == 0) {
-      boolean yes = asking.question().isEmpty() || simulated.nextBoolean();
+      boolean written = asking.line().isPresent();
+      boolean yes = asking.question().isEmpty() || written || simulated.nextBoolean();
+      if (written && asking.written().isEmpty()) {
+        asking.write(asking.line().orElseThrow().simulated(simulated));
+      }
       answered(yes ? HeadsetAnswer.YES : HeadsetAnswer.NO);
     }
     QuestionSheet.Sheet drawn = sheet.of(asking, aim.isPresent());

@@ -32,15 +32,21 @@ final class QuestionSheet {
   private static final double LARGE = 46;
   private static final double MARGIN = 50;
   private static final double LINE = 1.35;
+
+  /** Of what is written, that are seen. */
+  private static final int LINES = 4;
+
   private static final int PAPER = 0xF0202632;
   private static final int INK = 0xFFF0F3F8;
   private static final int FAINT = 0xFFAAB4C4;
   private static final int SPOT = 0xFFFFD24A;
+  private static final int FIELD = 0xFF11161F;
   private static final int BOX = 0xFF3A4456;
   private static final int MARKED = 0xFF2E6FD8;
 
   private final TextMesher mesher = new TextMesher();
   private final Wording wording;
+  private final PanelKeyboard keyboard;
   private final List<Mark> marks = new ArrayList<>();
   private final List<Target> targets = new ArrayList<>();
   private double y;
@@ -89,6 +95,7 @@ final class QuestionSheet {
 
   QuestionSheet(Wording wording) {
     this.wording = wording;
+    keyboard = new PanelKeyboard(wording);
   }
 
   /** A spot on the page where a ray meets it. */
@@ -127,7 +134,11 @@ final class QuestionSheet {
       text(asked.question().get().text(), LARGE, INK);
       text(asked.heading(), SMALL, FAINT);
       y += SMALL / 2;
-      choice(asked);
+      if (asked.line().isPresent()) {
+        writing(asked, pointing);
+      } else {
+        choice(asked, pointing);
+      }
     }
     y += SMALL;
     if (pointing) {
@@ -182,7 +193,11 @@ final class QuestionSheet {
     }
     String place = wording.filled("headset.question", asked.place(), course.asked().size());
     if (pointing) {
-      return place + "  " + wording.of("headset.point");
+      String what = asked.line().isPresent() ? "headset.keys" : "headset.point";
+      return place + "  " + wording.of(what);
+    }
+    if (asked.line().isPresent()) {
+      return place + "  " + wording.of("headset.written");
     }
     List<Option> options = asked.choice().orElseThrow().options();
     return place
@@ -192,22 +207,72 @@ final class QuestionSheet {
             : wording.of("headset.several"));
   }
 
-  private void choice(ButtonCourse asked) {
+  /** What is written so far, its end where it is long, and the keys for one who points. */
+  private void writing(ButtonCourse asked, boolean pointing) {
+    List<String> lines = wrapped(asked.written() + "_", PLAIN, WIDTH - 3 * MARGIN);
+    List<String> end = lines.subList(Math.max(0, lines.size() - LINES), lines.size());
+    double height = end.size() * PLAIN * LINE + PLAIN / 2;
+    marks.add(Mark.rectangle(MARGIN, y, WIDTH - 2 * MARGIN, height, FIELD));
+    double base = y + PLAIN * 1.15;
+    for (String line : end) {
+      marks.add(new Mark.Text(line, 1.5 * MARGIN, base, PLAIN, INK));
+      base += PLAIN * LINE;
+    }
+    y += height;
+    asked.line().filter(line -> line.range().isPresent()).ifPresent(this::range);
+    y += SMALL / 2;
+    if (pointing) {
+      keys(keyboard.rows(asked));
+    }
+  }
+
+  /** What number is wanted, below the field. */
+  private void range(AnswerField.Line line) {
+    String wanted = line.range().orElseThrow().dashed();
+    text(line.unit().isEmpty() ? wanted : wanted + " " + line.unit(), SMALL, FAINT);
+  }
+
+  private void keys(List<List<PanelKeyboard.Key>> rows) {
+    double gap = SMALL / 3;
+    double letter = (WIDTH - 2 * MARGIN - 9 * gap) / 10;
+    for (List<PanelKeyboard.Key> row : rows) {
+      double x = MARGIN;
+      for (PanelKeyboard.Key key : row) {
+        double width = key.width() * letter + (Math.ceil(key.width()) - 1) * gap;
+        box(x, width, 2 * PLAIN, key.held(), key.press());
+        label(key.label(), x, width, PLAIN);
+        x += width + gap;
+      }
+      y += 2 * PLAIN + gap;
+    }
+  }
+
+  private void choice(ButtonCourse asked, boolean pointing) {
     AnswerField.Choice choice = asked.choice().orElseThrow();
     List<Option> options = choice.options();
     int marked = asked.marked().orElse(-1);
-    if (!choice.inLine()) {
+    if (choice.several() || !choice.inLine()) {
       for (int i = 0; i < options.size(); i++) {
         List<String> lines = wrapped(options.get(i).label(), PLAIN, WIDTH - 3 * MARGIN);
         double height = lines.size() * PLAIN * LINE + PLAIN / 2;
         int option = i;
-        box(MARGIN, WIDTH - 2 * MARGIN, height, i == marked, () -> asked.choose(option));
+        boolean on = choice.several() ? asked.chosen(i) : i == marked;
+        box(MARGIN, WIDTH - 2 * MARGIN, height, on, () -> asked.choose(option));
+        if (choice.several() && i == marked) {
+          marks.add(Mark.rectangle(MARGIN, y, MARGIN / 4, height, SPOT));
+        }
         double base = y + PLAIN * 1.15;
         for (String line : lines) {
           marks.add(new Mark.Text(line, 1.5 * MARGIN, base, PLAIN, INK));
           base += PLAIN * LINE;
         }
         y += height + SMALL / 3;
+      }
+      if (choice.several() && !pointing) {
+        double width = (WIDTH - 2 * MARGIN) / 3;
+        box(WIDTH - MARGIN - width, width, 2 * PLAIN, marked == options.size(), asked::forward);
+        label(wording.of("next"), WIDTH - MARGIN - width, width, PLAIN);
+        y += 2 * PLAIN;
       }
       return;
     }

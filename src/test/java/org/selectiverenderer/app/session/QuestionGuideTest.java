@@ -143,15 +143,27 @@ class QuestionGuideTest {
   }
 
   @Test
-  void whatIsWrittenIsAskedAtTheDeskAndThatIsSaid() {
-    assertThat(problems.list())
-        .singleElement()
-        .satisfies(
-            problem ->
-                assertThat(problem.toString())
-                    .contains("words has a picture, or questions that are written"));
+  void whatIsWrittenIsAskedInsideToo() throws IOException {
+    assertThat(problems.list()).isEmpty();
     List<SessionStep> left = session.remaining();
-    assertThat(left).map(steps::shows).containsExactly(true, true, false);
+    assertThat(left).map(steps::shows).containsExactly(true, true, true);
+    for (SessionStep step : left.subList(0, 2)) {
+      session.began(step, false);
+      session.finished(step, Map.of());
+    }
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      guide.pointed(
+          Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
+      for (String key :
+          List.of("ABC", "h", "i", "Space", "ΕΛ", "΄", "ω", "ς", "ψ", "Erase", "Continue")) {
+        choose(guide, walk, key.equals("h") ? "H" : key);
+      }
+      choose(guide, walk, "Continue");
+      assertThat(guide.over(1)).isTrue();
+    }
+    assertThat(session.answers(left.get(2))).containsOnly(Map.entry("say", new Answer("Hi ώς", 0)));
   }
 
   @Test
