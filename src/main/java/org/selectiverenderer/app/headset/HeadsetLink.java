@@ -63,7 +63,16 @@ public final class HeadsetLink implements HeadsetScreen {
    * @throws HeadsetUnavailableException with a sentence that says what is missing and what to do
    */
   public static HeadsetLink find(HeadsetShown shown) throws HeadsetUnavailableException {
-    return new HeadsetLink(XrSearch.begin(), shown);
+    return with(XrSearch.begin(), shown);
+  }
+
+  /**
+   * A headset that was found.
+   *
+   * @param search closed with it
+   */
+  public static HeadsetLink with(XrSearch search, HeadsetShown shown) {
+    return new HeadsetLink(search, shown);
   }
 
   /** What it shows, in a sentence. */

@@ -243,6 +243,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   /** Does what the controllers ask for. */
   private void hands(HeadsetLink worn, World world) {
     worn.hands().drive(controls);
+    guide.pointed(worn.hands().aim());
     worn.hands().takeAnswers().forEach(guide::answered);
     if (worn.hands().take(HeadsetButton.TELEPORT) && guide.walks() && !paused()) {
       RoomTeleport.go(world);
@@ -350,8 +351,8 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   @Override
-  public Optional<Panel> panel() {
-    return guide.panel();
+  public List<Panel> panels() {
+    return guide.panels();
   }
 
   @Override

@@ -216,8 +216,8 @@ public final class WindowChain implements WorldHost {
   }
 
   @Override
-  public Optional<Panel> panel() {
-    return current == null ? Optional.empty() : current.panel();
+  public List<Panel> panels() {
+    return current == null ? List.of() : current.panels();
   }
 
   @Override
