@@ -141,6 +141,12 @@ public final class UndoHistory {
     return move(undone, done, false, over);
   }
 
+  /** Whether undoing, or redoing, writes or removes files besides the document's own. */
+  public boolean concernsFiles(boolean back) {
+    List<Step> steps = back ? done : undone;
+    return !steps.isEmpty() && steps.get(steps.size() - 1).files().isPresent();
+  }
+
   /**
    * The files that undoing, or redoing, would replace though somebody else has changed them since.
    *
@@ -148,7 +154,7 @@ public final class UndoHistory {
    */
   public List<Path> changedMeanwhile(boolean back) {
     List<Step> steps = back ? done : undone;
-    if (steps.isEmpty() || steps.get(steps.size() - 1).files().isEmpty()) {
+    if (!concernsFiles(back)) {
       return List.of();
     }
     try {

@@ -17,6 +17,7 @@ import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -318,17 +319,21 @@ final class EnricherWindow {
   }
 
   void undo() {
-    if (bench != null) {
-      bench.commit();
-      bench.session().document().history().undo();
-      refresh();
-    }
+    step(true);
   }
 
   void redo() {
+    step(false);
+  }
+
+  private void step(boolean back) {
     if (bench != null) {
       bench.commit();
-      bench.session().document().history().redo();
+      UndoHistory history = bench.session().document().history();
+      boolean files = history.concernsFiles(back);
+      if (new Steps(history, questions).go(back) && files) {
+        bench.lookAtFilesAgain();
+      }
       refresh();
     }
   }

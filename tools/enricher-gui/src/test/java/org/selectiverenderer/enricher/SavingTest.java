@@ -15,6 +15,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.StepFiles;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
@@ -264,6 +266,29 @@ class SavingTest {
     result();
     assertThat(other).content().contains("mine");
     assertThat(folder.resolve("hall.x3d.faulty.bak")).content().isEqualTo("theirs");
+  }
+
+  @Test
+  void filesOfAStepThatAnotherProgramChangedAreReplacedOnlyWhenTheAuthorAgrees()
+      throws IOException {
+    Path file = folder.resolve("cup_v2.x3d");
+    session
+        .document()
+        .perform(
+            new Edit("Make", List.of()),
+            List.of(new StepFiles.Written(file, new byte[] {'a'}, false)));
+    Files.writeString(file, "theirs");
+    Steps steps = new Steps(session.document().history(), answers);
+    answers.agree = false;
+    assertThat(steps.go(true)).isFalse();
+    assertThat(file).hasContent("theirs");
+    answers.agree = true;
+    assertThat(steps.go(true)).isTrue();
+    assertThat(file).doesNotExist();
+    assertThat(folder.resolve("cup_v2.x3d.bak")).hasContent("theirs");
+    assertThat(steps.go(false)).isTrue();
+    assertThat(file).hasContent("a");
+    assertThat(answers.asked).containsExactly("overwrite", "overwrite");
   }
 
   @Test
