@@ -46,7 +46,11 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
 
   /** Does something to the stage, after which it is drawn. Thread-safe. */
   void tell(Consumer<PreviewStage> what) {
-    told.add(what);
+    told.add(
+        stage -> {
+          what.accept(stage);
+          stage.changed();
+        });
   }
 
   /**
@@ -56,7 +60,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
    */
   @Override
   public void patch(ScenePatch patch, Runnable refused) {
-    tell(
+    told.add(
         stage -> {
           if (!stage.patch(patch)) {
             refused.run();
@@ -109,7 +113,6 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
       try {
         while (what != null && !ended) {
           what.accept(stage);
-          stage.changed();
           what = told.poll();
         }
         if (!ended) {
