@@ -42,6 +42,10 @@ public final class PreviewPanel extends JPanel {
   private static final double STEP = Math.toRadians(5);
   private static final double SHIFT = 0.05;
 
+  /** Before the name of an action: what it does, in the bundles. */
+  private static final String KEYS = "preview.key.";
+
+
   private final transient EnricherSession session;
   private final transient PreviewThread thread;
   private final transient SceneFeed feed;
@@ -221,7 +225,7 @@ public final class PreviewPanel extends JPanel {
   private void key(String stroke, String name, Runnable does) {
     view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), name);
     Action action = action(does);
-    action.putValue(Action.NAME, Texts.of("preview.key." + name));
+    action.putValue(Action.NAME, Texts.of(KEYS + name));
     view.getActionMap().put(name, action);
   }
 
@@ -305,7 +309,7 @@ public final class PreviewPanel extends JPanel {
               place.column()));
       at = element.parent();
     }
-    thread.tell(stage -> stage.select(anchors));
+    thread.ask(stage -> stage.select(anchors));
   }
 
   /** Shows the scene as if the viewer were in these schemas, later ones overruling earlier ones. */

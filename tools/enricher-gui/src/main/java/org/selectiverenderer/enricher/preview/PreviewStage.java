@@ -215,6 +215,7 @@ final class PreviewStage implements AutoCloseable {
    * @param anchors of the element and those around it, the nearest first
    */
   void select(List<Anchor> anchors) {
+    changed |= !anchors.equals(selection);
     selection = anchors;
   }
 

@@ -46,11 +46,16 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
 
   /** Does something to the stage, after which it is drawn. Thread-safe. */
   void tell(Consumer<PreviewStage> what) {
-    told.add(
+    ask(
         stage -> {
           what.accept(stage);
           stage.changed();
         });
+  }
+
+  /** Does something to the stage, which knows whether it is to be drawn. Thread-safe. */
+  void ask(Consumer<PreviewStage> what) {
+    told.add(what);
   }
 
   /**
@@ -60,7 +65,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
    */
   @Override
   public void patch(ScenePatch patch, Runnable refused) {
-    told.add(
+    ask(
         stage -> {
           if (!stage.patch(patch)) {
             refused.run();

@@ -256,6 +256,8 @@ public final class ProblemsPanel extends JPanel {
               .setAccessibleName(Texts.of("counts.show", counts.words(severity)));
         });
     left.setText(counts.left().orElse(" "));
+    left.getAccessibleContext()
+        .setAccessibleName(counts.left().orElseGet(() -> Texts.of("counts.allenriched")));
     chosen();
     onCounts.accept(counts);
   }
