@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.render.mark;
 
+import org.selectiverenderer.runtime.render.context.GlInfo;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
@@ -31,10 +32,12 @@ public final class MarkedView implements AutoCloseable {
   private final MarkPainter marks = new MarkPainter();
   private @Nullable OffscreenTarget target;
 
+  private final GlInfo info;
   private int samples;
 
   private MarkedView(OffscreenContext context) {
     this.context = context;
+    this.info = GlInfo.of(context.gl());
   }
 
   /**
@@ -44,6 +47,11 @@ public final class MarkedView implements AutoCloseable {
    */
   public static MarkedView open() {
     return new MarkedView(OffscreenContext.open());
+  }
+
+  /** What draws. */
+  public GlInfo info() {
+    return info;
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import java.awt.event.KeyEvent;
 import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
@@ -20,7 +21,7 @@ final class Command extends AbstractAction {
     int letter = name.indexOf('&');
     putValue(NAME, name.replace("&", ""));
     if (letter >= 0) {
-      putValue(MNEMONIC_KEY, (int) Character.toUpperCase(name.charAt(letter + 1)));
+      putValue(MNEMONIC_KEY, KeyEvent.getExtendedKeyCodeForChar(name.charAt(letter + 1)));
     }
     if (!key.isEmpty()) {
       putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import javax.swing.JLabel;
 import java.awt.Window;
 import java.io.File;
 import java.nio.file.Path;
@@ -29,9 +30,11 @@ final class DialogQuestions implements Questions {
   }
 
   private int show(int kind, String sentence, String... choices) {
+    JLabel said = new JLabel("<html><body width=420>" + Markup.text(sentence));
+    said.getAccessibleContext().setAccessibleName(sentence);
     return JOptionPane.showOptionDialog(
         owner,
-        "<html><body width=420>" + Markup.text(sentence),
+        said,
         TITLE,
         JOptionPane.DEFAULT_OPTION,
         kind,

@@ -1,5 +1,8 @@
 package org.selectiverenderer.enricher;
 
+import org.selectiverenderer.enricher.settings.Language;
+import org.selectiverenderer.enricher.settings.FontZoom;
+import org.selectiverenderer.base.decimal.DecimalText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -46,6 +49,8 @@ final class EnricherWindow {
   private final JPanel content = new JPanel(new BorderLayout());
   private final JLabel welcome = new JLabel(Texts.of("window.welcome"), SwingConstants.CENTER);
   private final Questions questions;
+  private final HelpDialogs help = new HelpDialogs(frame);
+  private final FontZoom zoom;
   private final KeptWork kept;
   private final ConversionOffer conversion;
   private final SceneDialogs dialogs;
@@ -88,13 +93,19 @@ final class EnricherWindow {
     } catch (IOException | IllegalArgumentException e) {
       complaint = String.valueOf(e.getMessage());
     }
+    Language.of(settings).apply();
     Theme.of(settings.word("theme", "")).apply();
+    FontZoom zoom = new FontZoom(settings);
+    if (zoom.percent() != FontZoom.USUAL) {
+      zoom.apply();
+    }
     return new Remembered(settings, access, complaint);
   }
 
   private EnricherWindow(Remembered remembered, Path folder, Runnable closed) {
     this.settings = remembered.settings();
     this.access = remembered.access();
+    this.zoom = new FontZoom(settings);
     this.recovery = new Recovery(folder.resolve("recovery"));
     this.recent = new RecentFiles(settings);
     this.place = new WindowPlace(settings);
@@ -106,6 +117,7 @@ final class EnricherWindow {
     dialogs = new SceneDialogs(frame, this::bench, status::say);
     menus = new WindowMenus(this, dialogs, settings);
     frame.setJMenuBar(menus.bar());
+    menus.moreKeys(frame.getRootPane());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {
@@ -119,6 +131,7 @@ final class EnricherWindow {
             lookAtDisk();
           }
         });
+    WindowIcon.dress(frame);
     frame.setTransferHandler(new FileDrop(this::dropped));
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);
@@ -360,6 +373,31 @@ final class EnricherWindow {
   void use(Theme theme) {
     settings.put("theme", theme.name());
     theme.apply();
+    zoom.apply();
+  }
+
+  /**
+   * Makes all letters larger or smaller.
+   *
+   * @param steps above 0 for larger, below for smaller, 0 for as the system has them
+   */
+  void zoom(int steps) {
+    int percent = steps == 0 ? zoom.reset() : zoom.change(steps);
+    status.say(Texts.of("window.zoom", DecimalText.grouped(percent)));
+  }
+
+  /** Remembers the language for the next start. */
+  void use(Language language) {
+    language.choose(settings);
+    status.say(Texts.of("window.language", language.title()));
+  }
+
+  void showKeys() {
+    help.keys();
+  }
+
+  void showAbout() {
+    help.about(bench().flatMap(Workbench::drawnBy));
   }
 
   private void lookAtDisk() {

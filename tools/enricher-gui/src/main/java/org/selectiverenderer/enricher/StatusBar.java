@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import org.selectiverenderer.enricher.problems.SeverityIcon;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -52,6 +53,7 @@ final class StatusBar {
   /** Shows how many problems there are. */
   void count(ProblemCounts counts) {
     problems.setText(counts.words());
+    problems.setIcon(counts.worst().map(SeverityIcon::new).orElse(null));
     problems.getAccessibleContext().setAccessibleName(counts.words());
   }
 

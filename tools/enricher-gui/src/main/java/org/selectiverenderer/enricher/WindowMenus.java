@@ -1,5 +1,12 @@
 package org.selectiverenderer.enricher;
 
+import javax.swing.KeyStroke;
+import javax.swing.JRootPane;
+import javax.swing.JComponent;
+import java.util.Map;
+import java.awt.event.KeyEvent;
+import org.selectiverenderer.enricher.settings.Language;
+import org.selectiverenderer.enricher.text.Texts;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -48,7 +55,7 @@ final class WindowMenus {
   }
 
   private JMenu file() {
-    JMenu menu = menu("File", 'F');
+    JMenu menu = new JMenu(new Command(Texts.of("menu.file"), "", () -> {}));
     menu.add(new Command("&Open...", "ctrl O", window::chooseAndOpen));
     recent.addMenuListener(new Opening(this::listRecent));
     menu.add(recent);
@@ -118,12 +125,54 @@ final class WindowMenus {
       group.add(item);
       menu.add(item);
     }
+    menu.addSeparator();
+    menu.add(command("window.larger", "ctrl PLUS", () -> window.zoom(1)));
+    menu.add(command("window.smaller", "ctrl MINUS", () -> window.zoom(-1)));
+    menu.add(command("window.usual", "ctrl 0", () -> window.zoom(0)));
+    menu.addSeparator();
+    menu.add(languages());
     return menu;
+  }
+
+  private JMenu languages() {
+    Command shown = command("window.languages", "", () -> {});
+    JMenu menu = new JMenu(shown);
+    ButtonGroup group = new ButtonGroup();
+    for (Language language : Language.values()) {
+      String title =
+          language == Language.SYSTEM ? Texts.of("window.systemlanguage") : language.title();
+      JRadioButtonMenuItem item = new JRadioButtonMenuItem(title);
+      item.setMnemonic(KeyEvent.getExtendedKeyCodeForChar(title.charAt(0)));
+      item.setSelected(language == Language.of(settings));
+      item.addActionListener(event -> window.use(language));
+      group.add(item);
+      menu.add(item);
+    }
+    return menu;
+  }
+
+  /** A command whose name and letter are in the bundles. */
+  private static Command command(String text, String key, Runnable work) {
+    return new Command(Texts.of(text), key, work);
+  }
+
+  /** Keys that mean the same as those that the menus show, on other keyboards. */
+  void moreKeys(JRootPane root) {
+    Map<String, Integer> steps =
+        Map.of("ctrl EQUALS", 1, "ctrl shift EQUALS", 1, "ctrl ADD", 1, "ctrl SUBTRACT", -1);
+    steps.forEach(
+        (key, step) ->
+            root.registerKeyboardAction(
+                event -> window.zoom(step),
+                KeyStroke.getKeyStroke(key),
+                JComponent.WHEN_IN_FOCUSED_WINDOW));
   }
 
   private JMenu help() {
     JMenu menu = menu("Help", 'H');
     menu.add(new Command("&Terms and Steps", "F1", with(Workbench::showHelp)));
+    menu.add(command("window.keys", "shift F1", window::showKeys));
+    menu.add(command("window.about", "", window::showAbout));
     return menu;
   }
 

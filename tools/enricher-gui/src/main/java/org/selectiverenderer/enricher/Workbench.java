@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import java.util.Optional;
 import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
@@ -219,6 +220,11 @@ final class Workbench {
     new WindowParts(
             List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
         .next();
+  }
+
+  /** What draws the preview; empty while that is not known. */
+  Optional<String> drawnBy() {
+    return preview.drawnBy();
   }
 
   Autosave autosave() {

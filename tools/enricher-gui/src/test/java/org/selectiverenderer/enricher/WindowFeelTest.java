@@ -1,5 +1,17 @@
 package org.selectiverenderer.enricher;
 
+import org.junit.jupiter.api.parallel.Resources;
+import org.junit.jupiter.api.parallel.ResourceLock;
+import javax.swing.SwingUtilities;
+import javax.swing.JMenu;
+import javax.accessibility.AccessibleContext;
+import java.awt.event.InputEvent;
+import java.awt.Container;
+import java.awt.Component;
+import java.util.stream.Stream;
+import java.util.ArrayList;
+import java.util.Locale;
+import java.util.List;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
@@ -152,5 +164,126 @@ class WindowFeelTest {
 
   private static Optional<String> selected(EnricherSession session) {
     return Hands.onEdt(() -> session.selection().flatMap(DocumentElement::def));
+  }
+
+  @Test
+  void theListOfKeysIsMadeOfWhatTheCommandsSay() throws IOException {
+    show();
+    open(scene());
+    List<KeyList.Entry> keys =
+        Hands.onEdt(
+            () -> KeyList.of(window.frame().getJMenuBar(), window.frame().getContentPane()));
+    assertThat(keys)
+        .contains(
+            new KeyList.Entry("File", "Ctrl+S", "Save"),
+            new KeyList.Entry("3D preview", "W", "Walk, or stop walking"));
+    assertThat(keys).allSatisfy(entry -> assertThat(entry.part()).isNotBlank());
+    assertThat(HelpDialogs.aboutText(Optional.of("Mesa")))
+        .contains("MIT", "Zotos", System.getProperty("java.version"), "Mesa");
+  }
+
+  @Test
+  void lettersGrowWithAllOfTheWindowAndStaySo() throws IOException {
+    show();
+    open(scene());
+    JTree tree = Hands.named(window.frame().getContentPane(), "Nodes of the scene", JTree.class);
+    int row = Hands.onEdt(tree::getRowHeight);
+    hands.click(tree);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+    hands.await("larger rows", () -> tree.getRowHeight() > row);
+    float larger = Hands.onEdt(() -> tree.getFont().getSize2D());
+    Hands.onEdt(
+        () -> {
+          window.close();
+          return true;
+        });
+    window = Hands.onEdt(() -> new EnricherWindow(folder.resolve("settings"), () -> {}));
+    float again = Hands.onEdt(() -> window.frame().getJMenuBar().getFont().getSize2D());
+    assertThat(again).isEqualTo(larger);
+    Hands.onEdt(
+        () -> {
+          window.zoom(0);
+          return true;
+        });
+    assertThat(Hands.onEdt(() -> window.frame().getJMenuBar().getFont().getSize2D()))
+        .isLessThan(larger);
+  }
+
+  @Test
+  @ResourceLock(Resources.LOCALE)
+  void theWindowSpeaksTheLanguageThatTheSettingsNameAndAltGreekLettersWork() throws IOException {
+    Locale before = Locale.getDefault(Locale.Category.DISPLAY);
+    try {
+      Path settings = Files.createDirectories(folder.resolve("settings"));
+      Files.writeString(settings.resolve("enricher.properties"), "theme=light\nlanguage=el\n");
+      window = Hands.onEdt(() -> new EnricherWindow(settings, () -> {}));
+      hands.show(window.frame());
+      JMenu file = Hands.onEdt(() -> window.frame().getJMenuBar().getMenu(0));
+      assertThat(file.getText()).isEqualTo("\u0391\u03c1\u03c7\u03b5\u03af\u03bf");
+      assertThat(file.getDisplayedMnemonicIndex()).isZero();
+      Hands.onEdt(
+          () -> {
+            KeyEvent alt =
+                new KeyEvent(
+                    window.frame().getRootPane(),
+                    KeyEvent.KEY_PRESSED,
+                    0,
+                    InputEvent.ALT_DOWN_MASK,
+                    KeyEvent.getExtendedKeyCodeForChar('\u03b1'),
+                    '\u03b1');
+            SwingUtilities.processKeyBindings(alt);
+            return true;
+          });
+      hands.await("the opened menu", file::isPopupMenuVisible);
+      Hands.picture(window.frame().getRootPane(), "window-greek", 1);
+    } finally {
+      Locale.setDefault(Locale.Category.DISPLAY, before);
+    }
+  }
+
+  @Test
+  void theIconIsDrawnForEverySizeOfADesktop() throws IOException {
+    show();
+    assertThat(window.frame().getIconImages())
+        .extracting(image -> image.getWidth(null))
+        .contains(16, 32, 48, 256);
+    assertThat(WindowIcon.image(16).getRGB(4, 8)).isNotEqualTo(WindowIcon.image(16).getRGB(12, 8));
+  }
+
+  @Test
+  void noDescriptionHasMarkupInIt() throws IOException {
+    show();
+    EnricherSession session = open(scene());
+    Hands.onEdt(
+        () -> {
+          session.select(
+              session.document().tree().orElseThrow().named("Switch_Cup").orElseThrow(), this);
+          return true;
+        });
+    List<String> marked = new ArrayList<>();
+    Hands.onEdt(
+        () -> {
+          markup(window.frame().getRootPane(), marked);
+          return true;
+        });
+    assertThat(marked).isEmpty();
+  }
+
+  private static void markup(Container in, List<String> found) {
+    for (Component each : in.getComponents()) {
+      AccessibleContext context = each.getAccessibleContext();
+      if (context != null) {
+        Stream.of(
+                String.valueOf(context.getAccessibleName()),
+                String.valueOf(context.getAccessibleDescription()))
+            .filter(text -> text.contains("<html"))
+            .forEach(found::add);
+      }
+      if (each instanceof Container more) {
+        markup(more, found);
+      }
+    }
   }
 }

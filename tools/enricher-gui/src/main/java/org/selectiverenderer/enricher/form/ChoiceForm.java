@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.enricher.text.Texts;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -79,11 +80,11 @@ final class ChoiceForm {
     facts.add(polygons, "wmin 0");
     panel.add(thumbnail, "split 2, span, growx 0");
     panel.add(facts, "growx, wmin 0");
-    panel.add(Labels.of("Type", type));
+    panel.add(Labels.of(Texts.of("terms.type"), type, "consistencyType"));
     panel.add(type, "wmin 0");
-    panel.add(Labels.of("Degree", degree));
+    panel.add(Labels.of(Texts.of("terms.degree"), degree, "degreeOfConsistency"));
     panel.add(degree, "wmin pref");
-    panel.add(Labels.of("Schemas", schemas));
+    panel.add(Labels.of(Texts.of("terms.schemas"), schemas, "schemaBelonginess"));
     panel.add(schemas, "spanx 3, wmin 0");
     JPanel complaints = Labels.room(typeComplaint, degreeComplaint, schemasComplaint);
     panel.add(complaints, "skip 1, spanx 3, wmin 0, hmin pref");
@@ -131,7 +132,9 @@ final class ChoiceForm {
 
   private void taken(VersionPicture picture) {
     thumbnail.show(picture.image());
-    String text = DecimalText.grouped(picture.polygons()) + " polygons";
+    String text =
+        Texts.of(
+            "counts.polygons", picture.polygons(), DecimalText.grouped(picture.polygons()));
     polygons.setText(text);
     polygons.getAccessibleContext().setAccessibleName(text);
   }

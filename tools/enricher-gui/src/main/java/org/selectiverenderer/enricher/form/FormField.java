@@ -27,6 +27,10 @@ final class FormField {
   private final Supplier<String> typed;
   private final Consumer<String> show;
   private final Source source;
+
+  /** What is said of the control to those who do not see it; a tooltip may be markup. */
+  private final @Nullable String described;
+
   private @Nullable String shown;
   private boolean busy;
   private boolean closed;
@@ -42,6 +46,7 @@ final class FormField {
     this.typed = typed;
     this.show = show;
     this.source = source;
+    this.described = marked.getAccessibleContext().getAccessibleDescription();
     complaint.setVisible(false);
     follow();
   }
@@ -138,7 +143,7 @@ final class FormField {
 
   private void mark(Optional<String> wrong) {
     marked.putClientProperty("JComponent.outline", wrong.isPresent() ? "error" : null);
-    marked.getAccessibleContext().setAccessibleDescription(wrong.orElse(marked.getToolTipText()));
+    marked.getAccessibleContext().setAccessibleDescription(wrong.orElse(described));
     complaint.setText(wrong.orElse(""));
     complaint.setVisible(wrong.isPresent());
   }

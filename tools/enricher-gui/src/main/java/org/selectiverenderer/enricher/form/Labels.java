@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Color;
 import java.awt.Dimension;
 import javax.swing.JComponent;
@@ -17,6 +18,27 @@ final class Labels {
   static JLabel of(String text, JComponent control) {
     JLabel label = new JLabel(text);
     label.setLabelFor(control);
+    return label;
+  }
+
+  /**
+   * The same, with the name that the thesis has for it (4.2.2) and that stands in the scene.
+   *
+   * @param name of the metadata
+   */
+  static JLabel of(String text, JComponent control, String name) {
+    JLabel label = of(text, control);
+    label.setToolTipText(Texts.of("terms.inthesis", name));
+    label.getAccessibleContext().setAccessibleDescription(label.getToolTipText());
+    return label;
+  }
+
+  /** A line of small letters with the names of the thesis, as the header of what is below it. */
+  static JLabel names(String... names) {
+    JLabel label = new JLabel(Texts.of("terms.names", String.join(", ", names)));
+    label.putClientProperty("FlatLaf.styleClass", "small");
+    label.setEnabled(false);
+    label.setToolTipText(label.getText());
     return label;
   }
 

@@ -26,12 +26,13 @@ final class SensorForm implements Form {
     this.session = session;
     this.node = node;
     SensorEditing editing = new SensorEditing(session, node.element());
-    add("On entering", 'N', HelpTopic.ENTER, editing::enter, editing::enter);
-    add("On leaving", 'L', HelpTopic.EXIT, editing::exit, editing::exit);
+    add("On entering", "enterTimeSchema", 'N', HelpTopic.ENTER, editing::enter, editing::enter);
+    add("On leaving", "exitTimeSchema", 'L', HelpTopic.EXIT, editing::exit, editing::exit);
   }
 
   private void add(
       String title,
+      String name,
       char mnemonic,
       HelpTopic topic,
       Supplier<String> read,
@@ -42,7 +43,7 @@ final class SensorForm implements Form {
     schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
     schemas.setEditable(session.document().locked().isEmpty());
     topic.explain(schemas);
-    JLabel label = Labels.of(title, schemas);
+    JLabel label = Labels.of(title + "  (" + name + ")", schemas, name);
     label.setDisplayedMnemonic(mnemonic);
     JLabel complaint = Labels.complaint();
     panel.add(label);

@@ -46,6 +46,8 @@ final class SwitchForm implements Form {
               "This Switch has no choices. Add each version of the object as a child."),
           "wmin 0");
     }
+    panel.add(
+        Labels.names("consistencyType", "degreeOfConsistency", "schemaBelonginess"), "wmin 0");
     more.setMnemonic('M');
     more.addActionListener(event -> node().ifPresent(this::page));
     page(node);

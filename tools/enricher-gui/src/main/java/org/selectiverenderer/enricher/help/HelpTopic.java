@@ -24,6 +24,9 @@ public enum HelpTopic {
   ENTER("On entering (enterTimeSchema)", HelpTexts.ENTER),
   EXIT("On leaving (exitTimeSchema)", HelpTexts.EXIT);
 
+  /** Letters of a line of a tooltip. */
+  private static final int LINE = 50;
+
   private static final String PROPERTY = "enricher.helpTopic";
 
   private final String title;
@@ -46,8 +49,20 @@ public enum HelpTopic {
   /** Makes a control one about this topic: its tooltip, and what the help shows with it. */
   public void explain(JComponent control) {
     mark(control);
-    control.setToolTipText("<html><body style='width: 260px'>" + text);
+    control.setToolTipText(lines(text)); // Not markup, which would be read aloud.
     control.getAccessibleContext().setAccessibleDescription(text);
+  }
+
+  /** The same in lines, as tooltips do not break them. */
+  private static String lines(String sentences) {
+    StringBuilder lines = new StringBuilder();
+    int length = 0;
+    for (String word : sentences.split(" ")) {
+      boolean full = length + word.length() > LINE;
+      lines.append(length == 0 ? "" : full ? "\n" : " ").append(word);
+      length = (full ? 0 : length + 1) + word.length();
+    }
+    return lines.toString();
   }
 
   /** Makes all in a component be about this topic, unless it is about one of its own. */

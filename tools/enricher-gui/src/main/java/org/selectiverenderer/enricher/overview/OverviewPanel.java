@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.overview;
 
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.base.decimal.DecimalText;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
@@ -99,7 +101,11 @@ public final class OverviewPanel extends JPanel {
     tools.add(button(actions.high, "People expect the object there (h)"));
     tools.add(button(actions.low, "People do not expect the object there (l)"));
     tools.add(button(actions.clear, "The object does not belong there (Delete)"));
-    tools.add(new JLabel("Keys: h, l, 0 to 1, Delete, F2"), "wmin 0");
+    tools.add(new JLabel("Keys: h, l, 0 to 1, Delete, F2"), "wmin 0, wrap");
+    JLabel names = new JLabel(Texts.of("terms.table"));
+    names.putClientProperty("FlatLaf.styleClass", "small");
+    names.setEnabled(false);
+    tools.add(names, "span, wmin 0");
     return tools;
   }
 
@@ -193,10 +199,15 @@ public final class OverviewPanel extends JPanel {
     int all = model.objectCount();
     String shown =
         model.getRowCount() == all
-            ? "%d objects".formatted(all)
-            : "%d of %d objects".formatted(model.getRowCount(), all);
+            ? Texts.of("counts.objects", all, DecimalText.grouped(all))
+            : Texts.of(
+                "counts.someobjects",
+                DecimalText.grouped(model.getRowCount()),
+                all,
+                DecimalText.grouped(all));
     int schemas = model.schemas().size();
-    status.setText("%s, %d %s".formatted(shown, schemas, schemas == 1 ? "schema" : "schemas"));
+    status.setText(
+        shown + ", " + Texts.of("counts.schemas", schemas, DecimalText.grouped(schemas)));
   }
 
   private void say(String message) {

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.overview;
 
+import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Component;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -41,7 +42,11 @@ final class SchemaHeader implements TableCellRenderer {
     if (component instanceof JComponent head) {
       head.setToolTipText(
           mark.map(ElementFinding::message)
-              .orElse("Click to sort by " + model.getColumnName(column)));
+              .orElseGet(
+                  () ->
+                      Texts.of(
+                          column == 0 ? "terms.sort" : "terms.sortschema",
+                          model.getColumnName(column))));
     }
     return component;
   }

@@ -74,8 +74,13 @@ final class SchemaTable extends JTable {
     }
   }
 
-  private void dress(JTable table) {
+  private static void rowHeight(JTable table) {
     table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
+  }
+
+  private void dress(JTable table) {
+    rowHeight(table);
+    table.addPropertyChangeListener("font", event -> rowHeight(table));
     JTableHeader header = table.getTableHeader();
     header.setReorderingAllowed(false);
     header.setDefaultRenderer(new SchemaHeader(model));

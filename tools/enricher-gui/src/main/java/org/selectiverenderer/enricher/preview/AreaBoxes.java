@@ -3,10 +3,12 @@ package org.selectiverenderer.enricher.preview;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.Bounds;
@@ -126,14 +128,20 @@ final class AreaBoxes {
     return marks;
   }
 
-  /** The labels of the boxes that are in the picture, in its pixels. */
-  List<PreviewFrame.Label> labels(Camera camera, @Nullable Node selected) {
+  /**
+   * The labels of the boxes that are in the picture, in its pixels.
+   *
+   * @param seen whether a point of the world is in sight
+   */
+  List<PreviewFrame.Label> labels(
+      Camera camera, @Nullable Node selected, Predicate<Vector3dc> seen) {
     List<PreviewFrame.Label> labels = new ArrayList<>();
     for (int i = 0; i < areas.size(); i++) {
       Area area = areas.get(i);
       Optional<Long> count = i < polygons.length ? Optional.of(polygons[i]) : Optional.empty();
       for (Matrix4d place : places(area.node())) {
-        Optional<Vector2d> at = inPicture(place, camera);
+        Optional<Vector2d> open = inPicture(place, camera, seen);
+        Optional<Vector2d> at = open.or(() -> inPicture(place, camera, point -> true));
         if (at.isPresent()) {
           labels.add(
               new PreviewFrame.Label(
@@ -143,6 +151,7 @@ final class AreaBoxes {
                   area.schemas(),
                   count,
                   area.node() == selected,
+                  open.isEmpty(),
                   nodes.anchor(area.node())));
         }
       }
@@ -151,14 +160,17 @@ final class AreaBoxes {
   }
 
   /** The first of the points for a label that is in the picture: 0..1 from the upper left. */
-  private static Optional<Vector2d> inPicture(Matrix4d place, Camera camera) {
+  private static Optional<Vector2d> inPicture(
+      Matrix4d place, Camera camera, Predicate<Vector3dc> seen) {
     for (double[] candidate : LABEL_POINTS) {
-      Vector4d point = new Vector4d(candidate[0], candidate[1], candidate[2], 1);
-      camera.projection().transform(camera.view().transform(place.transform(point)));
+      Vector4d point = place.transform(new Vector4d(candidate[0], candidate[1], candidate[2], 1));
+      Vector3d inWorld = new Vector3d(point.x, point.y, point.z);
+      camera.projection().transform(camera.view().transform(point));
       Vector2d at = new Vector2d((point.x / point.w + 1) / 2, (1 - point.y / point.w) / 2);
       if (point.w > 0
           && Math.abs(at.x - 0.5) < 0.5 - LABEL_MARGIN
-          && Math.abs(at.y - 0.5) < 0.5 - LABEL_MARGIN) {
+          && Math.abs(at.y - 0.5) < 0.5 - LABEL_MARGIN
+          && seen.test(inWorld)) {
         return Optional.of(at);
       }
     }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.preview;
 
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.base.decimal.DecimalText;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -10,8 +12,8 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
@@ -28,6 +30,11 @@ final class PictureView extends JComponent implements Accessible {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0, 0, 0, 150);
   private static final Color PAPER_SELECTED = new Color(150, 80, 0, 200);
+
+  /** Of areas behind walls: what is under such a label shows through. */
+  private static final Color PAPER_HIDDEN = new Color(0, 0, 0, 60);
+
+  private static final Color INK_HIDDEN = new Color(255, 255, 255, 140);
   private static final int PAD = 4;
 
   private record Shown(Rectangle place, PreviewFrame.Label label) {}
@@ -82,7 +89,11 @@ final class PictureView extends JComponent implements Accessible {
       lines.add("As if in " + list(frame.schemas()));
     }
     lines.add(
-        String.format(Locale.ROOT, "%,d polygons, %,d drawn", frame.polygons(), frame.drawn()));
+        Texts.of(
+            "counts.polygonsdrawn",
+            frame.polygons(),
+            DecimalText.grouped(frame.polygons()),
+            DecimalText.grouped(frame.drawn())));
     return lines;
   }
 
@@ -100,7 +111,11 @@ final class PictureView extends JComponent implements Accessible {
     }
     label
         .polygons()
-        .ifPresent(count -> text.append(String.format(Locale.ROOT, "  (%,d polygons)", count)));
+        .ifPresent(
+            count ->
+                text.append("  (")
+                    .append(Texts.of("counts.polygons", count, DecimalText.grouped(count)))
+                    .append(')'));
     return text.toString();
   }
 
@@ -131,7 +146,9 @@ final class PictureView extends JComponent implements Accessible {
   private void paintLabels(Graphics2D g, PreviewFrame of, double scale) {
     FontMetrics metrics = g.getFontMetrics();
     List<Shown> all = new ArrayList<>();
-    for (PreviewFrame.Label label : of.labels()) {
+    List<PreviewFrame.Label> seenFirst = new ArrayList<>(of.labels());
+    seenFirst.sort(Comparator.comparing(PreviewFrame.Label::hidden));
+    for (PreviewFrame.Label label : seenFirst) {
       int width = metrics.stringWidth(text(label)) + 2 * PAD;
       int height = metrics.getHeight() + PAD;
       Rectangle place =
@@ -148,9 +165,10 @@ final class PictureView extends JComponent implements Accessible {
     }
     for (int i = all.size() - 1; i >= 0; i--) {
       Rectangle place = all.get(i).place();
-      g.setColor(all.get(i).label().selected() ? PAPER_SELECTED : PAPER);
+      boolean faded = all.get(i).label().hidden() && !all.get(i).label().selected();
+      g.setColor(faded ? PAPER_HIDDEN : all.get(i).label().selected() ? PAPER_SELECTED : PAPER);
       g.fillRoundRect(place.x, place.y, place.width, place.height, PAD, PAD);
-      g.setColor(Color.WHITE);
+      g.setColor(faded ? INK_HIDDEN : Color.WHITE);
       g.drawString(
           text(all.get(i).label()), place.x + PAD, place.y + PAD / 2 + metrics.getAscent());
     }

@@ -18,6 +18,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param selected the name of what is outlined, if anything is
  * @param otherLayers layers of the scene that are seen, but not in this picture
  * @param revision of the document that is shown
+ * @param drawnBy what OpenGL says of itself
  */
 record PreviewFrame(
     BufferedImage image,
@@ -29,7 +30,24 @@ record PreviewFrame(
     boolean walking,
     Optional<String> selected,
     int otherLayers,
-    long revision) {
+    long revision,
+    String drawnBy) {
+
+  /** The same picture, of which something else is said. */
+  PreviewFrame with(List<Label> otherLabels, long newRevision) {
+    return new PreviewFrame(
+        image,
+        otherLabels,
+        polygons,
+        drawn,
+        areas,
+        schemas,
+        walking,
+        selected,
+        otherLayers,
+        newRevision,
+        drawnBy);
+  }
 
   /**
    * The label of a sensor's box.
@@ -38,6 +56,7 @@ record PreviewFrame(
    * @param y of its foot in pixels from the top
    * @param name the DEF name
    * @param polygons of what stands in the box, if they were counted
+   * @param hidden whether all of the box where a label may stand is behind something
    * @param anchor of the sensor
    */
   record Label(
@@ -47,5 +66,6 @@ record PreviewFrame(
       SensorSchemas schemas,
       Optional<Long> polygons,
       boolean selected,
+      boolean hidden,
       Anchor anchor) {}
 }

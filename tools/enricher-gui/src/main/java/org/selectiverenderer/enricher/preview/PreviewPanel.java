@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.preview;
 
+import org.selectiverenderer.enricher.text.Texts;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -40,6 +41,10 @@ public final class PreviewPanel extends JPanel {
   private static final long serialVersionUID = 1L;
   private static final double STEP = Math.toRadians(5);
   private static final double SHIFT = 0.05;
+
+  /** Before the name of an action: what it does, in the bundles. */
+  private static final String KEYS = "preview.key.";
+
 
   private final transient EnricherSession session;
   private final transient PreviewThread thread;
@@ -151,9 +156,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void layOut() {
-    JToolBar bar = new JToolBar("Preview");
-    bar.setFloatable(false);
-    bar.getAccessibleContext().setAccessibleName("Preview");
+    JToolBar bar = new WrappingBar("Preview");
     bar.add(named(walk, "Walk in the scene as a user does (W); Escape ends it"));
     bar.add(named(asIfButton, "Show the scene as if the viewer were in schemas (I)"));
     bar.add(named(sensors, "Draw and label the boxes of the sensors (B)"));
@@ -174,7 +177,7 @@ public final class PreviewPanel extends JPanel {
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6, hidemode 3", "[grow,fill][]"));
     foot.add(message, "wmin 0");
     foot.add(progress, "wmax 20%");
-    add(bar);
+    add(bar, "wmin 0");
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName("Preview");
@@ -215,15 +218,15 @@ public final class PreviewPanel extends JPanel {
     key("ADD", "nearer", () -> zoom(1));
     key("MINUS", "farther", () -> zoom(-1));
     key("SUBTRACT", "farther", () -> zoom(-1));
-    Action leave = action(() -> walk(false));
-    view.getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
-    view.getActionMap().put("leave", leave);
+    key("ESCAPE", "leave", () -> walk(false));
   }
 
   /** A key of the picture while the author looks; keys of the walk are consumed before. */
   private void key(String stroke, String name, Runnable does) {
     view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), name);
-    view.getActionMap().put(name, action(does));
+    Action action = action(does);
+    action.putValue(Action.NAME, Texts.of(KEYS + name));
+    view.getActionMap().put(name, action);
   }
 
   private static Action action(Runnable does) {
@@ -306,7 +309,7 @@ public final class PreviewPanel extends JPanel {
               place.column()));
       at = element.parent();
     }
-    thread.tell(stage -> stage.select(anchors));
+    thread.ask(stage -> stage.select(anchors));
   }
 
   /** Shows the scene as if the viewer were in these schemas, later ones overruling earlier ones. */
@@ -368,6 +371,11 @@ public final class PreviewPanel extends JPanel {
 
   private void zoom(double notches) {
     thread.tell(stage -> stage.orbit().zoom(notches));
+  }
+
+  /** What draws the picture; empty while there is none. */
+  public Optional<String> drawnBy() {
+    return view.frame().map(PreviewFrame::drawnBy);
   }
 
   /** Loads the document anew, for instance because a file that it names has been written. */

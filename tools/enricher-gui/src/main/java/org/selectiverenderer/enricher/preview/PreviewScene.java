@@ -24,6 +24,9 @@ import org.selectiverenderer.runtime.walk.Controls;
  * the controller. Belongs to the thread that steps it.
  */
 final class PreviewScene implements AutoCloseable {
+  /** How far a sight must go of the way, as points of a box may lie in a wall's surface. */
+  private static final double NEARLY = 0.98;
+
   private final LoadedPreview loaded;
   private final World world;
   private final PreviewNodes nodes;
@@ -158,6 +161,14 @@ final class PreviewScene implements AutoCloseable {
   Optional<RayCaster.Hit> hit(Vector3dc direction) {
     Vector3d inWorld = world.viewer().orientation().transform(direction, new Vector3d());
     return rays.cast(world.viewer().position(), inWorld, Double.POSITIVE_INFINITY);
+  }
+
+  /** Whether nothing stands between the viewer and a point of the world. */
+  boolean sees(Vector3dc point) {
+    Vector3d way = point.sub(world.viewer().position(), new Vector3d());
+    double distance = way.length();
+    return distance == 0
+        || rays.cast(world.viewer().position(), way.div(distance), distance * NEARLY).isEmpty();
   }
 
   /** The box around a node's shapes that are shown, or around a sensor's boxes. */

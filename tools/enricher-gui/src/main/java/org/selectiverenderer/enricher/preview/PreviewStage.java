@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.Pointer;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.AntiAliasing;
@@ -44,6 +45,12 @@ final class PreviewStage implements AutoCloseable {
   private boolean sensorsShown = true;
   private boolean wireframe;
   private boolean changed;
+
+  /** Whether the picture stays, and something else is to be said about it. */
+  private boolean told;
+
+  private @Nullable PreviewFrame last;
+  private @Nullable Camera camera;
   private boolean rough;
 
   PreviewStage(MarkedView view) {
@@ -102,6 +109,11 @@ final class PreviewStage implements AutoCloseable {
     Pose before = of.pose();
     of.stand();
     boolean taken = of.patch(patch);
+    if (taken && patch.fields().isEmpty() && schemas.isEmpty()) {
+      told = true; // Metadata are not seen but in the labels.
+    } else {
+      changed = true;
+    }
     if (walked) {
       of.walk(controls);
       before.applyTo(of.world().viewer());
@@ -203,6 +215,7 @@ final class PreviewStage implements AutoCloseable {
    * @param anchors of the element and those around it, the nearest first
    */
   void select(List<Anchor> anchors) {
+    changed |= !anchors.equals(selection);
     selection = anchors;
   }
 
@@ -261,9 +274,16 @@ final class PreviewStage implements AutoCloseable {
    */
   Optional<PreviewFrame> frame(double seconds, boolean hurried) {
     boolean draw = changed || moving() || rough;
+    boolean tell = told;
     changed = false;
-    if (scene == null || width <= 0 || height <= 0 || !draw) {
+    told = false;
+    if (scene == null || width <= 0 || height <= 0 || !draw && !tell) {
       return Optional.empty();
+    }
+    PreviewFrame before = last;
+    if (!draw && before != null && camera != null) {
+      scene.look(orbit.pose());
+      return Optional.of(before.with(labels(scene, camera), scene.revision()));
     }
     if (scene.walking().isPresent()) {
       for (NavigationCommand command : controls.takeCommands()) {
@@ -275,7 +295,14 @@ final class PreviewStage implements AutoCloseable {
     }
     int samples = moving() || hurried ? motionSamples : AntiAliasing.SMOOTH;
     rough = !moving() && samples < AntiAliasing.SMOOTH;
-    return Optional.of(draw(scene, samples));
+    PreviewFrame drawn = draw(scene, samples);
+    last = drawn;
+    return Optional.of(drawn);
+  }
+
+  private List<PreviewFrame.Label> labels(PreviewScene of, Camera seenBy) {
+    Optional<Node> selected = of.nodes().find(selection);
+    return sensorsShown ? of.areas().labels(seenBy, selected.orElse(null), of::sees) : List.of();
   }
 
   private PreviewFrame draw(PreviewScene shown, int samples) {
@@ -292,11 +319,12 @@ final class PreviewStage implements AutoCloseable {
             width,
             height,
             samples);
+    camera = picture.camera();
     return new PreviewFrame(
         outlined.isEmpty()
             ? PreviewImages.of(picture.pixels())
             : PreviewImages.outlined(picture.pixels(), OUTLINE),
-        sensorsShown ? shown.areas().labels(picture.camera(), selected.orElse(null)) : List.of(),
+        labels(shown, picture.camera()),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),
         shown.enteredAreas(),
@@ -304,7 +332,8 @@ final class PreviewStage implements AutoCloseable {
         shown.walking().isPresent(),
         selected.map(Node::toString),
         (int) shown.world().layers().stream().filter(layer -> !layer.active()).count(),
-        shown.revision());
+        shown.revision(),
+        view.info().renderer() + ", OpenGL " + view.info().version());
   }
 
   @Override

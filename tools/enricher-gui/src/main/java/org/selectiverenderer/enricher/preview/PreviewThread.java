@@ -46,6 +46,15 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
 
   /** Does something to the stage, after which it is drawn. Thread-safe. */
   void tell(Consumer<PreviewStage> what) {
+    ask(
+        stage -> {
+          what.accept(stage);
+          stage.changed();
+        });
+  }
+
+  /** Does something to the stage, which knows whether it is to be drawn. Thread-safe. */
+  void ask(Consumer<PreviewStage> what) {
     told.add(what);
   }
 
@@ -56,7 +65,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
    */
   @Override
   public void patch(ScenePatch patch, Runnable refused) {
-    tell(
+    ask(
         stage -> {
           if (!stage.patch(patch)) {
             refused.run();
@@ -109,7 +118,6 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
       try {
         while (what != null && !ended) {
           what.accept(stage);
-          stage.changed();
           what = told.poll();
         }
         if (!ended) {

@@ -11,6 +11,10 @@
  * that it hits is found in the document by its DEF name, or by its place in the text if that is
  * still the text that was loaded.
  *
+ * <p>An edit that only changes what may change in a running scene is a {@code ScenePatch}, found by
+ * {@code TextComparison} from the two texts on the loader's thread and sent as events on the
+ * preview's thread; where one of its nodes is not there, all is loaded instead.
+ *
  * <p>In: snapshots of a document, the selection, the author's mouse and keys. Out: pictures in a
  * Swing component; the object that was clicked. {@code PreviewPanel} and everything of Swing
  * belongs to the event dispatch thread; the running scene and GL to one thread of {@code

@@ -2,17 +2,28 @@ package org.selectiverenderer.enricher.problems;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.enricher.text.Texts;
 
-/** How many problems there are of each kind. */
-public record ProblemCounts(int errors, int warnings, int remarks) {
-  static ProblemCounts of(List<ProblemEntry> entries) {
+/**
+ * How many problems there are of each kind, and how much of the work is still to be done.
+ *
+ * @param unenriched objects and areas of which nothing is said yet, which is no problem
+ * @param enrichable all objects and areas
+ */
+public record ProblemCounts(
+    int errors, int warnings, int remarks, int unenriched, int enrichable) {
+  static ProblemCounts of(List<ProblemEntry> entries, int unenriched, int enrichable) {
     int[] counts = new int[Severity.values().length];
     entries.forEach(entry -> counts[entry.severity().ordinal()]++);
     return new ProblemCounts(
         counts[Severity.ERROR.ordinal()],
         counts[Severity.WARNING.ordinal()],
-        counts[Severity.INFO.ordinal()]);
+        counts[Severity.INFO.ordinal()],
+        unenriched,
+        enrichable);
   }
 
   /** Of one kind. */
@@ -24,6 +35,11 @@ public record ProblemCounts(int errors, int warnings, int remarks) {
     };
   }
 
+  /** The worst kind that there is any of. */
+  public Optional<Severity> worst() {
+    return List.of(Severity.values()).stream().filter(severity -> of(severity) > 0).findFirst();
+  }
+
   /** As a status line shows it: {@code 2 errors, 1 remark}, or {@code No problems}. */
   public String words() {
     List<String> words = new ArrayList<>();
@@ -32,18 +48,28 @@ public record ProblemCounts(int errors, int warnings, int remarks) {
         words.add(words(severity));
       }
     }
-    return words.isEmpty() ? "No problems" : String.join(", ", words);
+    return words.isEmpty() ? Texts.of("counts.none") : String.join(", ", words);
   }
 
   /** Of one kind, as a button shows it. */
   String words(Severity severity) {
     int count = of(severity);
-    String word =
-        switch (severity) {
-          case ERROR -> "error";
-          case WARNING -> "warning";
-          case INFO -> "remark";
-        };
-    return "%,d %s%s".formatted(count, word, count == 1 ? "" : "s");
+    String shown = DecimalText.grouped(count);
+    return switch (severity) {
+      case ERROR -> Texts.of("counts.errors", count, shown);
+      case WARNING -> Texts.of("counts.warnings", count, shown);
+      case INFO -> Texts.of("counts.remarks", count, shown);
+    };
+  }
+
+  /** How much is still to be done; empty when nothing is. */
+  Optional<String> left() {
+    return unenriched == 0
+        ? Optional.empty()
+        : Optional.of(
+            Texts.of(
+                "counts.unenriched",
+                DecimalText.grouped(unenriched),
+                DecimalText.grouped(enrichable)));
   }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.problems;
 
+import java.util.regex.Pattern;
+import java.util.regex.Matcher;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
@@ -15,6 +17,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 record ProblemEntry(
     Severity severity, String message, Place place, Optional<ElementFinding.Fix> fix) {
+  private static final Pattern RULE = Pattern.compile(" \\[(SR\\d+)]$");
+
   /** Where a problem is. */
   sealed interface Place {
     /**
@@ -79,8 +83,14 @@ record ProblemEntry(
     return other.compareTo(severity) < 0 ? new ProblemEntry(other, message, place, fix) : this;
   }
 
+  /** The rule that a validator names behind the message. */
+  Optional<String> rule() {
+    Matcher named = RULE.matcher(message);
+    return named.find() ? Optional.of(named.group(1)) : Optional.empty();
+  }
+
   /** The message without the rule that a validator names behind it. */
   String stem() {
-    return message.replaceFirst(" \\[SR\\d+]$", "");
+    return RULE.matcher(message).replaceFirst("");
   }
 }

@@ -23,11 +23,16 @@ import org.selectiverenderer.x3d.source.DocumentFault;
  * there. In the order of the document. No widgets.
  */
 final class ProblemsModel {
+  /** What {@code validate} says of objects and areas that are without metadata. */
+  private static final Set<String> NOT_ENRICHED = Set.of("SR403", "SR424", "SR426");
+
   private final SceneDocument document;
   private final Enrichment enrichment;
   private List<ProblemEntry> checked = List.of();
   private List<ProblemEntry> all = List.of();
   private Set<DocumentElement> faulty = Set.of();
+  private int unenriched;
+  private int enrichable;
 
   ProblemsModel(SceneDocument document, Enrichment enrichment) {
     this.document = document;
@@ -74,8 +79,11 @@ final class ProblemsModel {
     if (wellFormed) {
       Map<Object, List<Integer>> known = new HashMap<>();
       enrichment.findings().forEach(finding -> add(ProblemEntry.of(finding), known, now));
-      checked.stream().filter(ProblemEntry::current).forEach(entry -> add(entry, known, now));
+      checked.stream()
+          .filter(entry -> entry.current() && !onlyToBeDone(entry))
+          .forEach(entry -> add(entry, known, now));
     }
+    count(wellFormed);
     now.sort(
         Comparator.comparingInt((ProblemEntry entry) -> entry.offset().orElse(Integer.MAX_VALUE))
             .thenComparing(ProblemEntry::severity)
@@ -91,6 +99,27 @@ final class ProblemsModel {
                         element ->
                             entry.severity() == Problem.Severity.ERROR || !untouched(element)))
         .forEach(faulty::add);
+  }
+
+  /** Whether an entry says no more than that its object or area is not enriched yet. */
+  private boolean onlyToBeDone(ProblemEntry entry) {
+    return entry.severity() != Problem.Severity.ERROR
+        && entry.rule().filter(NOT_ENRICHED::contains).isPresent()
+        && entry.element().filter(this::untouched).isPresent();
+  }
+
+  private void count(boolean wellFormed) {
+    unenriched = 0;
+    enrichable = 0;
+    if (wellFormed) {
+      enrichable = enrichment.switches().size() + enrichment.sensors().size();
+      unenriched =
+          (int)
+              (enrichment.switches().stream().filter(node -> untouched(node.element())).count()
+                  + enrichment.sensors().stream()
+                      .filter(node -> untouched(node.element()))
+                      .count());
+    }
   }
 
   /** Of two that say the same the first stays, which may have a fix, as severe as the worse. */
@@ -144,6 +173,6 @@ final class ProblemsModel {
   }
 
   ProblemCounts counts() {
-    return ProblemCounts.of(all);
+    return ProblemCounts.of(all, unenriched, enrichable);
   }
 }

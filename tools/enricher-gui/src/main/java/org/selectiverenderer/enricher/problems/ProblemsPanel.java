@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.problems;
 
+import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.ActionEvent;
@@ -45,6 +46,10 @@ public final class ProblemsPanel extends JPanel {
   private final JTable table;
   private final JButton fix = new JButton("Fix");
   private final JLabel checking = new JLabel(" ");
+
+  /** How much is not enriched yet. */
+  private final JLabel left = new JLabel(" ");
+
   private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
   private final transient Action goTo = action("Go to place", this::go);
   private final transient Action mend = action("Fix", this::fix);
@@ -60,10 +65,14 @@ public final class ProblemsPanel extends JPanel {
     model = new ProblemsModel(session.document(), session.enrichment());
     rows = new ProblemsTableModel(session.document());
     table = new ProblemsTable(rows);
-    JPanel bar = new JPanel(new MigLayout("insets 2 6 2 6", "[][][]push[][]"));
+    JPanel bar = new JPanel(new MigLayout("insets 2 6 2 6", "[][][][]push[][]"));
     for (Severity severity : Severity.values()) {
       bar.add(filter(severity));
     }
+    left.setName("unenriched");
+    left.setEnabled(false);
+    left.setToolTipText(Texts.of("counts.unenrichedtip"));
+    bar.add(left, "gapbefore 12");
     checking.setEnabled(false);
     checking.getAccessibleContext().setAccessibleName("State of the checks");
     bar.add(checking);
@@ -242,8 +251,13 @@ public final class ProblemsPanel extends JPanel {
     filters.forEach(
         (severity, button) -> {
           button.setText(counts.words(severity));
-          button.getAccessibleContext().setAccessibleName("Show " + counts.words(severity));
+          button
+              .getAccessibleContext()
+              .setAccessibleName(Texts.of("counts.show", counts.words(severity)));
         });
+    left.setText(counts.left().orElse(" "));
+    left.getAccessibleContext()
+        .setAccessibleName(counts.left().orElseGet(() -> Texts.of("counts.allenriched")));
     chosen();
     onCounts.accept(counts);
   }

@@ -54,10 +54,33 @@ record NodeIcon(Kind kind, Mark mark) implements Icon {
     g.setColor(color(key(kind)));
     draw(g);
     if (mark != Mark.NONE) {
-      g.setColor(color(mark == Mark.ENRICHED ? "Actions.Green" : "Actions.Red"));
-      g.fill(new Ellipse2D.Double(10, 9.5, 6, 6));
+      drawMark(g);
     }
     g.dispose();
+  }
+
+  /** A disc with a tick, or a triangle: told by shape as well as by colour. */
+  private void drawMark(Graphics2D g) {
+    Path2D shape = new Path2D.Double();
+    if (mark == Mark.ENRICHED) {
+      g.setColor(color("Actions.Green"));
+      g.fill(new Ellipse2D.Double(8.5, 8.5, 7.5, 7.5));
+      g.setColor(Color.WHITE);
+      shape.moveTo(10.2, 12.4);
+      shape.lineTo(11.8, 14);
+      shape.lineTo(14.4, 10.8);
+      g.draw(shape);
+    } else {
+      g.setColor(color("Actions.Red"));
+      shape.moveTo(12, 7.5);
+      shape.lineTo(16, 15.5);
+      shape.lineTo(8, 15.5);
+      shape.closePath();
+      g.fill(shape);
+      g.setColor(Color.WHITE);
+      g.fill(new Rectangle2D.Double(11.5, 10, 1, 2.8));
+      g.fill(new Rectangle2D.Double(11.5, 13.5, 1, 1));
+    }
   }
 
   private static String key(Kind kind) {

@@ -52,7 +52,8 @@ public final class SceneTreePanel {
     tree = new JTree(model);
     tree.setCellRenderer(new NodeRenderer(session.enrichment(), faulty));
     tree.setLargeModel(true);
-    tree.setRowHeight(tree.getFontMetrics(tree.getFont()).getHeight() + 8);
+    rowHeight();
+    tree.addPropertyChangeListener("font", event -> rowHeight());
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
     tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
@@ -77,6 +78,11 @@ public final class SceneTreePanel {
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();
+  }
+
+  /** Of a large model rows have one height, which is that of the letters. */
+  private void rowHeight() {
+    tree.setRowHeight(tree.getFontMetrics(tree.getFont()).getHeight() + 8);
   }
 
   private record Typed(Runnable then) implements DocumentListener {

@@ -172,6 +172,23 @@ class PreviewPanelTest {
   }
 
   @Test
+  void labelsFollowTheMetadataAndFadeBehindAWall() throws Exception {
+    try (PreviewWindow window = open()) {
+      PreviewFrame open = window.await(frame -> !frame.labels().isEmpty());
+      assertThat(open.labels().get(0).hidden()).isFalse();
+      replace(window, "value='\"DeskSchema\"'", "value='\"ShelfSchema\"'");
+      window.await(frame -> PictureView.text(frame.labels().get(0)).contains("ShelfSchema"));
+      replace(
+          window,
+          "<Switch DEF='TrashCan'",
+          "<Transform translation='0 0 5'><Shape><Box size='40 40 0.1'/></Shape></Transform>"
+              + "<Switch DEF='TrashCan'");
+      PreviewFrame behind = window.await(frame -> frame.labels().get(0).hidden());
+      assertThat(PictureView.text(behind.labels().get(0))).contains("Desk");
+    }
+  }
+
+  @Test
   void anEditIsShownFromWhereTheAuthorLooksAndAFaultKeepsThePicture() throws Exception {
     try (PreviewWindow window = open()) {
       boxes(window, false);

@@ -171,4 +171,34 @@ class ProblemsModelTest {
               assertThat(problem.location().line()).isEqualTo(15);
             });
   }
+
+  /** An author at the beginning has work to do, not problems. */
+  @Test
+  void whatIsNotEnrichedYetIsCountedAndNotComplainedAbout() throws IOException {
+    SceneDocument plain =
+        SceneDocument.of(
+            "plain.x3d",
+            """
+            <X3D profile='Immersive' version='4.0'><Scene>
+              <Switch DEF='Cup' whichChoice='0'/>
+              <ProximitySensor DEF='Desk'/>
+            </Scene></X3D>
+            """
+                .getBytes(StandardCharsets.UTF_8));
+    ProblemsModel counting =
+        new ProblemsModel(plain, new Enrichment(plain, NodeCatalogue.load()));
+    Location cup = plain.location(plain.text().toString().indexOf("<Switch"));
+    Location desk = plain.location(plain.text().toString().indexOf("<Prox"));
+    counting.checked(
+        plain.revision(),
+        List.of(
+            new Problem(Severity.WARNING, cup, "choice 1 is never shown: no metadata [SR424]"),
+            new Problem(Severity.INFO, desk, "the sensor names no schema [SR426]"),
+            new Problem(Severity.WARNING, cup, "something else [SR101]")));
+    counting.refresh();
+    assertThat(counting.entries()).extracting(ProblemEntry::stem).containsExactly("something else");
+    assertThat(counting.counts()).isEqualTo(new ProblemCounts(0, 1, 0, 2, 2));
+    assertThat(counting.counts().left()).contains("2 of 2 not enriched yet");
+    assertThat(counting.counts().words()).isEqualTo("1 warning");
+  }
 }
