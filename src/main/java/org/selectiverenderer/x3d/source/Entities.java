@@ -42,10 +42,7 @@ public final class Entities {
   private Entities(Map<String, Declared> declared, int end) {
     this.declared = declared;
     this.end = end;
-    // All are expanded at once, so that any thread may ask.
-    declared
-        .keySet()
-        .forEach(name -> expanded.put(name, Optional.ofNullable(expand(name, new HashSet<>()))));
+    declared.keySet().forEach(name -> expand(name, new HashSet<>()));
   }
 
   /** Reads the DOCTYPE in front of a text's root. */
@@ -100,34 +97,44 @@ public final class Entities {
     return at < to && text.charAt(at) == ';' ? text.subSequence(ampersand + 1, at).toString() : "";
   }
 
-  /** Null where it cannot be told. */
+  /**
+   * Null where it cannot be told. All are expanded at the start and once only: entities of entities
+   * that are used a thousand times each cost no more than their text, and any thread may ask later.
+   */
   private @Nullable String expand(String name, Set<String> open) {
     Optional<String> known = expanded.get(name);
     if (known != null) {
       return known.orElse(null);
     }
     Declared entity = declared.get(name);
-    if (entity == null || entity.value().isEmpty() || open.size() >= DEPTH || !open.add(name)) {
+    if (entity == null || open.size() >= DEPTH || !open.add(name)) {
       return null;
     }
-    String written = entity.value().get();
+    String value = entity.value().map(written -> replaced(written, open)).orElse(null);
+    open.remove(name);
+    expanded.put(name, Optional.ofNullable(value));
+    return value;
+  }
+
+  private @Nullable String replaced(String written, Set<String> open) {
     StringBuilder value = new StringBuilder(written.length());
-    for (int i = 0; i < written.length() && value.length() <= LONGEST; i++) {
+    for (int i = 0; i < written.length(); i++) {
       char c = written.charAt(i);
       String inner = c == '&' ? name(written, i, written.length()) : "";
       if (inner.isEmpty() || !declared.containsKey(inner)) {
         value.append(c);
-        continue;
+      } else {
+        String within = expand(inner, open);
+        if (within == null) {
+          return null;
+        }
+        value.append(within);
+        i += inner.length() + 1;
       }
-      String within = expand(inner, open);
-      if (within == null) {
-        open.remove(name);
+      if (value.length() > LONGEST) {
         return null;
       }
-      value.append(within);
-      i += inner.length() + 1;
     }
-    open.remove(name);
-    return value.length() > LONGEST ? null : value.toString();
+    return value.toString();
   }
 }

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher;
 
 import java.util.Optional;
 import java.awt.Container;
+import java.awt.Toolkit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -13,6 +14,9 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
+import org.selectiverenderer.enricher.menu.NodeCommand;
+import org.selectiverenderer.enricher.menu.NodeEditing;
+import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
@@ -23,6 +27,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
@@ -47,6 +52,7 @@ final class Workbench {
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
+  private final NodeMenu menu;
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
@@ -61,6 +67,7 @@ final class Workbench {
       Consumer<DocumentElement> makeVersions) {
     this.session = session;
     this.settings = settings;
+    menu = new NodeMenu(session);
     pictures = new VersionPictures(session.access());
     autosave = new Autosave(session, recovery);
     problems = new ProblemsPanel(session, List.of(validator(session)));
@@ -85,6 +92,7 @@ final class Workbench {
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
+    addMenus();
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
     disposals.add(tree::dispose);
@@ -101,6 +109,27 @@ final class Workbench {
       tabs.setSelectedComponent(source.component());
       source.showFault();
     }
+  }
+
+  private void addMenus() {
+    menu.add(NodeEditing.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
+    menu.add(
+        List.of(
+            new NodeCommand(
+                "goToSource", Texts.of("node.toSource"), element -> true, this::showInSource)));
+    menu.attach(tree.tree());
+    preview.onMenu(menu::show);
+    source.onMenu(menu::fill);
+  }
+
+  /** What can be done with the selected node, in all views; other parts add theirs. */
+  NodeMenu menu() {
+    return menu;
+  }
+
+  private void showInSource(DocumentElement element) {
+    inSource(panel -> panel.reveal(element.start()));
+    source.area().requestFocusInWindow();
   }
 
   private static ValidatorCheck validator(EnricherSession session) {

@@ -13,6 +13,7 @@ import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -153,13 +154,18 @@ public final class FormPanel extends JPanel {
 
   private void head() {
     DocumentElement of = element;
-    title.setText(of == null ? "Nothing is selected" : name(of));
+    title.setText(of == null ? nothing() : name(of));
     place.setText(
         of == null
             ? " "
             : "%s in line %d".formatted(of.name(), session.document().location(of.start()).line()));
     place.setToolTipText(place.getText());
     findings.show(Optional.ofNullable(of));
+  }
+
+  private String nothing() {
+    boolean waits = session.document().fault().isPresent();
+    return waits ? Texts.of("node.formsWait") : "Nothing is selected";
   }
 
   private static String name(DocumentElement of) {

@@ -41,6 +41,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
      * @param innermost whether Ctrl or Alt was down
      */
     void scene(int pixelX, int pixelY, boolean innermost);
+
+    /** The other button has selected something, or nothing, and wants its menu. */
+    void menu(MouseEvent event, int pixelX, int pixelY);
   }
 
   PictureHands(PictureView view, PreviewThread thread, Clicks clicks) {
@@ -133,6 +136,8 @@ final class PictureHands extends MouseAdapter implements KeyListener {
                       view.toPixels(event.getX()),
                       view.toPixels(event.getY()),
                       event.isControlDown() || event.isAltDown()));
+    } else if (!dragged && SwingUtilities.isRightMouseButton(event)) {
+      clicks.menu(event, view.toPixels(event.getX()), view.toPixels(event.getY()));
     }
   }
 

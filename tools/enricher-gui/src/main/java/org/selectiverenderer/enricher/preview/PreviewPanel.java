@@ -1,13 +1,17 @@
 package org.selectiverenderer.enricher.preview;
 
 import org.selectiverenderer.enricher.text.Texts;
+import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.AbstractButton;
@@ -46,6 +50,7 @@ public final class PreviewPanel extends JPanel {
   private static final String KEYS = "preview.key.";
 
 
+  private transient BiConsumer<Component, Point> menu = (over, at) -> {};
   private final transient EnricherSession session;
   private final transient PreviewThread thread;
   private final transient SceneFeed feed;
@@ -105,6 +110,22 @@ public final class PreviewPanel extends JPanel {
                         pixelY,
                         innermost,
                         meant -> SwingUtilities.invokeLater(() -> picked(meant))));
+          }
+
+          @Override
+          public void menu(MouseEvent event, int pixelX, int pixelY) {
+            Consumer<PreviewStage.Picked> meant =
+                found -> {
+                  picked(found);
+                  menu.accept(view, event.getPoint());
+                };
+            thread.tell(
+                stage ->
+                    stage.pick(
+                        pixelX,
+                        pixelY,
+                        false,
+                        found -> SwingUtilities.invokeLater(() -> meant.accept(found))));
           }
         });
     layOut();
@@ -264,6 +285,11 @@ public final class PreviewPanel extends JPanel {
     if (message.getText().equals(before) || message.getText().isBlank()) {
       message.setText(layersLeftOut);
     }
+  }
+
+  /** What shows the menu of the selected node: over which component, where. */
+  public void onMenu(BiConsumer<Component, Point> shown) {
+    menu = shown;
   }
 
   /** Keeps the last good picture and says why there is no newer one. */

@@ -4,10 +4,12 @@ import java.awt.event.ActionEvent;
 import java.beans.PropertyChangeListener;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.UIManager;
@@ -106,7 +108,6 @@ public final class SourcePanel {
     area.setTabSize(2);
     area.setHighlightCurrentLine(true);
     area.setCloseMarkupTags(true);
-    area.setPopupMenu(null);
     area.setEditable(session.document().locked().isEmpty());
     for (String key : KEYS) {
       area.getInputMap().put(KeyStroke.getKeyStroke(key), "none"); // the window's
@@ -279,6 +280,23 @@ public final class SourcePanel {
     } catch (BadLocationException e) {
       throw new IllegalStateException("the caret is outside of the text", e);
     }
+  }
+
+  /**
+   * Has a context menu of its own: the text's commands, and below what can be done with the element
+   * at the caret.
+   *
+   * @param node appends that
+   */
+  public void onMenu(Consumer<JPopupMenu> node) {
+    area.setPopupMenu(
+        new SourceMenu(
+            area,
+            () -> {
+              moved.stop();
+              caretMoved();
+            },
+            node));
   }
 
   /** Lets go of the session. */

@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.accessibility.Accessible;
 import javax.swing.AbstractButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -70,6 +71,45 @@ class FormPanelTest {
 
   private static Object outline(Component control) {
     return Swing.get(() -> ((JComponent) control).getClientProperty("JComponent.outline"));
+  }
+
+  @Test
+  void anyFieldOfANodeIsEditedMarkedAndGivenItsDefaultBack() throws Exception {
+    try (FormWindow window = open(false)) {
+      Swing.edt(
+          () ->
+              window.session.select(
+                  window
+                      .session
+                      .document()
+                      .tree()
+                      .orElseThrow()
+                      .named("Low")
+                      .orElseThrow()
+                      .children()
+                      .get(0)
+                      .children()
+                      .get(0),
+                  this));
+      JTextComponent colour = (JTextComponent) window.named("field diffuseColor");
+      window.fill(colour, "1 0 2");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(outline(colour)).isEqualTo("error");
+      assertThat(window.text("Low")).contains("diffuseColor='0 1 0'");
+      window.fill(colour, "1 0 0");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(outline(colour)).isNull();
+      assertThat(window.text("Low")).contains("diffuseColor='1 0 0'");
+      Swing.edt(() -> ((JCheckBox) window.named("allFields")).doClick());
+      window.fill(window.named("field transparency"), "0.5");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(window.text("Low"))
+          .contains("<Material diffuseColor='1 0 0' transparency='0.5'/>");
+      window.screenshot("form-fields", 1);
+      Swing.edt(() -> ((AbstractButton) window.named("reset transparency")).doClick());
+      assertThat(window.text("Low")).contains("<Material diffuseColor='1 0 0'/>");
+      assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
+    }
   }
 
   @Test
