@@ -28,6 +28,8 @@ import org.selectiverenderer.enricher.text.Texts;
 final class WindowMenus {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
+  private final RunCommands runs;
+  private final Command back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final JMenu recent = new JMenu("Open Recent");
@@ -38,7 +40,10 @@ final class WindowMenus {
   private final Command undo;
   private final Command redo;
 
-  WindowMenus(EnricherWindow window, SceneDialogs dialogs, EnricherSettings settings) {
+  WindowMenus(
+      EnricherWindow window, SceneDialogs dialogs, RunCommands runs, EnricherSettings settings) {
+    this.runs = runs;
+    back = new Command(Texts.of("run.backnone"), "alt LEFT", runs::back);
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
@@ -50,6 +55,7 @@ final class WindowMenus {
     bar.add(file());
     bar.add(edit());
     bar.add(scene());
+    bar.add(run());
     bar.add(view());
     bar.add(help());
   }
@@ -77,6 +83,9 @@ final class WindowMenus {
     JMenu menu = menu("Edit", 'E');
     menu.add(undo);
     menu.add(redo);
+    menu.addSeparator();
+    menu.add(new Command(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));
+    menu.add(new Command(Texts.of("overview.paste"), "ctrl alt V", with(Workbench::pasteMetadata)));
     menu.addSeparator();
     menu.add(new Command("&Search Nodes", "ctrl shift F", with(Workbench::searchTree)));
     menu.add(new Command("&Next Problem", "F8", with(Workbench::nextProblem)));
@@ -106,6 +115,19 @@ final class WindowMenus {
     JMenu menu = menu("Scene", 'S');
     menu.add(new Command("Import &Ratings...", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(new Command("Make &Versions...", "ctrl M", dialogs::versions));
+    return menu;
+  }
+
+  private JMenu run() {
+    String name = Texts.of("run.menu");
+    JMenu menu = menu(name.replace("&", ""), name.charAt(name.indexOf('&') + 1));
+    menu.add(new Command(Texts.of("run.run"), "F5", runs::run));
+    menu.add(new Command(Texts.of("run.runas"), "shift F5", runs::runAs));
+    menu.add(new Command(Texts.of("run.shown"), "", runs::showMessages));
+    menu.addSeparator();
+    menu.add(new Command(Texts.of("run.inline"), "ctrl I", runs::openInline));
+    menu.add(new Command(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
+    menu.add(back);
     return menu;
   }
 
@@ -232,6 +254,9 @@ final class WindowMenus {
     save.setEnabled(open);
     saveAs.setEnabled(open);
     changes.setEnabled(open);
+    String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
+    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
+    back.setEnabled(!from.isEmpty());
     name(undo, "Undo", history.flatMap(UndoHistory::undoName));
     name(redo, "Redo", history.flatMap(UndoHistory::redoName));
   }

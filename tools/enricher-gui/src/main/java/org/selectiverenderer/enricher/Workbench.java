@@ -1,10 +1,10 @@
 package org.selectiverenderer.enricher;
 
-import java.util.Optional;
 import java.awt.Container;
 import java.awt.Toolkit;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
@@ -12,11 +12,14 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.cost.BudgetPlace;
+import org.selectiverenderer.enricher.cost.CostPanel;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.menu.NodeCommand;
 import org.selectiverenderer.enricher.menu.NodeEditing;
 import org.selectiverenderer.enricher.menu.NodeMenu;
+import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
@@ -29,7 +32,7 @@ import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
-import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -46,6 +49,8 @@ final class Workbench {
   private final VersionPictures pictures;
   private final PreviewPanel preview;
   private final OverviewPanel overview;
+  private final CostPanel cost;
+  private final JSplitPane schemas;
   private final HelpPanel help;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
@@ -70,7 +75,8 @@ final class Workbench {
     menu = new NodeMenu(session);
     pictures = new VersionPictures(session.access());
     autosave = new Autosave(session, recovery);
-    problems = new ProblemsPanel(session, List.of(validator(session)));
+    BudgetPlace budgets = new BudgetPlace(() -> session.file().path(), settings);
+    problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {
@@ -85,8 +91,10 @@ final class Workbench {
     tabs.getAccessibleContext().setAccessibleName("Views of the scene");
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
+    cost = new CostPanel(session, budgets, problems::checkAgain);
+    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 0.6, "polygons");
     tabs.addTab("Preview", preview);
-    tabs.addTab("Schemas", overview);
+    tabs.addTab("Schemas", schemas);
     tabs.addTab("Source", source.component());
     tabs.addTab("Help", help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
@@ -101,6 +109,7 @@ final class Workbench {
     disposals.add(help::dispose);
     disposals.add(preview::dispose);
     disposals.add(overview::dispose);
+    disposals.add(cost::dispose);
     disposals.add(pictures::close);
     disposals.add(session::dispose);
     int before = tabs.indexOfTab(settings.word("tab", ""));
@@ -132,11 +141,14 @@ final class Workbench {
     source.area().requestFocusInWindow();
   }
 
-  private static ValidatorCheck validator(EnricherSession session) {
+  private static ValidatorCheck validator(EnricherSession session, BudgetPlace budgets) {
     return new ValidatorCheck(
         () -> session.file().path(),
         RuleCatalogue.standard(),
-        ValidationSettings.standard().allowing(session.access()));
+        problems ->
+            budgets
+                .settings(problems)
+                .map(read -> read.allowing(read.access().and(session.access()))));
   }
 
   private static JSplitPane split(
@@ -168,6 +180,7 @@ final class Workbench {
     int rest = width - left.getDividerLocation() - left.getDividerSize();
     right.setDividerLocation(
         Math.max(120, rest - settings.number("split.form", Math.min(375, rest / 2))));
+    schemas.setDividerLocation(settings.number("split.cost", Math.max(100, height / 2 - 60)));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
@@ -177,6 +190,7 @@ final class Workbench {
     settings.put("tab", tabs.getTitleAt(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
+    settings.put("split.cost", schemas.getDividerLocation());
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
   }
 
@@ -200,6 +214,12 @@ final class Workbench {
   /** Version files may be others now, though the document's text is the same. */
   void lookAtFilesAgain() {
     preview.reload();
+    cost.lookAtFilesAgain();
+  }
+
+  /** Where the preview is; empty while there is none. */
+  Optional<Pose> here() {
+    return preview.pose();
   }
 
   /** Puts the focus where the author begins: at the fault, else at the nodes. */
@@ -211,6 +231,18 @@ final class Workbench {
   void searchTree() {
     tree.searchField().requestFocusInWindow();
     tree.searchField().selectAll();
+  }
+
+  /** Copies the whole metadata of the selected object or area. */
+  void copyMetadata() {
+    commit();
+    new MetadataClipboard(session).copy(session.selection().stream().toList());
+  }
+
+  /** Gives it to the selected one. */
+  void pasteMetadata() {
+    commit();
+    new MetadataClipboard(session).paste(session.selection().stream().toList());
   }
 
   void nextProblem() {

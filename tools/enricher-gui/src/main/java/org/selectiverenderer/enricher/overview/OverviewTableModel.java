@@ -203,6 +203,11 @@ final class OverviewTableModel extends AbstractTableModel {
     return cell.degree().orElse(VersionLadder.degree(cell.choice(), node.choices().size()));
   }
 
+  /** What a cell stands for. */
+  ConsistencySign sign(int row, int column) {
+    return ConsistencySign.of(overview.cell(rows.node(row), schema(column)));
+  }
+
   /** What a cell's tooltip says. */
   String explanation(int row, int column) {
     EnrichedSwitch node = rows.node(row);

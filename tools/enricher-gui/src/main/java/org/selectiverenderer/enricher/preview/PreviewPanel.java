@@ -31,6 +31,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -407,6 +408,11 @@ public final class PreviewPanel extends JPanel {
   /** Loads the document anew, for instance because a file that it names has been written. */
   public void reload() {
     feed.now();
+  }
+
+  /** Where the picture drawn last was seen from; empty before the first. */
+  public Optional<Pose> pose() {
+    return thread.pose();
   }
 
   /** The component that shows the picture. */

@@ -159,6 +159,11 @@ final class PreviewStage implements AutoCloseable {
     orbit.place(pose, distance);
   }
 
+  /** Where the scene is seen from; empty while there is none. */
+  Optional<Pose> pose() {
+    return Optional.ofNullable(scene).map(PreviewScene::pose);
+  }
+
   /** The author's eye, for turning, shifting and coming nearer. */
   Orbit orbit() {
     return orbit;
