@@ -10,9 +10,14 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.area.NameDialog;
+import org.selectiverenderer.enricher.area.NameQuestion;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
@@ -22,6 +27,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
@@ -40,6 +46,8 @@ final class Workbench {
   private final VersionPictures pictures;
   private final PreviewPanel preview;
   private final OverviewPanel overview;
+  private final AreaCommands areas;
+  private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
@@ -77,9 +85,17 @@ final class Workbench {
     tabs.getAccessibleContext().setAccessibleName("Views of the scene");
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
+    GridSetting grid = new GridSetting(settings);
+    NameQuestion names = new NameDialog(() -> tabs);
+    areas = new AreaCommands(session, preview.probe(), names);
+    preview.grid(grid::step);
+    preview.addAction(
+        Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
+    plan = new PlanPanel(session, areas, names, grid);
     tabs.addTab("Preview", preview);
     tabs.addTab("Schemas", overview);
     tabs.addTab("Source", source.component());
+    tabs.addTab(Texts.of("area.plan"), plan);
     tabs.addTab("Help", help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
@@ -90,6 +106,7 @@ final class Workbench {
     disposals.add(source::dispose);
     disposals.add(form::dispose);
     disposals.add(help::dispose);
+    disposals.add(plan::dispose);
     disposals.add(preview::dispose);
     disposals.add(overview::dispose);
     disposals.add(pictures::close);
@@ -164,6 +181,11 @@ final class Workbench {
     if (!inForm) {
       tabs.setSelectedComponent(source.component());
     }
+  }
+
+  /** What makes areas and Switches, and copies, names and deletes nodes. */
+  AreaCommands areas() {
+    return areas;
   }
 
   /** Version files may be others now, though the document's text is the same. */

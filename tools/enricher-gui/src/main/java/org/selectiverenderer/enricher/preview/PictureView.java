@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
@@ -34,6 +35,7 @@ final class PictureView extends JComponent implements Accessible {
 
   private transient @Nullable PreviewFrame frame;
   private transient List<Shown> shown = List.of();
+  private transient BiConsumer<Graphics2D, PreviewFrame> overlay = (graphics, picture) -> {};
 
   PictureView() {
     setFocusable(true);
@@ -47,6 +49,11 @@ final class PictureView extends JComponent implements Accessible {
     frame = newFrame;
     getAccessibleContext().setAccessibleDescription(String.join(". ", lines(newFrame)));
     repaint();
+  }
+
+  /** Paints over every picture. */
+  void overlay(BiConsumer<Graphics2D, PreviewFrame> painter) {
+    overlay = painter;
   }
 
   Optional<PreviewFrame> frame() {
@@ -117,6 +124,7 @@ final class PictureView extends JComponent implements Accessible {
           RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
       paintLabels(g2, frame, scale);
       paintLines(g2, lines(frame));
+      overlay.accept(g2, frame);
     }
     if (isFocusOwner()) {
       Color focus = UIManager.getColor("Component.focusColor");

@@ -185,6 +185,11 @@ final class PreviewStage implements AutoCloseable {
     selection = anchors;
   }
 
+  /** What is shown now; for those who measure it, on this thread. */
+  Optional<PreviewScene> scene() {
+    return Optional.ofNullable(scene);
+  }
+
   /** Brings what is selected into view. */
   void frameSelected() {
     if (scene != null && !moving()) {
@@ -275,6 +280,7 @@ final class PreviewStage implements AutoCloseable {
         outlined.isEmpty()
             ? PreviewImages.of(picture.pixels())
             : PreviewImages.outlined(picture.pixels(), OUTLINE),
+        picture.camera(),
         sensorsShown ? shown.areas().labels(picture.camera(), selected.orElse(null)) : List.of(),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),
