@@ -131,8 +131,8 @@ public final class AreaEdits {
   public Edit place(Area area, AreaBox box, String name) {
     sound(box);
     DocumentElement sensor = area.element();
-    Vector3d centre = area.frame().ownCentre(box);
-    Vector3d size = area.frame().ownSize(box);
+    Vector3d centre = vector(area.frame().ownCentre(box));
+    Vector3d size = vector(area.frame().ownSize(box));
     List<TextChange> changes = new ArrayList<>();
     float[] oldCentre = Areas.centre(sensor);
     float[] oldSize = Areas.size(sensor);
@@ -150,6 +150,10 @@ public final class AreaEdits {
     List<TextChange> moved = place(area, area.box().movedBy(shift), "").changes();
     return new Edit(
         "Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
+  }
+
+  private static Vector3d vector(float[] of) {
+    return new Vector3d(of[0], of[1], of[2]);
   }
 
   private static void sound(AreaBox box) {

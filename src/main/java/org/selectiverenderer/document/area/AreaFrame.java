@@ -130,18 +130,22 @@ public record AreaFrame(
         new Vector3d(size[axis.get(0)], size[axis.get(1)], size[axis.get(2)]).mul(scale));
   }
 
-  /** The centre of a box of the scene in the node's own coordinates. */
-  Vector3d ownCentre(AreaBox box) {
-    return world.invert(new Matrix4d()).transformPosition(new Vector3d(box.centre()));
+  /** The centre of a box of the scene in the node's own coordinates: x, y, z. */
+  public float[] ownCentre(AreaBox box) {
+    return floats(world.invert(new Matrix4d()).transformPosition(new Vector3d(box.centre())));
   }
 
-  /** The size of a box of the scene along the node's own axes. */
-  Vector3d ownSize(AreaBox box) {
+  /** The size of a box of the scene along the node's own axes: x, y, z. */
+  public float[] ownSize(AreaBox box) {
     Vector3d own = new Vector3d();
     for (int k = 0; k < 3; k++) {
       own.setComponent(axis.get(k), box.size().get(k) / scale.get(k));
     }
-    return own;
+    return floats(own);
+  }
+
+  private static float[] floats(Vector3dc of) {
+    return new float[] {(float) of.x(), (float) of.y(), (float) of.z()};
   }
 
   /** The direction in the scene, of length 1, of the side that is counted to an axis. */

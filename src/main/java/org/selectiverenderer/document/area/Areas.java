@@ -6,29 +6,30 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.nodes.NodeReferences;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.polygon.count.SensorBox;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The areas of a document as it is now. */
 public final class Areas {
   /** Places on each side of a box at which it is asked whether a turned one is there too. */
-  private static final int SAMPLES = 24;
+  private static final int SAMPLES = 48;
 
   private Areas() {}
 
   /** All areas whose place the text gives, in document order. */
   public static List<Area> of(Enrichment enrichment) {
     List<Area> areas = new ArrayList<>();
-    enrichment.sensors().forEach(sensor -> of(sensor).ifPresent(areas::add));
+    enrichment.sensors().forEach(sensor -> of(enrichment, sensor).ifPresent(areas::add));
     return areas;
   }
 
   /** The area that a sensor is; empty where the text does not give its place. */
-  public static Optional<Area> of(EnrichedSensor sensor) {
+  public static Optional<Area> of(Enrichment enrichment, EnrichedSensor sensor) {
     DocumentElement element = sensor.element();
+    ElementTree tree = enrichment.document().tree().orElseThrow();
     return AreaFrame.of(element)
         .map(
             frame -> {
@@ -41,7 +42,7 @@ public final class Areas {
                   frame,
                   frame.toScene(centre, size),
                   SensorBox.of(centre, size, frame.world()),
-                  elsewhere(element));
+                  elsewhere(element, tree));
             });
   }
 
@@ -53,14 +54,12 @@ public final class Areas {
     return AreaFrame.numbers(sensor, "size", FieldType.SFVec3f, 0, 0, 0);
   }
 
-  private static List<String> elsewhere(DocumentElement element) {
+  private static List<String> elsewhere(DocumentElement element, ElementTree tree) {
     List<String> names = new ArrayList<>();
     for (Optional<DocumentElement> at = Optional.of(element);
         at.isPresent();
         at = at.get().parent()) {
-      if (!NodeReferences.to(at.get()).uses().isEmpty()) {
-        names.add(at.get().def().orElseThrow());
-      }
+      at.get().def().filter(tree::used).ifPresent(names::add);
     }
     return names;
   }

@@ -83,7 +83,7 @@ public final class SwitchEdits {
                     parent.name().equals("Scene")
                         || catalogue
                             .find(parent.name())
-                            .filter(type -> type.indexOf("children") >= 0)
+                            .filter(type -> type.field("children").isPresent())
                             .isPresent())
             .isPresent();
     boolean field = node.text("containerField").filter(at -> !at.equals("children")).isPresent();

@@ -27,7 +27,7 @@ class AreaEditsTest {
       """;
 
   private static Area area(Scenes scene, String name) {
-    return Areas.of(scene.sensor(name)).orElseThrow();
+    return Areas.of(scene.enrichment, scene.sensor(name)).orElseThrow();
   }
 
   private static AreaBox box(double... b) {
@@ -99,7 +99,7 @@ class AreaEditsTest {
     assertThat(turned.frame().turned()).isTrue();
     same(turned.box(), 9, 0, 0, 1, 2, 3);
     near(turned.frame().direction(0), Math.cos(0.5), 0, -Math.sin(0.5));
-    assertThat(Areas.of(scene.sensor("Unknown"))).isEmpty();
+    assertThat(Areas.of(scene.enrichment, scene.sensor("Unknown"))).isEmpty();
     assertThat(Areas.of(scene.enrichment)).hasSize(2);
   }
 

@@ -77,7 +77,7 @@ class NodeEditsTest {
         .hasMessageContaining("'my box' is no name of a node")
         .hasMessageContaining("Nmy_box");
     assertThatThrownBy(() -> edits.rename(named("Box"), "T"))
-        .hasMessageContaining("TimeSensor in line 11 already");
+        .hasMessageContaining("TimeSensor in line 12 already");
     assertThat(edits.rename(named("Box"), " Box ").isEmpty()).isTrue();
   }
 
@@ -100,9 +100,9 @@ class NodeEditsTest {
 
   @Test
   void whatIsTakenOutTakesItsRoutesAlongAndIsKeptWhileSomethingStandsForIt() {
-    assertThatThrownBy(() -> edits.remove(named("Look")))
+    assertThatThrownBy(() -> edits.remove(named("Box")))
         .isInstanceOf(EditRefused.class)
-        .hasMessageContaining("USE in line 9");
+        .hasMessageContaining("USE in line 10");
     scene.perform(edits.remove(named("T")));
     assertThat(scene.nodes()).doesNotContain("ROUTE").doesNotContain("TimeSensor");
     assertThat(scene.nodes()).contains("</Transform>\n  <EXPORT localDEF='Box'/>");

@@ -19,6 +19,8 @@ import javax.swing.JRadioButtonMenuItem;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.selectiverenderer.document.UndoHistory;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.source.SourcePanel;
@@ -115,6 +117,7 @@ final class WindowMenus {
     JMenu menu = menu("Scene", 'S');
     menu.add(new Command("Import &Ratings...", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(new Command("Make &Versions...", "ctrl M", dialogs::versions));
+    areas(menu);
     return menu;
   }
 
@@ -131,11 +134,48 @@ final class WindowMenus {
     return menu;
   }
 
+  /** Areas, Switches, and what is done with any node. */
+  private void areas(JMenu menu) {
+    menu.addSeparator();
+    menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
+    menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
+    menu.add(area("rename.node", "", AreaCommands::rename));
+    menu.add(area("copy.node", "", AreaCommands::copy));
+    menu.add(area("delete.node", "", AreaCommands::delete));
+    String title = Texts.of("area.grid");
+    JMenu grid = menu(title.replace("&", ""), title.charAt(title.indexOf('&') + 1));
+    grid.addMenuListener(new Opening(() -> listGrid(grid)));
+    menu.add(grid);
+  }
+
+  private Command area(String key, String stroke, Consumer<AreaCommands> does) {
+    return new Command(
+        Texts.of("area." + key),
+        stroke,
+        with(
+            bench -> {
+              bench.commit();
+              does.accept(bench.areas());
+            }));
+  }
+
+  private void listGrid(JMenu menu) {
+    GridSetting grid = new GridSetting(settings);
+    menu.removeAll();
+    for (double step : GridSetting.STEPS) {
+      JRadioButtonMenuItem item = new JRadioButtonMenuItem(GridSetting.title(step));
+      item.setSelected(step == grid.step().step());
+      item.addActionListener(event -> grid.use(step));
+      menu.add(item);
+    }
+  }
+
   private JMenu view() {
     JMenu menu = menu("View", 'V');
     menu.add(new Command("Pre&view", "ctrl 1", with(bench -> bench.showTab(0))));
     menu.add(new Command("S&chemas", "ctrl 2", with(bench -> bench.showTab(1))));
     menu.add(new Command("S&ource", "ctrl 3", with(bench -> bench.showTab(2))));
+    menu.add(new Command(Texts.of("area.plan"), "ctrl 4", with(bench -> bench.showTab(3))));
     menu.add(new Command("Next &Part of the Window", "F6", with(Workbench::nextPart)));
     menu.addSeparator();
     ButtonGroup group = new ButtonGroup();

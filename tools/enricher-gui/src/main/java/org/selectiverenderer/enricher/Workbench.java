@@ -14,6 +14,10 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.cost.BudgetPlace;
 import org.selectiverenderer.enricher.cost.CostPanel;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.area.NameDialog;
+import org.selectiverenderer.enricher.area.NameQuestion;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.menu.NodeCommand;
@@ -21,6 +25,7 @@ import org.selectiverenderer.enricher.menu.NodeEditing;
 import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
@@ -51,6 +56,8 @@ final class Workbench {
   private final OverviewPanel overview;
   private final CostPanel cost;
   private final JSplitPane schemas;
+  private final AreaCommands areas;
+  private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
@@ -93,9 +100,17 @@ final class Workbench {
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
     schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 0.6, "polygons");
+    GridSetting grid = new GridSetting(settings);
+    NameQuestion names = new NameDialog(() -> tabs);
+    areas = new AreaCommands(session, preview.probe(), names);
+    preview.grid(grid::step);
+    preview.addAction(
+        Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
+    plan = new PlanPanel(session, areas, names, grid);
     tabs.addTab("Preview", preview);
     tabs.addTab("Schemas", schemas);
     tabs.addTab("Source", source.component());
+    tabs.addTab(Texts.of("area.plan"), plan);
     tabs.addTab("Help", help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
@@ -107,6 +122,7 @@ final class Workbench {
     disposals.add(source::dispose);
     disposals.add(form::dispose);
     disposals.add(help::dispose);
+    disposals.add(plan::dispose);
     disposals.add(preview::dispose);
     disposals.add(overview::dispose);
     disposals.add(cost::dispose);
@@ -209,6 +225,11 @@ final class Workbench {
     if (!inForm) {
       tabs.setSelectedComponent(source.component());
     }
+  }
+
+  /** What makes areas and Switches, and copies, names and deletes nodes. */
+  AreaCommands areas() {
+    return areas;
   }
 
   /** Version files may be others now, though the document's text is the same. */

@@ -33,7 +33,11 @@ final class ChoiceForm {
   private @Nullable VersionLoading loading;
 
   ChoiceForm(
-      EnricherSession session, VersionPictures pictures, EnrichedSwitch node, ChoiceNode choice) {
+      EnricherSession session,
+      VersionPictures pictures,
+      EnrichedSwitch node,
+      ChoiceNode choice,
+      JComponent buttons) {
     this.session = session;
     this.pictures = pictures;
     this.choice = choice;
@@ -74,7 +78,8 @@ final class ChoiceForm {
     JLabel degreeComplaint = Labels.complaint();
     JLabel schemasComplaint = Labels.complaint();
     JLabel typeComplaint = Labels.complaint();
-    panel.add(title, "span, wmin 0");
+    panel.add(title, "split 2, span, growx, pushx, wmin 0");
+    panel.add(buttons, "growx 0");
     JPanel facts = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
     facts.add(url, "wmin 0");
     facts.add(polygons, "wmin 0");

@@ -79,6 +79,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mousePressed(MouseEvent event) {
+    if (event.isConsumed()) {
+      return; // a handle of an area has it
+    }
     view.requestFocusInWindow();
     pressX = event.getX();
     pressY = event.getY();
@@ -97,6 +100,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseDragged(MouseEvent event) {
+    if (event.isConsumed()) {
+      return;
+    }
     int dx = event.getX() - lastX;
     int dy = event.getY() - lastY;
     dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
@@ -118,6 +124,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseReleased(MouseEvent event) {
+    if (event.isConsumed()) {
+      return;
+    }
     if (walking()) {
       MouseButton button = WalkKeys.button(event);
       int x = view.toPixels(event.getX());

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.AbstractButton;
 import javax.swing.Action;
@@ -29,6 +30,8 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.enricher.area.SceneProbe;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.runtime.viewer.Pose;
@@ -58,6 +61,10 @@ public final class PreviewPanel extends JPanel {
   private final transient AsIfChooser asIf;
   private final transient SelectionListener onSelection = this::selected;
   private final transient AtomicReference<@Nullable PreviewFrame> arrived = new AtomicReference<>();
+  private final transient SceneProbe probe;
+  private final transient AreaHandles handles;
+  private transient Supplier<GridStep> grid = () -> GridStep.NONE;
+  private final JToolBar bar = new WrappingBar("Preview");
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private final PictureView view = new PictureView();
   private final JLabel message = new JLabel(" ");
@@ -91,6 +98,19 @@ public final class PreviewPanel extends JPanel {
               }
             });
     asIf = new AsIfChooser(() -> session.enrichment().schemas(), this::showAsIf);
+    probe = new PreviewProbe(thread, this::anchors);
+    handles =
+        new AreaHandles(
+            view,
+            session,
+            () -> grid.get(),
+            (area, box) -> {
+              List<Anchor> sensor = anchors(area.element());
+              float[] centre = area.frame().ownCentre(box);
+              float[] size = area.frame().ownSize(box);
+              thread.tell(
+                  stage -> stage.scene().ifPresent(shown -> shown.box(sensor, centre, size)));
+            });
     new PictureHands(
         view,
         thread,
@@ -178,7 +198,6 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void layOut() {
-    JToolBar bar = new WrappingBar("Preview");
     bar.add(named(walk, "Walk in the scene as a user does (W); Escape ends it"));
     bar.add(named(asIfButton, "Show the scene as if the viewer were in schemas (I)"));
     bar.add(named(sensors, "Draw and label the boxes of the sensors (B)"));
@@ -324,8 +343,15 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void tellSelection() {
+    List<Anchor> anchors =
+        session.selection().map(this::anchors).orElse(List.of());
+    thread.ask(stage -> stage.select(anchors));
+  }
+
+  /** Of an element and those around it, the nearest first. */
+  private List<Anchor> anchors(DocumentElement of) {
     List<Anchor> anchors = new ArrayList<>();
-    Optional<DocumentElement> at = session.selection().filter(DocumentElement::attached);
+    Optional<DocumentElement> at = Optional.of(of).filter(DocumentElement::attached);
     while (at.isPresent()) {
       DocumentElement element = at.get();
       Location place = session.document().location(element.start());
@@ -336,7 +362,24 @@ public final class PreviewPanel extends JPanel {
               place.column()));
       at = element.parent();
     }
-    thread.ask(stage -> stage.select(anchors));
+    return anchors;
+  }
+
+  /** Answers what is asked of the running scene. */
+  public SceneProbe probe() {
+    return probe;
+  }
+
+  /** The grid that the handles of areas snap to. */
+  public void grid(Supplier<GridStep> setting) {
+    grid = setting;
+  }
+
+  /** Adds a button behind those that choose what is shown. */
+  public void addAction(String text, String tip, Runnable does) {
+    JButton added = button(text, tip, does);
+    added.setName(text);
+    bar.add(added, bar.getComponentIndex(wireframe) + 1);
   }
 
   /** Shows the scene as if the viewer were in these schemas, later ones overruling earlier ones. */
@@ -364,6 +407,7 @@ public final class PreviewPanel extends JPanel {
   /** Draws the sensors' boxes or not. */
   public void sensorsShown(boolean show) {
     sensors.setSelected(show);
+    handles.shown(show);
     thread.tell(stage -> stage.sensorsShown(show));
   }
 

@@ -224,6 +224,11 @@ final class PreviewStage implements AutoCloseable {
     selection = anchors;
   }
 
+  /** What is shown now; for those who measure it, on this thread. */
+  Optional<PreviewScene> scene() {
+    return Optional.ofNullable(scene);
+  }
+
   /** Brings what is selected into view. */
   void frameSelected() {
     if (scene != null && !moving()) {
@@ -329,6 +334,7 @@ final class PreviewStage implements AutoCloseable {
         outlined.isEmpty()
             ? PreviewImages.of(picture.pixels())
             : PreviewImages.outlined(picture.pixels(), OUTLINE),
+        picture.camera(),
         labels(shown, picture.camera()),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),
