@@ -10,10 +10,11 @@
  * into clusters. Either the buffer is its own mesh's, which all shapes with that mesh share, or
  * that of a {@link org.selectiverenderer.runtime.render.draw.DrawBatch}: small opaque shapes of one
  * look, near each other, put into one pair of buffers in coordinates around the batch's origin.
- * Culling and Switches work on items, in a batch too; what is seen of a batch is then drawn by one
- * call, since nothing but the stretches changes from one of its shapes to the next. Which shapes
- * share a batch is decided when the tree's structure changes. A shape that moves, or gets another
- * mesh or look, leaves its batch for good: its stretch there is not drawn any more, its own mesh is
+ * Plain lit ones may differ in their diffuse colours: then the buffer's vertices have them. Culling
+ * and Switches work on items, in a batch too; what is seen of a batch is then drawn by one call,
+ * since nothing but the stretches changes from one of its shapes to the next. Which shapes share a
+ * batch is decided when the tree's structure changes. A shape that moves, or gets another mesh or
+ * look, leaves its batch for good: its stretch there is not drawn any more, its own mesh is
  * uploaded in the same frame, the others stay as they are. A shape that a Switch hides stays in its
  * batch.
  *
