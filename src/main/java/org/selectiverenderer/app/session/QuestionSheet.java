@@ -238,7 +238,7 @@ final class QuestionSheet {
     for (List<PanelKeyboard.Key> row : rows) {
       double x = MARGIN;
       for (PanelKeyboard.Key key : row) {
-        double width = key.width() * letter + (Math.ceil(key.width()) - 1) * gap;
+        double width = key.width() * (letter + gap) - gap;
         box(x, width, 2 * PLAIN, key.held(), key.press());
         label(key.label(), x, width, PLAIN);
         x += width + gap;
