@@ -64,16 +64,27 @@ public record X3dFile(
         .orElse(1);
   }
 
+  /** A file of which nothing could be read. */
+  static X3dFile empty(String source) {
+    return plain(source, List.of(), List.of());
+  }
+
   /** A file of one node, for what is to be read of a node without a file of its own. */
   public static X3dFile of(ParsedNode node, double unitLength) {
+    return plain(
+        node.location().file(), List.of(new Unit("length", "", unitLength)), List.of(node));
+  }
+
+  /** A file of nodes without names, routes and what else a scene may have. */
+  private static X3dFile plain(String source, List<Unit> units, List<ParsedNode> nodes) {
     return new X3dFile(
-        node.location().file(),
+        source,
         "",
         "",
         Map.of(),
         List.of(),
-        List.of(new Unit("length", "", unitLength)),
-        List.of(node),
+        units,
+        nodes,
         List.of(),
         Map.of(),
         List.of(),

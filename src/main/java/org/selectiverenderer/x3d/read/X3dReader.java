@@ -6,8 +6,6 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Map;
 import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
@@ -214,12 +212,12 @@ public final class X3dReader {
     Location whole = Location.of(source);
     if (preflight.refused()) {
       problems.error(whole, preflight.faults().get(0).message());
-      return empty(source);
+      return X3dFile.empty(source);
     }
     DocumentFault cut = preflight.cut();
     if (cut != null && preflight.text().length() == 0) {
       problems.error(whole, cut.message() + "; nothing can be shown");
-      return empty(source);
+      return X3dFile.empty(source);
     }
     if (preflight.text().complaint() != null) {
       problems.warning(whole, preflight.text().complaint());
@@ -230,7 +228,7 @@ public final class X3dReader {
     XmlEvents xml = preflight.events();
     if (xml.fault() != null) {
       problems.error(xml.fault().location(), xml.fault().message() + "; nothing can be shown");
-      return empty(source);
+      return X3dFile.empty(source);
     }
     ReadState reading = state(source, problems);
     X3dFile file = new DocumentReader(reading).read(new XmlCursor(xml, reading, cut != null));
@@ -267,26 +265,5 @@ public final class X3dReader {
       case JSON -> new X3dJsonParser(catalogue);
       case XML -> throw new IllegalArgumentException("XML is parsed by events");
     };
-  }
-
-  private static X3dFile empty(String source) {
-    return new X3dFile(
-        source,
-        "",
-        "",
-        Map.of(),
-        List.of(),
-        List.of(),
-        List.of(),
-        List.of(),
-        Map.of(),
-        List.of(),
-        List.of(),
-        List.of(),
-        List.of(),
-        Map.of(),
-        ParsedInstance.Listing.NONE,
-        List.of(),
-        null);
   }
 }
