@@ -289,6 +289,14 @@ final class EnricherWindow {
     }
   }
 
+  /** Puts together what is open and what another program has made of its file. */
+  void merge() {
+    if (saving != null) {
+      commit();
+      saving.merge();
+    }
+  }
+
   private static void forget(Workbench saved, Path path) {
     if (!saved.session().document().modified()) {
       saved.autosave().forget(path);

@@ -14,6 +14,7 @@ import javax.swing.event.MenuListener;
 import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Theme;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The menus: all that can be done, with its keys. */
 final class WindowMenus {
@@ -26,6 +27,7 @@ final class WindowMenus {
   private final Command save;
   private final Command saveAs;
   private final Command changes;
+  private final Command merge;
   private final Command undo;
   private final Command redo;
 
@@ -35,6 +37,7 @@ final class WindowMenus {
     this.settings = settings;
     save = new Command("&Save", "ctrl S", window::save);
     saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
+    merge = new Command(Texts.of("merge.command"), "", window::merge);
     changes = new Command("Show &Changes...", "ctrl D", window::showChanges);
     undo = new Command("&Undo", "ctrl Z", window::undo);
     redo = new Command("&Redo", "ctrl shift Z", window::redo);
@@ -59,6 +62,7 @@ final class WindowMenus {
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
     menu.add(review);
+    menu.add(merge);
     menu.addSeparator();
     menu.add(new Command("&Close Window", "ctrl Q", window::close));
     return menu;
@@ -164,6 +168,7 @@ final class WindowMenus {
     save.setEnabled(open);
     saveAs.setEnabled(open);
     changes.setEnabled(open);
+    merge.setEnabled(open);
     name(undo, "Undo", history.flatMap(UndoHistory::undoName));
     name(redo, "Redo", history.flatMap(UndoHistory::redoName));
   }
