@@ -6,6 +6,7 @@ import java.awt.EventQueue;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.document.file.DocumentFile;
@@ -25,6 +27,7 @@ import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
@@ -208,6 +211,7 @@ final class EnricherWindow {
     letGo(true);
     EnricherSession session = new EnricherSession(file, catalogue, access, tasks, status::say);
     Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
+    opened.onElsewhere(this::openElsewhere);
     bench = opened;
     saving = new Saving(session, questions);
     session.document().addListener(titles);
@@ -286,6 +290,16 @@ final class EnricherWindow {
       save(true);
     } else {
       status.say("Nothing has changed since the file was opened or saved");
+    }
+  }
+
+  /** Opens a file of which a problem is, such as an Inline's, in place of the scene. */
+  private void openElsewhere(Location place) {
+    Path other = Path.of(place.file());
+    if (Files.isRegularFile(other)) {
+      open(other);
+    } else {
+      status.say(Texts.of("problems.no.file", place.file()));
     }
   }
 

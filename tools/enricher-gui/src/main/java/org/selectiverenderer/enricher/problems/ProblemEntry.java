@@ -1,6 +1,8 @@
 package org.selectiverenderer.enricher.problems;
 
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.ElementFinding;
@@ -15,6 +17,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 record ProblemEntry(
     Severity severity, String message, Place place, Optional<ElementFinding.Fix> fix) {
+  private static final Pattern RULE = Pattern.compile(" \\[(SR\\d+)]$");
+
   /** Where a problem is. */
   sealed interface Place {
     /**
@@ -59,6 +63,13 @@ record ProblemEntry(
     return place instanceof Place.InText in ? Optional.of(in.offset()) : Optional.empty();
   }
 
+  /** Where it is in another file, such as one that the scene inlines. */
+  Optional<Location> otherFile() {
+    return place instanceof Place.Elsewhere other && !other.location().file().isEmpty()
+        ? Optional.of(other.location())
+        : Optional.empty();
+  }
+
   /** Where it is now, for messages. */
   Location location(SceneDocument document) {
     return place instanceof Place.Elsewhere other
@@ -79,8 +90,14 @@ record ProblemEntry(
     return other.compareTo(severity) < 0 ? new ProblemEntry(other, message, place, fix) : this;
   }
 
+  /** The validator's rule, {@code SR103}; empty where no rule is named. */
+  Optional<String> rule() {
+    Matcher named = RULE.matcher(message);
+    return named.find() ? Optional.of(named.group(1)) : Optional.empty();
+  }
+
   /** The message without the rule that a validator names behind it. */
   String stem() {
-    return message.replaceFirst(" \\[SR\\d+]$", "");
+    return RULE.matcher(message).replaceFirst("");
   }
 }
