@@ -6,8 +6,10 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
 
 /**
@@ -25,6 +27,9 @@ public final class DocumentFile {
   /** Whether the file's text, as it was opened or saved last, is well formed. */
   private boolean sound;
 
+  /** The text that file and document had in common last; null for none. */
+  private @Nullable String common;
+
   private DocumentFile(
       FileActions actions, SceneDocument document, Path path, @Nullable FileStamp stamp) {
     this.actions = actions;
@@ -32,6 +37,7 @@ public final class DocumentFile {
     this.path = path;
     this.stamp = stamp;
     this.sound = document.fault().isEmpty();
+    this.common = stamp == null ? null : document.snapshot().text();
   }
 
   /** Opens a file. */
@@ -105,6 +111,29 @@ public final class DocumentFile {
         : stamp.compare(file);
   }
 
+  /** What file and document were when they were the same last; empty if they never were. */
+  public Optional<String> common() {
+    return Optional.ofNullable(common);
+  }
+
+  /**
+   * Takes what somebody else has made of the file into the document, as one step; from now on it is
+   * what saving replaces.
+   *
+   * @throws org.selectiverenderer.document.EditRefused if the document is locked
+   */
+  public void take(DiskCopy copy, Edit edit) {
+    document.perform(edit);
+    stamp = copy.stamp();
+    sound = copy.sound();
+    common = copy.text();
+    if (document.text().toString().equals(copy.text())) {
+      document.markSaved(document.snapshot());
+    } else {
+      document.markUnsaved();
+    }
+  }
+
   /** Tells whether somebody else has written a file; any thread may ask. */
   @FunctionalInterface
   public interface Guard {
@@ -137,6 +166,7 @@ public final class DocumentFile {
     path = done.target();
     stamp = done.stamp();
     sound = done.text().sound();
+    common = done.text().snapshot().text();
     document.markSaved(done.text().snapshot());
   }
 

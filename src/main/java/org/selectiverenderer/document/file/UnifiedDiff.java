@@ -19,7 +19,7 @@ public final class UnifiedDiff {
    * @return empty when the texts are the same; lines end with LF
    */
   public static String of(String name, String nameAfter, String before, String after) {
-    List<Line> lines = lines(split(before), split(after));
+    List<Line> lines = lines(TextLines.of(before), TextLines.of(after));
     StringBuilder diff = new StringBuilder();
     int at = 0;
     while ((at = nextChange(lines, at)) < lines.size()) {
@@ -45,18 +45,6 @@ public final class UnifiedDiff {
       at++;
     }
     return at;
-  }
-
-  /** Lines with their ends. */
-  private static List<String> split(String text) {
-    List<String> lines = new ArrayList<>();
-    for (int from = 0; from < text.length(); ) {
-      int end = text.indexOf('\n', from);
-      end = end < 0 ? text.length() : end + 1;
-      lines.add(text.substring(from, end));
-      from = end;
-    }
-    return lines;
   }
 
   private static List<Line> lines(List<String> before, List<String> after) {

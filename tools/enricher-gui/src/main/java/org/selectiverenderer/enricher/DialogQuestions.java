@@ -4,6 +4,7 @@ import javax.swing.JLabel;
 import java.awt.Window;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -11,7 +12,9 @@ import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.enricher.diff.DiffDialog;
+import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 
@@ -72,8 +75,24 @@ final class DialogQuestions implements Questions {
   }
 
   @Override
-  public boolean reload(String sentence) {
-    return choose(sentence, "Keep My Changes", "Reload") == 1;
+  public OnDisk changedOnDisk(String sentence, List<OnDisk> among) {
+    String[] names =
+        among.stream()
+            .map(
+                answer ->
+                    switch (answer) {
+                      case KEEP -> Texts.of("merge.keep");
+                      case OVERWRITE -> Texts.of("merge.overwrite");
+                      case TAKE -> Texts.of("merge.take");
+                      case MERGE -> Texts.of("merge.merge");
+                    })
+            .toArray(String[]::new);
+    return among.get(Math.max(0, choose(sentence, names)));
+  }
+
+  @Override
+  public Optional<List<LineMerge.Choice>> merge(LineMerge merge) {
+    return new MergeDialog(owner, merge).decided();
   }
 
   @Override

@@ -9,6 +9,7 @@ import java.awt.EventQueue;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.document.file.DocumentFile;
@@ -258,6 +260,7 @@ final class EnricherWindow {
     letGo(true);
     EnricherSession session = new EnricherSession(file, catalogue, access, tasks, status::say);
     Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
+    opened.onElsewhere(this::openElsewhere);
     bench = opened;
     saving = new Saving(session, questions);
     session.document().addListener(titles);
@@ -341,6 +344,24 @@ final class EnricherWindow {
       save(true);
     } else {
       status.say("Nothing has changed since the file was opened or saved");
+    }
+  }
+
+  /** Opens a file of which a problem is, such as an Inline's, in place of the scene. */
+  private void openElsewhere(Location place) {
+    Path other = Path.of(place.file());
+    if (Files.isRegularFile(other)) {
+      open(other);
+    } else {
+      status.say(Texts.of("problems.no.file", place.file()));
+    }
+  }
+
+  /** Puts together what is open and what another program has made of its file. */
+  void merge() {
+    if (saving != null) {
+      commit();
+      saving.merge();
     }
   }
 

@@ -1,7 +1,9 @@
 package org.selectiverenderer.enricher;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
 /** What the author is asked. */
@@ -42,8 +44,25 @@ interface Questions {
   /** Whether to overwrite what another program has written. */
   boolean overwrite(String sentence);
 
-  /** Whether to take the file of the disk in place of the document. */
-  boolean reload(String sentence);
+  /** What is to become of a file that another program has changed. */
+  enum OnDisk {
+    /** The document stays as it is, and the file too, for now. */
+    KEEP,
+    /** The document takes the place of the file. */
+    OVERWRITE,
+    /** The file takes the place of the document. */
+    TAKE,
+    /** What both have changed is put together. */
+    MERGE
+  }
+
+  /**
+   * @param among what is possible, the one that changes nothing first
+   */
+  OnDisk changedOnDisk(String sentence, List<OnDisk> among);
+
+  /** How conflicts between document and file are decided; empty if nothing is to be merged. */
+  Optional<List<LineMerge.Choice>> merge(LineMerge merge);
 
   /**
    * Whether to save where the scene will miss files.

@@ -3,18 +3,26 @@ package org.selectiverenderer.enricher;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.function.Consumer;
 import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.file.DiskCopy;
 import org.selectiverenderer.document.file.DiskState;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.FileChanged;
 import org.selectiverenderer.document.file.LeftBehind;
+import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.document.file.Writing;
+import org.selectiverenderer.enricher.Questions.OnDisk;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.TextChange;
 
 /**
  * Saves a document in the background, and sees that no work is lost. Without widgets; for the event
@@ -149,9 +157,84 @@ final class Saving {
     String sentence = String.valueOf(why.getMessage());
     if (!(why instanceof FileChanged)) {
       questions.tell(sentence);
-    } else if (questions.overwrite(sentence)) {
-      write(what.over(), saved);
+      return;
     }
+    List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
+    if (session.document().locked().isEmpty()) {
+      possible.add(OnDisk.MERGE);
+    }
+    switch (questions.changedOnDisk(sentence, possible)) {
+      case OVERWRITE -> write(what.over(), saved);
+      case MERGE -> merge(() -> save(false, saved));
+      case KEEP, TAKE -> session.message(Texts.of("merge.kept"));
+    }
+  }
+
+  /** Puts together what the document and another program have made of the file. */
+  void merge() {
+    if (writing) {
+      waiting.add(this::merge);
+    } else {
+      merge(() -> session.message(Texts.of("merge.done")));
+    }
+  }
+
+  private void merge(Runnable merged) {
+    Optional<String> common = session.file().common();
+    withDisk(
+        copy -> {
+          String mine = session.document().text().toString();
+          LineMerge merge = LineMerge.of(common, mine, copy.text());
+          if (merge.count(LineMerge.Kind.THEIRS) + merge.count(LineMerge.Kind.CONFLICT) == 0) {
+            take(copy, merge.edit(Texts.of("merge.step"), List.of()));
+            session.message(Texts.of("merge.nothing"));
+            merged.run();
+            return;
+          }
+          questions
+              .merge(merge)
+              .ifPresent(
+                  choices -> {
+                    take(copy, merge.edit(Texts.of("merge.step"), choices));
+                    merged.run();
+                  });
+        });
+  }
+
+  /** Takes the file in place of the document, as one step where its form allows. */
+  private void takeDisk(Runnable reload) {
+    withDisk(
+        copy -> {
+          Snapshot now = session.document().snapshot();
+          if (now.locked().isPresent() || !copy.sameForm(now)) {
+            reload.run(); // in another encoding it is another document
+            return;
+          }
+          LineMerge all = LineMerge.of(Optional.of(now.text()), now.text(), copy.text());
+          Edit edit =
+              all.text(List.of()).equals(copy.text())
+                  ? all.edit(Texts.of("merge.step.take"), List.of())
+                  : new Edit(
+                      Texts.of("merge.step.take"),
+                      List.of(new TextChange(0, now.text().length(), copy.text())));
+          take(copy, edit);
+        });
+  }
+
+  private void take(DiskCopy copy, Edit edit) {
+    session.attempt(() -> session.file().take(copy, edit));
+    known = DiskState.SAME;
+  }
+
+  private void withDisk(Consumer<DiskCopy> use) {
+    Path path = session.file().path();
+    session
+        .tasks()
+        .run(
+            Texts.of("merge.reading", String.valueOf(path.getFileName())),
+            () -> DiskCopy.read(path),
+            use,
+            failed -> questions.tell(String.valueOf(failed.getMessage())));
   }
 
   /**
@@ -199,14 +282,17 @@ final class Saving {
     Path path = session.file().path();
     if (now == DiskState.GONE) {
       session.message(path + " no longer exists on the disk; saving writes it again");
-    } else if (now == DiskState.CHANGED
-        && questions.reload(
-            path
-                + ": another program has changed the file."
-                + (session.document().modified()
-                    ? " Reloading loses the changes made here."
-                    : ""))) {
-      reload.run();
+    } else if (now == DiskState.CHANGED) {
+      boolean mergeable = session.document().modified() && session.document().locked().isEmpty();
+      List<OnDisk> possible =
+          mergeable
+              ? List.of(OnDisk.KEEP, OnDisk.TAKE, OnDisk.MERGE)
+              : List.of(OnDisk.KEEP, OnDisk.TAKE);
+      switch (questions.changedOnDisk(Texts.of("merge.changed", path.toString()), possible)) {
+        case TAKE -> takeDisk(reload);
+        case MERGE -> merge();
+        case KEEP, OVERWRITE -> session.message(Texts.of("merge.kept"));
+      }
     }
   }
 }

@@ -39,6 +39,7 @@ final class WindowMenus {
   private final Command save;
   private final Command saveAs;
   private final Command changes;
+  private final Command merge;
   private final Command undo;
   private final Command redo;
 
@@ -51,6 +52,7 @@ final class WindowMenus {
     this.settings = settings;
     save = new Command("&Save", "ctrl S", window::save);
     saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
+    merge = new Command(Texts.of("merge.command"), "", window::merge);
     changes = new Command("Show &Changes...", "ctrl D", window::showChanges);
     undo = new Command("&Undo", "ctrl Z", window::undo);
     redo = new Command("&Redo", "ctrl shift Z", window::redo);
@@ -76,6 +78,7 @@ final class WindowMenus {
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
     menu.add(review);
+    menu.add(merge);
     menu.addSeparator();
     menu.add(new Command("&Close Window", "ctrl Q", window::close));
     return menu;
@@ -297,6 +300,7 @@ final class WindowMenus {
     String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
     back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
     back.setEnabled(!from.isEmpty());
+    merge.setEnabled(open);
     name(undo, "Undo", history.flatMap(UndoHistory::undoName));
     name(redo, "Redo", history.flatMap(UndoHistory::redoName));
   }

@@ -11,6 +11,7 @@ import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.cost.BudgetPlace;
 import org.selectiverenderer.enricher.cost.CostPanel;
@@ -91,6 +92,7 @@ final class Workbench {
           counts.accept(now);
         });
     problems.onPlace(this::revealInSource);
+    problems.onExplain(this::explain);
     source = new SourcePanel(session);
     form = new FormPanel(session, pictures);
     form.onMakeVersions(makeVersions);
@@ -214,6 +216,17 @@ final class Workbench {
   void commit() {
     source.endStep();
     form.commit();
+  }
+
+  /** Shows what the validator's rule is about; without one, the help. */
+  private void explain(Optional<String> rule) {
+    rule.flatMap(RuleCatalogue.standard()::find).ifPresent(help::explain);
+    showHelp();
+  }
+
+  /** Hears which file the author wants to see because of a problem in it. */
+  void onElsewhere(Consumer<Location> open) {
+    problems.onElsewhere(open);
   }
 
   /** Puts the caret there; what no form shows, the source does. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.Questions.Left;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -50,8 +51,13 @@ class KeptWorkTest {
     }
 
     @Override
-    public boolean reload(String sentence) {
+    public OnDisk changedOnDisk(String sentence, List<OnDisk> among) {
       throw new AssertionError(sentence);
+    }
+
+    @Override
+    public Optional<List<LineMerge.Choice>> merge(LineMerge merge) {
+      throw new AssertionError("nothing is merged");
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -17,9 +18,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.StepFiles;
+import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.text.Texts;
 
 class SavingTest {
   @TempDir Path folder;
@@ -34,6 +37,7 @@ class SavingTest {
     private final List<String> asked = new ArrayList<>();
     private Unsaved unsaved = Unsaved.CANCEL;
     private boolean agree = true;
+    private OnDisk onDisk = OnDisk.KEEP;
     private Path target = Path.of("other.x3d");
 
     @Override
@@ -59,9 +63,19 @@ class SavingTest {
     }
 
     @Override
-    public boolean reload(String sentence) {
-      asked.add("reload");
-      return agree;
+    public OnDisk changedOnDisk(String sentence, List<OnDisk> among) {
+      asked.add("changed " + among);
+      return onDisk;
+    }
+
+    @Override
+    public Optional<List<LineMerge.Choice>> merge(LineMerge merge) {
+      asked.add("conflicts " + merge.count(LineMerge.Kind.CONFLICT));
+      return agree
+          ? Optional.of(
+              Collections.nCopies(
+                  merge.count(LineMerge.Kind.CONFLICT), LineMerge.Choice.THEIRS_FIRST))
+          : Optional.empty();
     }
 
     @Override
@@ -187,10 +201,9 @@ class SavingTest {
   void whatAnotherProgramWroteIsOverwrittenOnlyWhenTheAuthorAgrees() throws Exception {
     type();
     Files.writeString(session.file().path(), "<X3D><!-- theirs --></X3D>");
-    answers.agree = false;
     assertThat(save(false)).isFalse();
     assertThat(onDisk()).contains("theirs");
-    answers.agree = true;
+    answers.onDisk = Questions.OnDisk.OVERWRITE;
     assertThat(save(false)).isTrue();
     assertThat(onDisk()).contains("mine");
     assertThat(session.file().backup()).content().contains("theirs");
@@ -205,8 +218,56 @@ class SavingTest {
     result();
     saving.lookAtDisk(() -> done++);
     result();
-    assertThat(done).isEqualTo(1);
-    assertThat(answers.asked).containsExactly("reload");
+    assertThat(answers.asked).containsExactly("changed [KEEP, TAKE]");
+  }
+
+  /** Another program has added a comment behind the scene. */
+  private String theirs() throws IOException {
+    String theirs = onDisk() + "<!-- theirs -->\n";
+    Files.writeString(session.file().path(), theirs);
+    return theirs;
+  }
+
+  @Test
+  void takingTheFileIsAStepThatCanBeUndone() throws Exception {
+    type();
+    String mine = session.document().text().toString();
+    String theirs = theirs();
+    answers.onDisk = Questions.OnDisk.TAKE;
+    saving.lookAtDisk(() -> done++);
+    result();
+    result();
+    assertThat(answers.asked).containsExactly("changed [KEEP, TAKE, MERGE]");
+    assertThat(session.document().text().toString()).isEqualTo(theirs);
+    assertThat(session.document().modified()).isFalse();
+    assertThat(done).as("reloaded").isZero();
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).isEqualTo(mine);
+  }
+
+  @Test
+  void whatBothHaveMadeOfTheFileIsPutTogetherAndSaved() throws Exception {
+    session.document().type(0, 0, "<!-- mine -->\n");
+    String theirs = theirs();
+    answers.onDisk = Questions.OnDisk.MERGE;
+    assertThat(save(false)).isTrue();
+    assertThat(answers.asked).containsExactly("changed [KEEP, OVERWRITE, MERGE]", "conflicts 0");
+    assertThat(onDisk()).isEqualTo("<!-- mine -->\n" + theirs);
+    assertThat(session.file().backup()).hasContent(theirs);
+    assertThat(session.document().history().undoName()).contains(Texts.of("merge.step"));
+  }
+
+  @Test
+  void aMergeThatTheAuthorThinksBetterOfChangesNothing() throws Exception {
+    session.document().type(0, 5, "<X3D version='3.3'");
+    String mine = session.document().text().toString();
+    Files.writeString(session.file().path(), onDisk().replace("4.0", "3.2"));
+    answers.agree = false;
+    saving.merge();
+    result();
+    assertThat(answers.asked).containsExactly("conflicts 1");
+    assertThat(session.document().text().toString()).isEqualTo(mine);
+    assertThat(onDisk()).contains("3.2");
   }
 
   @Test

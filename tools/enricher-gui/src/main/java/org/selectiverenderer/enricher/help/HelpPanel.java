@@ -14,6 +14,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -80,6 +81,13 @@ public final class HelpPanel extends JPanel {
     if (topic.orElse(null) != shown) {
       write(topic);
     }
+  }
+
+  /** Explains a rule of the validator, until the author turns to something else. */
+  public void explain(Rule rule) {
+    shown = null;
+    page.setText(HelpTexts.rule(rule));
+    page.setCaretPosition(0);
   }
 
   private void write(Optional<HelpTopic> topic) {

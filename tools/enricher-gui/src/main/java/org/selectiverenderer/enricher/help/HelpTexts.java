@@ -1,6 +1,9 @@
 package org.selectiverenderer.enricher.help;
 
 import java.util.Optional;
+import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.validation.Rule;
 
 /** The vocabulary in the author's words (thesis 4.2.2). */
 final class HelpTexts {
@@ -18,6 +21,29 @@ final class HelpTexts {
   public static final String EXIT = "Schemas that become active when the viewer leaves this area";
 
   private HelpTexts() {}
+
+  /** What {@code validate --explain} says of a rule. */
+  static String rule(Rule rule) {
+    return """
+        <html><body style="margin: 8px">
+        <h2>%s</h2>
+        <p><b>%s</b></p>
+        <p>%s</p>
+        <h3>%s</h3><pre>%s</pre>
+        <h3>%s</h3><pre>%s</pre>
+        <p>%s</p>
+        </body></html>
+        """
+        .formatted(
+            rule.id(),
+            Markup.text(rule.summary().isEmpty() ? rule.template() : rule.summary()),
+            Markup.text(rule.explanation()),
+            Texts.of("problems.rule.bad"),
+            Markup.text(rule.bad()),
+            Texts.of("problems.rule.good"),
+            Markup.text(rule.good()),
+            Markup.text(rule.reference()));
+  }
 
   /**
    * All of it.

@@ -1,8 +1,8 @@
 package org.selectiverenderer.enricher.problems;
 
-import java.util.regex.Pattern;
-import java.util.regex.Matcher;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.ElementFinding;
@@ -63,6 +63,13 @@ record ProblemEntry(
     return place instanceof Place.InText in ? Optional.of(in.offset()) : Optional.empty();
   }
 
+  /** Where it is in another file, such as one that the scene inlines. */
+  Optional<Location> otherFile() {
+    return place instanceof Place.Elsewhere other && !other.location().file().isEmpty()
+        ? Optional.of(other.location())
+        : Optional.empty();
+  }
+
   /** Where it is now, for messages. */
   Location location(SceneDocument document) {
     return place instanceof Place.Elsewhere other
@@ -83,7 +90,7 @@ record ProblemEntry(
     return other.compareTo(severity) < 0 ? new ProblemEntry(other, message, place, fix) : this;
   }
 
-  /** The rule that a validator names behind the message. */
+  /** The validator's rule, {@code SR103}; empty where no rule is named. */
   Optional<String> rule() {
     Matcher named = RULE.matcher(message);
     return named.find() ? Optional.of(named.group(1)) : Optional.empty();

@@ -24,10 +24,12 @@ import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -51,9 +53,11 @@ public final class ProblemsPanel extends JPanel {
   private final JLabel left = new JLabel(" ");
 
   private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
-  private final transient Action goTo = action("Go to place", this::go);
+  private final transient Action goTo = action("Go to place", this::visit);
   private final transient Action mend = action("Fix", this::fix);
   private transient Consumer<ProblemCounts> onCounts = counts -> {};
+  private transient Consumer<Location> onElsewhere = place -> {};
+  private transient Consumer<Optional<String>> onExplain = rule -> {};
   private transient IntConsumer onPlace = offset -> {};
 
   /**
@@ -115,12 +119,15 @@ public final class ProblemsPanel extends JPanel {
     table.getSelectionModel().addListSelectionListener(event -> chosen());
     key("ENTER", "goTo", goTo);
     key("alt ENTER", "fix", mend);
+    Action explain = action(Texts.of("problems.explain"), this::explain);
+    key("F1", "explain", explain);
     Action copy = action("Copy", this::copy);
     key("ctrl C", "copyProblem", copy);
     JPopupMenu menu = new JPopupMenu("Problem");
     menu.add(goTo);
     menu.add(mend);
     menu.add(copy);
+    menu.add(explain);
     table.setComponentPopupMenu(menu);
     table.addMouseListener(
         new MouseAdapter() {
@@ -136,7 +143,11 @@ public final class ProblemsPanel extends JPanel {
           public void mouseClicked(MouseEvent event) {
             if (event.getButton() == MouseEvent.BUTTON1
                 && table.rowAtPoint(event.getPoint()) >= 0) {
-              go();
+              if (event.getClickCount() == 2) {
+                visit();
+              } else {
+                go();
+              }
             }
           }
         });
@@ -169,6 +180,16 @@ public final class ProblemsPanel extends JPanel {
     onPlace = listener;
   }
 
+  /** Hears the place in another file that the author wants to see. */
+  public void onElsewhere(Consumer<Location> listener) {
+    onElsewhere = listener;
+  }
+
+  /** Hears the rule of the validator that the author wants explained; empty where none is named. */
+  public void onExplain(Consumer<Optional<String>> listener) {
+    onExplain = listener;
+  }
+
   /** Whether there is an error or a warning of the element itself. */
   public boolean faulty(DocumentElement element) {
     return model.faulty(element);
@@ -184,7 +205,10 @@ public final class ProblemsPanel extends JPanel {
     fix.setText(found.map(ElementFinding.Fix::name).orElse("Fix"));
     fix.setEnabled(found.isPresent());
     mend.setEnabled(found.isPresent());
-    goTo.setEnabled(chosenEntry().flatMap(ProblemEntry::offset).isPresent());
+    goTo.setEnabled(
+        chosenEntry()
+            .filter(entry -> entry.offset().isPresent() || entry.otherFile().isPresent())
+            .isPresent());
   }
 
   /** Goes to the place of the chosen problem. */
@@ -196,6 +220,17 @@ public final class ProblemsPanel extends JPanel {
               entry.element().ifPresent(element -> session.select(element, this));
               entry.offset().ifPresent(onPlace::accept);
             });
+  }
+
+  /** Goes to the place of the chosen problem, in another file too. */
+  private void visit() {
+    chosenEntry()
+        .flatMap(ProblemEntry::otherFile)
+        .ifPresentOrElse(other -> onElsewhere.accept(other), this::go);
+  }
+
+  private void explain() {
+    onExplain.accept(chosenEntry().flatMap(ProblemEntry::rule));
   }
 
   /** Mends the chosen problem, if there is an obvious way. */

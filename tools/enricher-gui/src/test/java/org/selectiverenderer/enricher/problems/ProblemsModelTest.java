@@ -128,12 +128,21 @@ class ProblemsModelTest {
   }
 
   @Test
+  void theRuleOfAProblemIsKnown() {
+    model.checked(document.revision(), List.of(at("<Transform", "no number [SR103]")));
+    model.refresh();
+    assertThat(only("no number [SR103]").rule()).contains("SR103");
+    assertThat(RuleCatalogue.standard().find("SR103")).isPresent();
+  }
+
+  @Test
   void problemsOfOtherFilesNameThem() {
     Problem other = new Problem(Severity.ERROR, new Location("bin.x3d", 3, 4), "no number");
     model.checked(document.revision(), List.of(other));
     model.refresh();
     assertThat(only("no number").offset()).isEmpty();
     assertThat(only("no number").location(document)).hasToString("bin.x3d:3:4");
+    assertThat(only("no number").otherFile()).contains(other.location());
   }
 
   @Test
