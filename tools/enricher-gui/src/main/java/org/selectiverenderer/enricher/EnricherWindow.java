@@ -1,11 +1,9 @@
 package org.selectiverenderer.enricher;
 
-import org.selectiverenderer.enricher.settings.Language;
-import org.selectiverenderer.enricher.settings.FontZoom;
-import org.selectiverenderer.base.decimal.DecimalText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -19,11 +17,14 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.settings.FontZoom;
+import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
@@ -135,7 +136,8 @@ final class EnricherWindow {
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);
     frame.add(status.component(), BorderLayout.SOUTH);
-    frame.setMinimumSize(new Dimension(640, 420));
+    Rectangle screen = frame.getGraphicsConfiguration().getBounds();
+    frame.setMinimumSize(new Dimension(Math.min(640, screen.width), Math.min(420, screen.height)));
     place.restore(frame);
     refresh();
   }

@@ -1,11 +1,11 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Color;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The labels of forms. */
 final class Labels {
@@ -30,13 +30,12 @@ final class Labels {
     return label;
   }
 
-  /** A line of small letters with the names of the thesis, as the header of what is below it. */
-  static JLabel names(String... names) {
-    JLabel label = new JLabel(Texts.of("terms.names", String.join(", ", names)));
-    label.putClientProperty("FlatLaf.styleClass", "small");
-    label.setEnabled(false);
-    label.setToolTipText(label.getText());
-    return label;
+  /** Small letters with the names of the thesis, as the header of what is below it. */
+  static JTextArea names(String... names) {
+    JTextArea area = sentences(Texts.of("terms.names", String.join(", ", names)));
+    area.setFont(UIManager.getFont("small.font"));
+    area.setEnabled(false);
+    return area;
   }
 
   /** A sentence under a control that says what is wrong in it. */
